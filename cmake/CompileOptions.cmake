@@ -1,0 +1,28 @@
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+
+# weft_options: what every source file of the project is compiled with. Results must not depend on
+# the compiler, so a product and a sum are never contracted and fast-math is never used.
+add_library(weft_options INTERFACE)
+target_compile_options(
+  weft_options
+  INTERFACE -ffp-contract=off
+            -fno-math-errno
+            -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=
+            -Wall
+            -Wextra
+            -Wshadow
+            -Wconversion
+            -Wno-sign-conversion
+            -Wnon-virtual-dtor
+            -Woverloaded-virtual)
+if(WEFT_WERROR)
+  target_compile_options(weft_options INTERFACE -Werror)
+endif()
+
+if(WEFT_SANITIZE)
+  target_compile_options(
+    weft_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                           -fno-omit-frame-pointer -g)
+  target_link_options(weft_options INTERFACE -fsanitize=address,undefined)
+endif()

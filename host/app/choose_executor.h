@@ -1,0 +1,24 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_CHOOSE_EXECUTOR_H
+#define WEFT_APP_CHOOSE_EXECUTOR_H
+
+#include <memory>
+
+#include "app/options.h"
+#include "base/diagnostics.h"
+#include "device/executor.h"
+
+namespace weft {
+
+/// The backend and device that the options ask for. Where they name no backend it is OpenCL if
+/// there is any device, else Embree, and a warning says so. Throws Error (exit code 3).
+[[nodiscard]] std::unique_ptr<Executor> choose_executor(const RenderOptions& options,
+                                                        Diagnostics& diagnostics);
+
+/// Every OpenCL device, then the Embree backend.
+[[nodiscard]] std::vector<DeviceInfo> all_devices();
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_COMMANDS_H
+#define WEFT_APP_COMMANDS_H
+
+#include "app/options.h"
+#include "base/diagnostics.h"
+#include "base/error.h"
+
+namespace weft {
+
+/// `weft render`: reads, renders, writes. Returns success or interrupted; failures are Errors.
+[[nodiscard]] ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics);
+
+/// `weft info`: what a scene holds and calls for, on stdout.
+void info_command(const InfoOptions& options, Diagnostics& diagnostics);
+
+/// `weft devices`: what kernels can run on, on stdout.
+void devices_command(const DevicesOptions& options);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/interrupt.h"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+
+#include "base/error.h"
+
+namespace weft {
+namespace {
+
+// Programs that pass a signal on send it to the process and to its group; no one presses Ctrl-C
+// twice within this time.
+constexpr std::int64_t repeat_milliseconds = 200;
+
+std::atomic<bool> requested{false};
+std::atomic<std::int64_t> requested_at{0};  // 0 before the first signal
+static_assert(std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<std::int64_t>::is_always_lock_free,
+              "a signal handler may touch lock-free atomics only");
+
+std::int64_t milliseconds() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1000000;
+}
+
+extern "C" void weft_handle_interrupt(int signal) {
+    const int saved_errno = errno;
+    const std::int64_t now = milliseconds();
+    std::int64_t first = 0;
+    if (requested_at.compare_exchange_strong(first, now))
+        requested = true;
+    else if (signal == SIGINT && now - first > repeat_milliseconds)
+        ::_exit(static_cast<int>(ExitCode::interrupted));
+    errno = saved_errno;
+}
+
+}  // namespace
+
+const std::atomic<bool>& interrupt_flag() noexcept {
+    return requested;
+}
+
+InterruptGuard::InterruptGuard() {
+    requested = false;
+    requested_at = 0;
+    struct sigaction action {};
+    action.sa_handler = weft_handle_interrupt;
+    action.sa_flags = SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
+    ::sigaction(SIGINT, &action, &old_interrupt_);
+    ::sigaction(SIGTERM, &action, &old_terminate_);
+}
+
+InterruptGuard::~InterruptGuard() {
+    ::sigaction(SIGINT, &old_interrupt_, nullptr);
+    ::sigaction(SIGTERM, &old_terminate_, nullptr);
+}
+
+}  // namespace weft

@@ -1,0 +1,56 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <new>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "base/diagnostics.h"
+#include "base/error.h"
+
+namespace {
+
+int exit_status(weft::ExitCode code) {
+    return static_cast<int>(code);
+}
+
+weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagnostics) {
+    if (const auto* help = std::get_if<weft::HelpText>(&command)) {
+        fmt::print("{}", help->text);
+    } else if (const auto* render = std::get_if<weft::RenderOptions>(&command)) {
+        return weft::render_command(*render, diagnostics);
+    } else if (const auto* info = std::get_if<weft::InfoOptions>(&command)) {
+        weft::info_command(*info, diagnostics);
+    } else if (const auto* devices = std::get_if<weft::DevicesOptions>(&command)) {
+        weft::devices_command(*devices);
+    }
+    return weft::ExitCode::success;
+}
+
+void print_warnings(const weft::Diagnostics& diagnostics) {
+    for (const std::string& warning : diagnostics.warnings())
+        fmt::print(stderr, "weft: warning: {}\n", warning);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    weft::Diagnostics diagnostics;
+    try {
+        const weft::ExitCode code = run(weft::parse_command_line(argc, argv), diagnostics);
+        print_warnings(diagnostics);
+        return exit_status(code);
+    } catch (const weft::Error& error) {
+        print_warnings(diagnostics);
+        fmt::print(stderr, "weft: {}\n", error.what());
+        return exit_status(error.code());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "weft: out of memory\n");
+        return exit_status(weft::ExitCode::out_of_memory);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "weft: {}\n", error.what());
+        return exit_status(weft::ExitCode::device);
+    }
+}

@@ -1,0 +1,304 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/quote.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+
+// In the order of the enumerations.
+constexpr std::array<std::string_view, 2> algorithm_names = {"igi", "ir"};
+constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
+constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
+constexpr std::array<std::string_view, 2> component_names = {"direct", "indirect"};
+constexpr std::array<std::string_view, 3> command_names = {"render", "info", "devices"};
+constexpr double max_exposure_ev = 100.0;
+
+Error usage_error(const std::string& message) {
+    return {ExitCode::usage, message};
+}
+
+/// An option with one value, kept as text: values are read after the whole line is known to be
+/// well-formed, so that the first mistake reported is the one the user sees first.
+void add_value(CLI::App& command, const std::string& names, const std::string& value_name,
+               const std::string& description) {
+    command.add_option(names, description)
+        ->type_name(value_name)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_flag(CLI::App& command, const std::string& name, const std::string& description) {
+    command.add_flag(name, description)->disable_flag_override();
+}
+
+void add_render(CLI::App& app) {
+    CLI::App& render = *app.add_subcommand("render", "Renders a scene to an EXR or PNG file");
+    add_value(render, "SCENE", "", "glTF (.gltf, .glb) or Mitsuba XML (.xml) scene");
+    add_value(render, "-o,--output", "FILE",
+              "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
+              "folder)");
+    add_value(render, "--algorithm", "NAME", "igi or ir (default: igi)");
+    add_value(
+        render, "--backend", "NAME",
+        "opencl, embree, or native: as embree, but tracing with Weft's own BVH (default: opencl "
+        "where there is a device, else embree)");
+    add_value(render, "--device", "N|NAME", "OpenCL device, as `weft devices` lists them");
+    add_value(render, "--threads", "N", "CPU threads (default: all)");
+    add_value(render, "--tile", "N", "Edge of a tile in pixels (default: 64)");
+    add_value(render, "--size", "WxH", "Size of the picture (default: the scene's, else 512x512)");
+    add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
+    add_value(render, "--components", "LIST", "Any of direct,indirect (default: all)");
+    add_value(render, "--spp", "N", "Samples per pixel (default: 1, or what fits into --time)");
+    add_value(render, "--time", "T", "Total wall time, such as 300ms, 2.5s or 2m");
+    add_value(render, "--seed", "N", "Seed of all random numbers (default: 0)");
+    add_value(render, "--exposure", "EV|auto", "Exposure of a PNG in stops (default: 0)");
+    add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
+    add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
+}
+
+void add_commands(CLI::App& app) {
+    app.set_help_flag("-h,--help", "Prints this text");
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    add_flag(app, "--version", "Prints the version");
+    app.allow_extras();  // this file words the errors itself
+    app.require_subcommand(0, 1);
+    add_render(app);
+    CLI::App& info = *app.add_subcommand("info", "Says what a scene holds");
+    add_value(info, "SCENE", "", "glTF (.gltf, .glb) or Mitsuba XML (.xml) scene");
+    add_flag(info, "--json", "Prints JSON");
+    CLI::App& devices = *app.add_subcommand("devices", "Lists what can render");
+    add_flag(devices, "--json", "Prints JSON");
+    for (CLI::App* command : app.get_subcommands({})) {
+        command->group("Commands");
+        command->add_flag("--version")->group("");  // works everywhere, listed once
+    }
+}
+
+/// The help of the command that is being parsed.
+std::string help_text(CLI::App& app) {
+    // Neither may be demanded while parsing, which would then stop at the less helpful error.
+    app.require_subcommand(1);
+    for (CLI::App* command : app.get_subcommands({}))
+        if (CLI::Option* scene = command->get_option_no_throw("SCENE")) scene->required();
+    return app.help();
+}
+
+/// What was not understood, without the mark that ends the options.
+std::vector<std::string> unknown_arguments(const CLI::App& command) {
+    std::vector<std::string> arguments = command.remaining();
+    std::erase(arguments, "--");
+    return arguments;
+}
+
+/// The value given for an option, if any.
+std::optional<std::string> value_of(const CLI::App& command, const std::string& name) {
+    const std::vector<std::string>& results = command.get_option(name)->results();
+    if (results.empty()) return std::nullopt;
+    if (results.size() > 1) throw usage_error(name + ": is given more than once");
+    if (results[0].empty()) throw usage_error(name + ": is empty, expected a value");
+    return results[0];
+}
+
+[[noreturn]] void refuse_extra(const CLI::App& command, const std::string& extra) {
+    if (extra.size() < 2 || extra[0] != '-')
+        throw usage_error("unexpected argument " + quote(extra));
+    const std::string name = extra.substr(0, extra.find('='));
+    std::vector<std::string> own;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& long_name : option->get_lnames()) own.push_back("--" + long_name);
+    const std::vector<std::string_view> names(own.begin(), own.end());
+    const bool misplaced = command.get_parent() == nullptr && name.size() > 2;
+    const std::string hint = did_you_mean(name, names);
+    throw usage_error("unknown option " + quote(name) +
+                      (hint.empty() && misplaced ? ", expected a command first" : hint));
+}
+
+/// Refuses an option that has swallowed the next one as its value.
+void check_values(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& value : option->results())
+            if (value.starts_with("--") && command.get_option_no_throw(value) != nullptr)
+                throw usage_error(option->get_name() + ": lacks its value");
+}
+
+/// Refuses what CLI11 left over and a missing scene.
+void check_command(const CLI::App& app, const CLI::App* command) {
+    const std::vector<std::string> before = unknown_arguments(app);
+    if (!before.empty()) {
+        if (before[0][0] == '-' || command != nullptr) refuse_extra(app, before[0]);
+        throw usage_error("unknown command " + quote(before[0]) +
+                          ", expected render, info or devices" +
+                          did_you_mean(before[0], command_names));
+    }
+    if (command == nullptr)
+        throw usage_error("no command given, expected render, info or devices (see weft --help)");
+    check_values(*command);
+    const std::vector<std::string> extras = unknown_arguments(*command);
+    const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& extra) {
+        return extra.size() > 1 && extra[0] == '-';
+    });
+    // A mistyped option first: its value is what turns up as the argument too many.
+    if (option != extras.end()) refuse_extra(*command, *option);
+    if (!extras.empty()) refuse_extra(*command, extras[0]);
+    if (command->get_option_no_throw("SCENE") != nullptr && !value_of(*command, "SCENE"))
+        throw usage_error("no scene given, expected weft " + command->get_name() + " SCENE");
+}
+
+fs::path output_path(const std::optional<std::string>& given, const fs::path& scene) {
+    if (!given) return scene.stem().string() + ".exr";
+    fs::path path = *given;
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension != ".exr" && extension != ".png")
+        throw usage_error("--output: " + quote(*given) +
+                          " has no known extension, expected .exr or .png");
+    return path;
+}
+
+std::string checked_device(const std::string& text) {
+    const bool number =
+        text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == std::string::npos;
+    if (number)
+        static_cast<void>(
+            parse_unsigned("--device", text, 0, std::numeric_limits<std::uint32_t>::max()));
+    return text;
+}
+
+void read_sampling(const CLI::App& command, RenderOptions& options) {
+    constexpr std::uint32_t max_uint = std::numeric_limits<std::uint32_t>::max();
+    if (const auto text = value_of(command, "--threads"))
+        options.threads = parse_unsigned("--threads", *text, 1, limits::max_threads);
+    if (const auto text = value_of(command, "--tile"))
+        options.tile = parse_unsigned("--tile", *text, 1, limits::max_tile_edge);
+    if (const auto text = value_of(command, "--spp"))
+        options.spp = parse_unsigned("--spp", *text, 1, limits::max_samples_per_pixel);
+    if (const auto text = value_of(command, "--time"))
+        options.time_seconds = parse_duration("--time", *text);
+    if (const auto text = value_of(command, "--seed"))
+        options.seed = parse_unsigned("--seed", *text, 0, max_uint);
+}
+
+void read_picture(const CLI::App& command, RenderOptions& options) {
+    if (const auto text = value_of(command, "--size")) options.size = parse_size("--size", *text);
+    options.camera = value_of(command, "--camera");
+    if (const auto text = value_of(command, "--components"))
+        options.components = parse_name_list("--components", *text, component_names);
+    if (const auto text = value_of(command, "--exposure")) {
+        if (*text == "auto")
+            options.exposure_ev.reset();
+        else
+            options.exposure_ev =
+                parse_number("--exposure", *text, -max_exposure_ev, max_exposure_ev);
+    }
+    options.output = output_path(value_of(command, "--output"), options.scene);
+}
+
+RenderOptions read_render(const CLI::App& command) {
+    RenderOptions options;
+    options.scene = *value_of(command, "SCENE");
+    if (const auto text = value_of(command, "--algorithm"))
+        options.algorithm =
+            static_cast<Algorithm>(parse_name("--algorithm", *text, algorithm_names));
+    if (const auto text = value_of(command, "--backend"))
+        options.backend = static_cast<Backend>(parse_name("--backend", *text, backend_names));
+    if (const auto text = value_of(command, "--device")) options.device = checked_device(*text);
+    read_sampling(command, options);
+    read_picture(command, options);
+    if (const auto text = value_of(command, "--stats")) options.stats = *text;
+    if (const auto text = value_of(command, "--progress"))
+        options.progress =
+            static_cast<ProgressMode>(parse_name("--progress", *text, progress_names));
+    for (const fs::path& other : {options.output, options.scene})
+        if (options.stats && options.stats->lexically_normal() == other.lexically_normal())
+            throw usage_error("--stats: names the same file as " +
+                              std::string(other == options.scene ? "the scene" : "--output"));
+    return options;
+}
+
+/// Text as valid UTF-8, which JSON needs and file names need not be.
+nlohmann::json json_text(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+template <typename Value>
+nlohmann::json json_or_null(const std::optional<Value>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+}
+
+}  // namespace
+
+std::string_view to_string(Algorithm algorithm) {
+    return algorithm_names.at(static_cast<std::size_t>(algorithm));
+}
+
+std::string_view to_string(Backend backend) {
+    return backend_names.at(static_cast<std::size_t>(backend));
+}
+
+std::string_view to_string(ProgressMode mode) {
+    return progress_names.at(static_cast<std::size_t>(mode));
+}
+
+ParsedCommand parse_command_line(int argc, const char* const* argv) {
+    CLI::App app("Weft, a portable global-illumination renderer.", "weft");
+    add_commands(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return HelpText{help_text(app)};
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string message = error.what();
+        if (message.find(" required ") == std::string::npos) throw usage_error(message);
+        throw usage_error(message.substr(0, message.find(':')) + ": lacks its value");
+    } catch (const CLI::ParseError& error) {
+        std::string message = error.what();
+        std::replace(message.begin(), message.end(), '\n', ' ');
+        throw usage_error(message);
+    }
+    const std::vector<CLI::App*> selected = app.get_subcommands();
+    const CLI::App* command = selected.empty() ? nullptr : selected.front();
+    if (app.count("--version") > 0 || (command != nullptr && command->count("--version") > 0))
+        return HelpText{"weft " WEFT_VERSION "\n"};
+    check_command(app, command);
+    if (command->get_name() == "render") return read_render(*command);
+    if (command->get_name() == "info")
+        return InfoOptions{*value_of(*command, "SCENE"), command->count("--json") > 0};
+    return DevicesOptions{command->count("--json") > 0};
+}
+
+nlohmann::json options_json(const RenderOptions& options) {
+    nlohmann::json json;
+    json["scene"] = json_text(options.scene.string());
+    json["output"] = json_text(options.output.string());
+    json["algorithm"] = to_string(options.algorithm);
+    json["backend"] = options.backend ? nlohmann::json(to_string(*options.backend)) : nullptr;
+    json["device"] = options.device ? json_text(*options.device) : nullptr;
+    json["threads"] = json_or_null(options.threads);
+    json["tile"] = options.tile;
+    json["size"] = nullptr;
+    if (options.size) json["size"] = {options.size->width, options.size->height};
+    json["camera"] = options.camera ? json_text(*options.camera) : nullptr;
+    json["components"] = json_or_null(options.components);
+    json["spp"] = json_or_null(options.spp);
+    json["time"] = json_or_null(options.time_seconds);
+    json["seed"] = options.seed;
+    json["exposure"] = options.exposure_ev ? nlohmann::json(*options.exposure_ev) : "auto";
+    json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
+    json["progress"] = to_string(options.progress);
+    return json;
+}
+
+}  // namespace weft

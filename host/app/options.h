@@ -1,0 +1,81 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_OPTIONS_H
+#define WEFT_APP_OPTIONS_H
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/parse_values.h"
+#include "app/progress.h"
+#include "schedule/frame_plan.h"
+
+namespace weft {
+
+/// What runs the kernels: an OpenCL device, the native build tracing with Embree, or the native
+/// build tracing with Weft's own BVH.
+enum class Backend { opencl, embree, native };
+
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(Algorithm algorithm);
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(Backend backend);
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(ProgressMode mode);
+
+/// `weft render`. What is empty was not given, and is for the renderer to choose.
+struct RenderOptions {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< ends in .exr or .png, in any case
+    Algorithm algorithm = Algorithm::igi;
+    std::optional<Backend> backend;
+    std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
+    std::optional<std::uint32_t> threads;  ///< 1 and up
+    std::uint32_t tile = 64;               ///< edge in pixels, 1 to 4096
+    std::optional<FilmSize> size;          ///< else the scene's
+    std::optional<std::string> camera;     ///< else the scene's first
+    std::optional<std::vector<std::string>> components;  ///< subset of direct, indirect
+    std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
+    std::optional<double> time_seconds;                  ///< total wall time, above 0
+    std::uint32_t seed = 0;
+    std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
+    std::optional<std::filesystem::path> stats;
+    ProgressMode progress = ProgressMode::automatic;
+};
+
+/// `weft info`.
+struct InfoOptions {
+    std::filesystem::path scene;
+    bool json = false;
+};
+
+/// `weft devices`.
+struct DevicesOptions {
+    bool json = false;
+};
+
+/// `--help` or `--version`: text for standard output, after which the program ends well.
+struct HelpText {
+    std::string text;
+};
+
+/// One command, ready to run.
+using ParsedCommand = std::variant<HelpText, RenderOptions, InfoOptions, DevicesOptions>;
+
+/// Reads a whole command line, `argv[0]` being the program's name. Looks at no file. Throws Error
+/// (exit code 1) with one line that says which option is wrong and what was expected.
+[[nodiscard]] ParsedCommand parse_command_line(int argc, const char* const* argv);
+
+/// Every option by its name on the command line, for `--stats`; null for what is empty. To record
+/// effective values, fill in what the renderer has chosen first.
+[[nodiscard]] nlohmann::json options_json(const RenderOptions& options);
+
+}  // namespace weft
+
+#endif

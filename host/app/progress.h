@@ -1,0 +1,67 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_PROGRESS_H
+#define WEFT_APP_PROGRESS_H
+
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace weft {
+
+/// How progress is shown: a bar on a terminal and plain lines elsewhere, always plain lines, or not
+/// at all.
+enum class ProgressMode { automatic, plain, none };
+
+/// Percent done, time spent and, once it can be told, time left: `42 %, 3.1 s, 4.3 s left`.
+/// `fraction` is clamped to [0, 1], NaN counts as 0; 100 % only shows when all is done.
+[[nodiscard]] std::string format_progress(double fraction, double elapsed_seconds);
+
+/// A bar, format_progress() and the stage, shortened to at most `columns` characters.
+[[nodiscard]] std::string format_bar(double fraction, double elapsed_seconds,
+                                     std::string_view stage, std::size_t columns);
+
+/// Shows how far a piece of work has come. Used from one thread.
+class Progress {
+  public:
+    /// `stream` is not closed. `clock` returns seconds; the steady clock where it is empty.
+    Progress(ProgressMode mode, std::FILE* stream, std::function<double()> clock = {});
+
+    /// Takes the bar off the terminal, so that an error message starts on a clean line.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Says that `fraction` of all work is done and what is done now. Cheap enough to call often:
+    /// the bar is drawn at most ten times a second; a plain line follows the one before after at
+    /// least a second and the next 10 % or a new stage.
+    void update(double fraction, std::string_view stage);
+
+    /// All is done: removes the bar, or prints the last line with the whole time.
+    void finish();
+
+  private:
+    enum class Style { bar, lines, silent };
+
+    void draw_bar(double fraction, double elapsed, std::string_view stage);
+    void print_line(double fraction, double elapsed, std::string_view stage);
+    void clear_bar();
+    void write(const std::string& text);
+
+    std::FILE* stream_;
+    std::function<double()> clock_;
+    Style style_;
+    double start_;
+    bool shown_ = false;
+    bool finished_ = false;
+    double last_time_ = 0.0;
+    double last_fraction_ = 0.0;
+    std::string last_stage_;
+    std::size_t bar_length_ = 0;
+};
+
+}  // namespace weft
+
+#endif

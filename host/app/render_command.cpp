@@ -1,0 +1,175 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "app/choose_executor.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/stats_json.h"
+#include "base/file.h"
+#include "frame/camera_params.h"
+#include "image/exr.h"
+#include "image/png.h"
+#include "scene/load_scene.h"
+
+namespace weft {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Milliseconds since the last call.
+class Stopwatch {
+  public:
+    double lap() {
+        const auto now = Clock::now();
+        return std::chrono::duration<double, std::milli>(now - std::exchange(last_, now)).count();
+    }
+    [[nodiscard]] double total() const {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    }
+
+  private:
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+};
+
+RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
+    RenderSettings settings;
+    settings.algorithm = options.algorithm;
+    const FilmSize size =
+        options.size.value_or(scene.film.value_or(FilmSize{settings.width, settings.height}));
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.tile = options.tile;
+    settings.seed = options.seed;
+    settings.jitter = options.spp.value_or(options.time_seconds ? 2 : 1) > 1;
+    if (options.components) {
+        const auto wanted = [&](const char* name) {
+            return std::find(options.components->begin(), options.components->end(), name) !=
+                   options.components->end();
+        };
+        settings.direct = wanted("direct");
+        settings.indirect = wanted("indirect");
+    }
+    return settings;
+}
+
+/// How far a frame is, from what its stages cost as a rule.
+double share_of_frame(const std::string& stage, double done) {
+    constexpr double before_gather = 0.1;
+    constexpr double direct = 0.15;
+    if (stage == "VPL gather") return before_gather + direct + 0.7 * done;
+    if (stage == "area lights" || stage == "distant light") return before_gather + direct * done;
+    if (stage == "reconstruction" || stage == "composition") return 0.97;
+    return before_gather * done * 0.5;
+}
+
+/// Renders frames until the options' count, their time or the user ends it.
+bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& progress,
+                   const Stopwatch& watch) {
+    const bool timed = options.time_seconds.has_value();
+    const std::uint32_t frames =
+        options.spp.value_or(timed ? std::numeric_limits<std::uint32_t>::max() : 1);
+    const double budget_ms = timed ? *options.time_seconds * 1000.0 : 0.0;
+    double shown = 0.0;
+    std::uint32_t frame = 0;
+    bool out_of_time = false;
+    const KeepGoing keep_going = [&](const std::string& stage, double done) {
+        double fraction = (frame + share_of_frame(stage, done)) / frames;
+        if (timed) fraction = std::max(fraction, std::min(1.0, watch.total() / budget_ms));
+        shown = std::max(shown, fraction);
+        progress.update(shown, stage);
+        // A first frame is finished even when the time is up: less than a picture helps nobody.
+        out_of_time = timed && frame > 0 && watch.total() > budget_ms;
+        return !interrupt_flag() && !out_of_time;
+    };
+    for (; frame < frames && !interrupt_flag(); ++frame) {
+        if (timed && frame > 0 && watch.total() >= budget_ms) break;
+        if (!renderer.render_frame(keep_going)) break;
+    }
+    return !interrupt_flag();
+}
+
+void warn_about_nonfinite(const Renderer& renderer, std::uint32_t width, Diagnostics& diagnostics) {
+    constexpr std::array names{"emission", "direct", "indirect"};
+    for (std::size_t frame = 0; frame < renderer.stats().size(); ++frame)
+        for (std::size_t c = 0; c < names.size(); ++c) {
+            const NonfiniteStats& found = renderer.stats()[frame].nonfinite[c];
+            if (found.count > 0)
+                diagnostics.warn(
+                    "", fmt::format("{} values of {} light were not finite in sample "
+                                    "{} (first at pixel {}, {}) and count as black",
+                                    found.count, names[c], frame, found.first_pixel % width,
+                                    found.first_pixel / width));
+        }
+}
+
+void write_picture(const RenderOptions& options, Image& image, const Renderer& renderer) {
+    image.metadata["software"] = "weft " WEFT_VERSION;
+    image.metadata["scene"] = options.scene.filename().string();
+    image.metadata["algorithm"] = to_string(options.algorithm);
+    image.metadata["samples"] = std::to_string(renderer.frames());
+    image.metadata["seed"] = std::to_string(options.seed);
+    std::string extension = options.output.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png") {
+        write_png(options.output, image,
+                  options.exposure_ev ? *options.exposure_ev : auto_exposure(image));
+    } else {
+        write_exr(options.output, image);
+    }
+}
+
+void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
+    if (!options.stats) return;
+    const std::string text = stats.dump(2) + "\n";
+    write_file_atomically(*options.stats, std::as_bytes(std::span(text)));
+}
+
+double kernel_build_ms(const Executor& executor) {
+    double sum = 0.0;
+    for (const KernelBuild& build : executor.builds()) sum += build.build_ms;
+    return sum;
+}
+
+}  // namespace
+
+ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) {
+    Stopwatch watch;
+    const InterruptGuard guard;
+    Progress progress(options.progress, stderr);
+    RunTimes times;
+    progress.update(0.0, "reading");
+    const Scene scene = load_scene(options.scene, diagnostics);
+    const FlatScene flat = flatten(scene);
+    const RenderSettings settings = settings_of(options, scene);
+    const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
+    if (flat.lights.empty())
+        diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
+    times.read_scene_ms = watch.lap();
+    progress.update(0.0, "opening device");
+    const std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
+    times.open_device_ms = watch.lap();
+    progress.update(0.0, "building");
+    Renderer renderer(*executor, flat, camera, settings);
+    const bool complete = render_frames(renderer, options, progress, watch);
+    times.render_ms = watch.lap();
+    times.build_kernels_ms = kernel_build_ms(*executor);
+    times.build_bvh_ms = executor->scene_ms();
+    progress.update(1.0, "writing");
+    Image image = renderer.image();
+    write_picture(options, image, renderer);
+    times.write_ms = watch.lap();
+    times.total_ms = watch.total();
+    progress.finish();
+    warn_about_nonfinite(renderer, settings.width, diagnostics);
+    write_stats(options, stats_json(options, *executor, renderer, flat, settings, times));
+    return complete ? ExitCode::success : ExitCode::interrupted;
+}
+
+}  // namespace weft

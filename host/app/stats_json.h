@@ -1,0 +1,35 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_STATS_JSON_H
+#define WEFT_APP_STATS_JSON_H
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "app/options.h"
+#include "device/executor.h"
+#include "frame/renderer.h"
+
+namespace weft {
+
+/// Milliseconds of the parts of a run.
+struct RunTimes {
+    double read_scene_ms = 0.0;
+    double open_device_ms = 0.0;
+    double build_kernels_ms = 0.0;
+    double build_bvh_ms = 0.0;
+    double render_ms = 0.0;
+    double write_ms = 0.0;
+    double total_ms = 0.0;  ///< from the start of the program to the written picture
+};
+
+[[nodiscard]] nlohmann::json device_json(const DeviceInfo& device);
+
+/// The content of `--stats`.
+[[nodiscard]] nlohmann::json stats_json(const RenderOptions& options, const Executor& executor,
+                                        const Renderer& renderer, const FlatScene& scene,
+                                        const RenderSettings& settings, const RunTimes& times);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,45 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BASE_ERROR_H
+#define WEFT_BASE_ERROR_H
+
+#include <stdexcept>
+#include <string>
+
+namespace weft {
+
+/// Process exit codes; part of the user interface.
+enum class ExitCode : int {
+    success = 0,
+    usage = 1,
+    bad_input = 2,
+    device = 3,
+    out_of_memory = 4,
+    output = 5,
+    interrupted = 130,
+};
+
+/// A failure with the exit code it ends the program with. `what()` is the one line shown to the
+/// user: `place: what is wrong, what was expected`.
+class Error : public std::runtime_error {
+  public:
+    Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+
+    /// `place` is `file:line`, `file` or `file#/json/pointer`.
+    Error(ExitCode code, const std::string& place, const std::string& message)
+        : std::runtime_error(place.empty() ? message : place + ": " + message), code_(code) {}
+
+    [[nodiscard]] ExitCode code() const noexcept { return code_; }
+
+  private:
+    ExitCode code_;
+};
+
+/// Shorthand for the error every reader throws: exit code 2 with a place.
+[[nodiscard]] inline Error input_error(const std::string& place, const std::string& message) {
+    return {ExitCode::bad_input, place, message};
+}
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,40 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BASE_FILE_H
+#define WEFT_BASE_FILE_H
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace weft {
+
+/// The whole file, at most `max_bytes` long. Throws Error (exit code 2) that names `place` (or the
+/// path, where `place` is empty) when it is missing, not a regular file, too long or unreadable.
+[[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path,
+                                               std::size_t max_bytes,
+                                               const std::string& place = {});
+
+/// Resolves a relative reference inside a scene file against the folder of that file. Refuses
+/// absolute paths, URI schemes, `..` components and NUL bytes with an Error (exit code 2).
+/// Percent-escapes are decoded first when `percent_encoded`.
+[[nodiscard]] std::filesystem::path resolve_reference(const std::filesystem::path& scene_file,
+                                                      const std::string& reference,
+                                                      const std::string& place,
+                                                      bool percent_encoded);
+
+/// Writes a file so that no reader ever sees half of it: `write` fills a temporary file beside
+/// `path`, which is then flushed and renamed. On any failure the temporary file is removed and the
+/// old file stays. Throws Error (exit code 5).
+void write_file_atomically(const std::filesystem::path& path,
+                           const std::function<void(const std::filesystem::path&)>& write);
+
+/// `write_file_atomically` of given bytes.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,91 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "bvh/embree_tree.h"
+#include "bvh/flatten.h"
+#include "bvh/pieces.h"
+#include "bvh/wide_bvh.h"
+
+namespace weft {
+namespace {
+
+// A path of n nodes needs at most n (node_width - 1) + 1 stack entries; Embree counts the leaf too
+// and falls back to balanced subtrees before it goes deeper than it may.
+constexpr std::uint32_t max_depth = (BVH_STACK - 1) / (node_width - 1) + 1;
+
+// Splits repeat triangles, so they must earn that by this factor of the cost.
+constexpr double worthwhile_cost = 0.95;
+
+// A build with splits takes about three times as long as one without. Up to this size that stays
+// within seconds; beyond it no second build is tried.
+constexpr std::size_t max_pieces_to_split = 4'000'000;
+
+// Embree works with areas in float, which have to stay finite.
+constexpr float max_embree_coordinate = 1e15F;
+
+bool fits_embree(const std::vector<Piece>& pieces) noexcept {
+    for (const Piece& piece : pieces) {
+        const Box box = box_of(piece);
+        for (std::size_t a = 0; a < 3; ++a)
+            if (box.lower[a] < -max_embree_coordinate || box.upper[a] > max_embree_coordinate)
+                return false;
+    }
+    return true;
+}
+
+void check_settings(const BvhSettings& settings) {
+    if (settings.max_leaf_triangles < 1 || settings.max_leaf_triangles > BVH_COUNT_MASK)
+        throw Error(ExitCode::usage, "leaves of the BVH may hold " +
+                                         std::to_string(settings.max_leaf_triangles) +
+                                         " triangles, expected 1 to 15");
+    if (!std::isfinite(settings.padding) || settings.padding < 0.0F)
+        throw Error(ExitCode::usage, "the padding of the BVH is not finite or negative");
+}
+
+WideBvh build_best(std::span<const shared::float4> positions,
+                   std::span<const shared::Triangle> triangles, const BvhSettings& settings) {
+    std::vector<Piece> pieces = make_pieces(positions, triangles);
+    const auto flat = [&](const BuildTree& tree) {
+        return flatten(tree, positions, triangles, settings);
+    };
+    // Very large coordinates are the one case where a tree worse than Embree's is accepted.
+    if (!fits_embree(pieces)) return flat(build_balanced_tree(pieces, settings.max_leaf_triangles));
+
+    EmbreeBuild request{.max_leaf = settings.max_leaf_triangles, .max_depth = max_depth};
+    WideBvh best = flat(build_embree_tree(pieces, positions, triangles, request));
+    if (settings.spatial_splits && pieces.size() > 1 && pieces.size() <= max_pieces_to_split) {
+        request.spatial_splits = true;
+        WideBvh split = flat(build_embree_tree(pieces, positions, triangles, request));
+        if (split.stack_need <= BVH_STACK && split.sah_cost < worthwhile_cost * best.sah_cost)
+            best = std::move(split);
+    }
+    if (best.stack_need > BVH_STACK)
+        best = flat(build_balanced_tree(pieces, settings.max_leaf_triangles));
+    return best;
+}
+
+}  // namespace
+
+WideBvh build_bvh(std::span<const shared::float4> positions,
+                  std::span<const shared::Triangle> triangles, const BvhSettings& settings) {
+    check_settings(settings);
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        WideBvh bvh = build_best(positions, triangles, settings);
+        const std::chrono::duration<double, std::milli> time =
+            std::chrono::steady_clock::now() - start;
+        bvh.build_ms = time.count();
+        return bvh;
+    } catch (const std::bad_alloc&) {
+        throw Error(ExitCode::out_of_memory, "out of memory while building the BVH");
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,36 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BVH_EMBREE_TREE_H
+#define WEFT_BVH_EMBREE_TREE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "bvh/build_tree.h"
+
+namespace weft {
+
+/// What Embree's builder is asked for.
+struct EmbreeBuild {
+    std::uint32_t max_leaf = 8;    ///< pieces in a leaf
+    std::uint32_t max_depth = 32;  ///< nodes and a leaf on the longest path
+    bool spatial_splits = false;
+    std::size_t max_bytes = SIZE_MAX;  ///< Embree's memory; more counts as out of memory
+};
+
+/// Builds a tree over the pieces by the surface area heuristic. With spatial splits a triangle may
+/// lie in several leaves, by pieces that together hold all of it. Throws Error (exit code 4 when
+/// memory runs out, 3 for other failures of Embree).
+///
+/// The tree without splits depends on the pieces alone. With splits Embree sums areas and hands
+/// out its spare room in the order in which threads finish, so two builds on several threads may
+/// differ slightly; results of traversal do not depend on that.
+[[nodiscard]] BuildTree build_embree_tree(std::span<const Piece> pieces,
+                                          std::span<const shared::float4> positions,
+                                          std::span<const shared::Triangle> triangles,
+                                          const EmbreeBuild& request);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,41 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BVH_PIECES_H
+#define WEFT_BVH_PIECES_H
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bvh/box.h"
+#include "bvh/convex_polygon.h"
+#include "device/native/embree.h"
+#include "device/shared_types.h"
+
+namespace weft {
+
+/// What a tree is built from: the box of a triangle, or of the part of it that a spatial split
+/// left. `primID` is the triangle; Embree keeps counts of its own in `geomID`.
+using Piece = RTCBuildPrimitive;
+
+/// The vertices of a triangle whose indices are known to be valid.
+[[nodiscard]] Corners corners_of(std::span<const shared::float4> positions,
+                                 const shared::Triangle& triangle) noexcept;
+
+/// False for triangles that no ray can hit: zero area, or vertices that are not finite.
+[[nodiscard]] bool can_be_hit(const Corners& corners) noexcept;
+
+/// The smallest box of floats around a triangle.
+[[nodiscard]] Box box_of(const Corners& corners) noexcept;
+
+/// The box of a piece.
+[[nodiscard]] Box box_of(const Piece& piece) noexcept;
+
+/// One piece for each triangle that can be hit, in order.
+/// Throws Error (exit code 2) where a vertex index is out of range or there are too many triangles.
+[[nodiscard]] std::vector<Piece> make_pieces(std::span<const shared::float4> positions,
+                                             std::span<const shared::Triangle> triangles);
+
+}  // namespace weft
+
+#endif

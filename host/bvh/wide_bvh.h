@@ -1,0 +1,48 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BVH_WIDE_BVH_H
+#define WEFT_BVH_WIDE_BVH_H
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "device/shared_types.h"
+
+namespace weft {
+
+/// How a BVH is built.
+struct BvhSettings {
+    bool spatial_splits = true;            ///< tried; kept where they lower the SAH cost enough
+    std::uint32_t max_leaf_triangles = 8;  ///< at most 15
+    float padding = 0.0F;  ///< outward growth of every box, kernel units, on top of rounding
+};
+
+/// A BVH of width NODE_WIDTH in the layout kernels traverse. Node 0 is the root; a scene without
+/// triangles has a root of empty children.
+struct WideBvh {
+    std::vector<shared::BvhNode> nodes;
+    std::vector<shared::BvhTriangle> triangles;  ///< in leaf order; spatial splits repeat some
+    std::uint32_t depth = 0;                     ///< nodes on the longest path
+    std::uint32_t stack_need = 0;  ///< entries the deepest traversal can push, <= BVH_STACK
+    bool has_spatial_splits = false;
+    double sah_cost = 0.0;
+    double build_ms = 0.0;
+};
+
+/// Builds with Embree's `rtcBuildBVH`. Triangles whose area is exactly zero or whose vertices are
+/// not finite are left out, since no ray can hit them. Throws Error (exit code 4 when memory runs
+/// out).
+[[nodiscard]] WideBvh build_bvh(std::span<const shared::float4> positions,
+                                std::span<const shared::Triangle> triangles,
+                                const BvhSettings& settings);
+
+/// Checks every invariant that traversal relies on; returns what is broken, or an empty text.
+[[nodiscard]] std::string check_bvh(const WideBvh& bvh, std::span<const shared::float4> positions,
+                                    std::span<const shared::Triangle> triangles,
+                                    const BvhSettings& settings);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,43 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "device/executor.h"
+
+#include <array>
+#include <cstdlib>
+
+#include "base/error.h"
+
+namespace weft {
+namespace {
+
+struct KernelEntry {
+    std::string_view name;
+    std::uint32_t chunk;
+};
+
+constexpr std::array kernel_entries{
+#define WEFT_KERNEL_ENTRY(name, chunk) KernelEntry{#name, chunk},
+#include "../../kernels/kernels.def"
+#undef WEFT_KERNEL_ENTRY
+};
+
+}  // namespace
+
+std::string_view kernel_name(KernelId kernel) {
+    return kernel_entries.at(static_cast<std::size_t>(kernel)).name;
+}
+
+std::uint32_t kernel_chunk(KernelId kernel) {
+    return kernel_entries.at(static_cast<std::size_t>(kernel)).chunk;
+}
+
+std::uint32_t lanes_from_environment() {
+    const char* const text = std::getenv("WEFT_LANES");
+    if (text == nullptr || *text == '\0') return 0;
+    for (const std::uint32_t lanes : {1U, 4U, 8U, 16U})
+        if (text == std::to_string(lanes)) return lanes;
+    throw Error(ExitCode::usage,
+                "WEFT_LANES is \"" + std::string(text) + "\", expected 1, 4, 8 or 16");
+}
+
+}  // namespace weft

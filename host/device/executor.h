@@ -1,0 +1,169 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_EXECUTOR_H
+#define WEFT_DEVICE_EXECUTOR_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bvh/wide_bvh.h"
+#include "device/shared_types.h"
+
+namespace weft {
+
+/// Every kernel, by the names of kernels/kernels.def.
+enum class KernelId : std::uint32_t {
+#define WEFT_KERNEL_ENTRY(name, chunk) name,
+#include "../../kernels/kernels.def"
+#undef WEFT_KERNEL_ENTRY
+};
+
+[[nodiscard]] std::string_view kernel_name(KernelId kernel);
+
+/// Work-items of one launch on a CPU device.
+[[nodiscard]] std::uint32_t kernel_chunk(KernelId kernel);
+
+/// What a device is, for users and reports.
+struct DeviceInfo {
+    int index = -1;  ///< position in the list of OpenCL devices; -1 for native backends
+    std::string backend;  ///< "opencl", "embree" or "native"
+    std::string name;
+    std::string driver;
+    std::string version;
+    std::uint64_t memory = 0;          ///< bytes
+    std::uint64_t max_allocation = 0;  ///< bytes of one buffer
+    std::uint32_t native_width = 1;    ///< floats per vector
+    std::uint32_t compute_units = 1;
+    bool is_cpu = true;
+};
+
+/// Device memory. Contents are undefined until written.
+class Buffer {
+  public:
+    virtual ~Buffer() = default;
+    [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
+
+  protected:
+    explicit Buffer(std::size_t bytes) : bytes_(bytes) {}
+
+  private:
+    std::size_t bytes_;
+};
+
+/// What rays are traced in, as a backend keeps it.
+class TracedScene {
+  public:
+    virtual ~TracedScene() = default;
+};
+
+/// Triangles as kernels read them, for building a TracedScene; must outlive it.
+struct TracedGeometry {
+    std::span<const shared::float4> positions;
+    std::span<const shared::Triangle> triangles;
+    float box_padding = 0.0F;  ///< see BvhSettings::padding
+};
+
+/// One kernel over [0, items). The executor cuts it into short launches and fills in Params::first
+/// and Params::count of each.
+struct Launch {
+    KernelId kernel;
+    const shared::Params& params;
+    const TracedScene* scene;  ///< null for kernels that trace nothing
+    std::span<Buffer* const> buffers;
+    std::uint32_t items = 0;
+    std::uint32_t items_per_launch = 0;  ///< 0: the kernel's own chunk
+};
+
+/// What building a kernel took.
+struct KernelBuild {
+    std::string name;
+    std::string flags;
+    double build_ms = 0.0;  ///< program build or load, and the compilation at the first launch
+    bool from_cache = false;
+};
+
+enum class Access : std::uint8_t { read, write };
+
+/// Runs kernels on one device. Not thread-safe. Failures are Errors with exit code 3, or 4 where
+/// the device has no memory left.
+class Executor {
+  public:
+    virtual ~Executor() = default;
+
+    [[nodiscard]] virtual const DeviceInfo& device() const = 0;
+    /// Width of shadow-ray packets.
+    [[nodiscard]] virtual std::uint32_t lanes() const = 0;
+
+    /// `what` names the buffer in errors.
+    [[nodiscard]] virtual std::unique_ptr<Buffer> allocate(std::size_t bytes,
+                                                           std::string_view what) = 0;
+    /// Gives `use` the buffer's bytes in host memory. On CPU devices nothing is copied. For
+    /// Access::write the old contents need not be kept.
+    virtual void with_mapped(Buffer& buffer, Access access,
+                             const std::function<void(std::span<std::byte>)>& use) = 0;
+
+    [[nodiscard]] virtual std::unique_ptr<TracedScene> make_scene(
+        const TracedGeometry& geometry) = 0;
+
+    /// Makes kernels ready for frames with these features; others cannot be launched.
+    virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;
+
+    /// Runs all launches of `launch`, in order, after all earlier ones. `keep_going`, where given,
+    /// is asked between launches; when it says false the rest is left out. Returns whether all ran.
+    virtual bool run(const Launch& launch, const std::function<bool(double done)>& keep_going) = 0;
+
+    /// Waits for everything launched and returns its milliseconds on the device since last asked.
+    virtual double take_milliseconds() = 0;
+
+    [[nodiscard]] virtual const std::vector<KernelBuild>& builds() const = 0;
+    /// The BVH of the scene made last, or null where the backend has its own (Embree).
+    [[nodiscard]] virtual const WideBvh* bvh() const { return nullptr; }
+    /// Milliseconds that acceleration structures took.
+    [[nodiscard]] virtual double scene_ms() const = 0;
+    /// Bytes of device memory allocated now.
+    [[nodiscard]] virtual std::size_t allocated_bytes() const = 0;
+};
+
+/// Typed copy into a buffer; `values` fits in it.
+template <class T>
+void write_buffer(Executor& executor, Buffer& buffer, std::span<const T> values) {
+    if (values.empty()) return;
+    executor.with_mapped(buffer, Access::write, [&](std::span<std::byte> bytes) {
+        std::copy_n(reinterpret_cast<const std::byte*>(values.data()), values.size_bytes(),
+                    bytes.begin());
+    });
+}
+
+/// Typed copy of the first `count` values of a buffer.
+template <class T>
+[[nodiscard]] std::vector<T> read_buffer(Executor& executor, Buffer& buffer, std::size_t count) {
+    std::vector<T> values(count);
+    executor.with_mapped(buffer, Access::read, [&](std::span<std::byte> bytes) {
+        std::copy_n(bytes.begin(), count * sizeof(T), reinterpret_cast<std::byte*>(values.data()));
+    });
+    return values;
+}
+
+/// The packet width that the environment variable WEFT_LANES asks for, or 0 where it is not set.
+/// Throws Error (exit code 1) for anything but 1, 4, 8 or 16.
+[[nodiscard]] std::uint32_t lanes_from_environment();
+
+/// A buffer that holds `values`, or 16 bytes where there are none.
+template <class T>
+[[nodiscard]] std::unique_ptr<Buffer> upload(Executor& executor, std::span<const T> values,
+                                             std::string_view what) {
+    auto buffer = executor.allocate(std::max<std::size_t>(values.size_bytes(), 16), what);
+    write_buffer(executor, *buffer, values);
+    return buffer;
+}
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,96 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The kernels as C++. Compiled once per instruction set and packet width (WEFT_LANES), each in a
+// namespace of its own, so that no code of one instruction set can be linked into another.
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include "device/native/native_scene.h"
+#include "device/native/native_variant.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#define LANES WEFT_LANES
+
+namespace WEFT_NATIVE_NAMESPACE {
+namespace {
+
+#include "../../../kernels/port.h"
+#include "../../../kernels/types.h"
+
+#include "../../../kernels/compose.cl"
+#include "../../../kernels/distant_light.cl"
+#include "../../../kernels/gbuffer.cl"
+#include "../../../kernels/light_samples.cl"
+#include "../../../kernels/receivers.cl"
+#include "../../../kernels/reconstruct.cl"
+#include "../../../kernels/vpl_gather.cl"
+#include "../../../kernels/vpl_walk.cl"
+
+template <class T>
+constexpr bool is_buffer = std::is_pointer_v<T>;
+
+template <class T>
+constexpr weft::KernelArgument describe() {
+    return {is_buffer<T>, is_buffer<T> ? 0 : sizeof(std::remove_cvref_t<T>)};
+}
+
+template <class T>
+inline T take(void* argument) {
+    if constexpr (is_buffer<T>)
+        return static_cast<T>(argument);
+    else
+        return *static_cast<const std::remove_cvref_t<T>*>(argument);
+}
+
+/// Adapts a kernel function to the untyped entry of NativeKernel.
+template <auto Function>
+struct Adapter;
+
+template <class... Arguments, void (*Function)(Arguments...)>
+struct Adapter<Function> {
+    static constexpr weft::KernelArgument arguments[] = {describe<Arguments>()...};
+    static constexpr std::size_t count = sizeof...(Arguments);
+
+    static void run(void* const* values, std::uint32_t begin, std::uint32_t end) {
+        run_with(values, begin, end, std::index_sequence_for<Arguments...>{});
+    }
+
+    template <std::size_t... I>
+    static void run_with(void* const* values, std::uint32_t begin, std::uint32_t end,
+                         std::index_sequence<I...>) {
+        for (std::uint32_t item = begin; item < end; ++item) {
+            current_global_id = item;
+            Function(take<Arguments>(values[I])...);
+        }
+    }
+};
+
+constexpr weft::NativeKernel kernel_table[] = {
+#define WEFT_KERNEL_ENTRY(name, chunk) \
+    {#name, Adapter<&name>::arguments, Adapter<&name>::count, &Adapter<&name>::run},
+#include "../../../kernels/kernels.def"
+#undef WEFT_KERNEL_ENTRY
+};
+
+}  // namespace
+}  // namespace WEFT_NATIVE_NAMESPACE
+
+namespace weft {
+
+/// This variant's kernels; declared where variants are listed.
+const NativeVariant& WEFT_NATIVE_TABLE();
+const NativeVariant& WEFT_NATIVE_TABLE() {
+    static const NativeVariant variant{WEFT_LANES,
+                                       WEFT_NATIVE_NAMESPACE::kernel_table,
+                                       std::size(WEFT_NATIVE_NAMESPACE::kernel_table)};
+    return variant;
+}
+
+}  // namespace weft

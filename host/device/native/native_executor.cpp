@@ -1,0 +1,227 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "device/native/native_executor.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+#include "device/native/embree_scene.h"
+#include "device/native/native_scene.h"
+#include "device/native/native_variants.h"
+
+namespace weft {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+constexpr std::align_val_t buffer_alignment{64};
+
+class NativeBuffer : public Buffer {
+  public:
+    NativeBuffer(std::size_t bytes, std::size_t& total)
+        : Buffer(bytes), data_(::operator new(bytes, buffer_alignment)), total_(total) {
+        total_ += bytes;
+    }
+    ~NativeBuffer() override {
+        ::operator delete(data_, buffer_alignment);
+        total_ -= bytes();
+    }
+    NativeBuffer(const NativeBuffer&) = delete;
+    NativeBuffer& operator=(const NativeBuffer&) = delete;
+
+    [[nodiscard]] void* data() const noexcept { return data_; }
+
+  private:
+    void* data_;
+    std::size_t& total_;
+};
+
+class NativeTracedScene : public TracedScene {
+  public:
+    NativeScene view;
+    std::unique_ptr<EmbreeScene> embree;
+    WideBvh bvh;
+};
+
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    std::string line;
+    while (std::getline(info, line))
+        if (line.starts_with("model name")) {
+            const auto colon = line.find(": ");
+            if (colon != std::string::npos) return line.substr(colon + 2);
+        }
+    return "host processor";
+}
+
+class NativeExecutor : public Executor {
+  public:
+    NativeExecutor(NativeTraversal traversal, int threads)
+        : traversal_(traversal),
+          threads_(threads),
+          variant_(choose_variant(lanes_from_environment())),
+          device_(native_device_info(traversal)),
+          arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+        device_.compute_units = static_cast<std::uint32_t>(arena_.max_concurrency());
+    }
+
+    [[nodiscard]] const DeviceInfo& device() const override { return device_; }
+    [[nodiscard]] std::uint32_t lanes() const override {
+        return static_cast<std::uint32_t>(variant_.kernels->lanes);
+    }
+
+    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
+                                                   std::string_view what) override {
+        try {
+            return std::make_unique<NativeBuffer>(bytes, allocated_);
+        } catch (const std::bad_alloc&) {
+            throw Error(ExitCode::out_of_memory,
+                        fmt::format("no memory for {} ({} bytes)", what, bytes));
+        }
+    }
+
+    void with_mapped(Buffer& buffer, Access,
+                     const std::function<void(std::span<std::byte>)>& use) override {
+        auto& memory = dynamic_cast<NativeBuffer&>(buffer);
+        use({static_cast<std::byte*>(memory.data()), memory.bytes()});
+    }
+
+    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(
+        const TracedGeometry& geometry) override {
+        const auto start = Clock::now();
+        auto scene = std::make_unique<NativeTracedScene>();
+        scene->view.positions = geometry.positions.data();
+        scene->view.triangles = geometry.triangles.data();
+        arena_.execute([&] {
+            if (traversal_ == NativeTraversal::embree) {
+                scene->embree = std::make_unique<EmbreeScene>(geometry, threads_);
+                scene->view.embree = scene->embree->handle();
+            } else {
+                BvhSettings settings;
+                settings.padding = geometry.box_padding;
+                scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings);
+                scene->view.bvh_nodes = scene->bvh.nodes.data();
+                scene->view.bvh_triangles = scene->bvh.triangles.data();
+            }
+        });
+        scene_ms_ = milliseconds_since(start);
+        bvh_ = traversal_ == NativeTraversal::embree ? nullptr : &scene->bvh;
+        return scene;
+    }
+
+    void build(std::span<const KernelId> kernels, std::uint32_t) override {
+        for (const KernelId kernel : kernels)
+            builds_.push_back({std::string(kernel_name(kernel)),
+                               fmt::format("{} lanes {}", variant_.isa, variant_.kernels->lanes), 0.0,
+                               true});
+    }
+
+    bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
+
+    double take_milliseconds() override { return std::exchange(milliseconds_, 0.0); }
+    [[nodiscard]] const std::vector<KernelBuild>& builds() const override { return builds_; }
+    [[nodiscard]] const WideBvh* bvh() const override { return bvh_; }
+    [[nodiscard]] double scene_ms() const override { return scene_ms_; }
+    [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
+
+  private:
+    [[nodiscard]] std::vector<void*> bind(const NativeKernel& kernel, const Launch& launch,
+                                          shared::Params& params) const;
+
+    NativeTraversal traversal_;
+    int threads_;
+    IsaVariant variant_;
+    DeviceInfo device_;
+    tbb::task_arena arena_;
+    std::size_t allocated_ = 0;
+    std::vector<KernelBuild> builds_;
+    const WideBvh* bvh_ = nullptr;
+    double milliseconds_ = 0.0;
+    double scene_ms_ = 0.0;
+};
+
+std::vector<void*> NativeExecutor::bind(const NativeKernel& kernel, const Launch& launch,
+                                        shared::Params& params) const {
+    std::vector<void*> arguments{&params};
+    if (launch.scene != nullptr) {
+        const auto& scene = dynamic_cast<const NativeTracedScene&>(*launch.scene);
+        arguments.push_back(const_cast<NativeScene*>(&scene.view));
+        arguments.push_back(nullptr);
+    }
+    for (Buffer* buffer : launch.buffers)
+        arguments.push_back(dynamic_cast<NativeBuffer&>(*buffer).data());
+    if (arguments.size() != kernel.argument_count ||
+        kernel.arguments[0].size != sizeof(shared::Params))
+        throw Error(ExitCode::device,
+                    fmt::format("kernel {} takes {} arguments, {} were given", kernel.name,
+                                kernel.argument_count, arguments.size()));
+    return arguments;
+}
+
+bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
+    const NativeKernel& kernel = variant_.kernels->kernels[static_cast<std::size_t>(launch.kernel)];
+    shared::Params params = launch.params;
+    const std::vector<void*> arguments = bind(kernel, launch, params);
+    const std::uint32_t chunk =
+        launch.items_per_launch > 0 ? launch.items_per_launch : kernel_chunk(launch.kernel);
+    const auto start = Clock::now();
+    bool complete = true;
+    for (std::uint32_t first = 0; first < launch.items; first += chunk) {
+        params.first = first;
+        params.count = std::min(chunk, launch.items - first);
+        // Few ranges per thread keep the scheduler's cost small; a work-item of a packet kernel is
+        // itself some thousand rays.
+        const std::uint32_t grain = std::max<std::uint32_t>(1, params.count / 256);
+        arena_.execute([&] {
+            tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, params.count, grain),
+                              [&](const tbb::blocked_range<std::uint32_t>& range) {
+                                  kernel.run(arguments.data(), range.begin(), range.end());
+                              });
+        });
+        const double done = static_cast<double>(first + params.count) / launch.items;
+        if (keep_going && !keep_going(done)) {
+            complete = false;
+            break;
+        }
+    }
+    milliseconds_ += milliseconds_since(start);
+    return complete;
+}
+
+}  // namespace
+
+DeviceInfo native_device_info(NativeTraversal traversal) {
+    const IsaVariant variant = choose_variant(lanes_from_environment());
+    DeviceInfo device;
+    device.backend = traversal == NativeTraversal::embree ? "embree" : "native";
+    device.name = processor_name();
+    device.driver = traversal == NativeTraversal::embree ? "Embree " + embree_version()
+                                                         : "kernels compiled natively";
+    device.version = fmt::format("{}, {} lanes", variant.isa, variant.kernels->lanes);
+    device.memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                    static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+    device.max_allocation = device.memory;
+    device.native_width = static_cast<std::uint32_t>(choose_variant(0).kernels->lanes);
+    device.compute_units = std::max(1U, std::thread::hardware_concurrency());
+    return device;
+}
+
+std::unique_ptr<Executor> make_native_executor(NativeTraversal traversal, int threads) {
+    return std::make_unique<NativeExecutor>(traversal, threads);
+}
+
+}  // namespace weft

@@ -1,0 +1,38 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_NATIVE_NATIVE_SCENE_H
+#define WEFT_DEVICE_NATIVE_NATIVE_SCENE_H
+
+namespace weft {
+
+/// What natively compiled kernels trace in. Pointers are untyped, because every kernel variant has
+/// its own copy of the shared structs in its own namespace.
+struct NativeScene {
+    const void* bvh_nodes = nullptr;      ///< BvhNode
+    const void* bvh_triangles = nullptr;  ///< BvhTriangle
+    const void* positions = nullptr;      ///< float4 a vertex
+    const void* triangles = nullptr;      ///< Triangle, by id
+    void* embree = nullptr;               ///< RTCScene; null: the kernels' own BVH is used
+};
+
+/// Closest hit as Embree found it; `triangle` is 0xFFFFFFFF for a miss.
+struct EmbreeHit {
+    unsigned int triangle;
+    float t, u, v;
+};
+
+/// Closest hit of a ray within (0, t_max].
+EmbreeHit embree_closest(void* scene, const float* origin, const float* direction, float t_max);
+
+/// Whether anything lies within (0, t_max).
+bool embree_any(void* scene, const float* origin, const float* direction, float t_max);
+
+/// Shadow rays from one `origin` along `directions` (`width` x, then y, then z components), within
+/// (0, 1). `lanes` is -1 for lanes to trace and 0 for others; on return -1 where blocked, else 0.
+/// `width` is 1, 4, 8 or 16.
+void embree_any_packet(void* scene, const float* origin, const float* directions, int* lanes,
+                       int width);
+
+}  // namespace weft
+
+#endif

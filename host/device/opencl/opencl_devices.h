@@ -1,0 +1,34 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_OPENCL_OPENCL_DEVICES_H
+#define WEFT_DEVICE_OPENCL_OPENCL_DEVICES_H
+
+#include <string>
+#include <vector>
+
+#include "device/executor.h"
+#include "device/opencl/opencl.h"
+
+namespace weft {
+
+/// An OpenCL device and what is known of it.
+struct OpenClDevice {
+    cl::Device device;
+    DeviceInfo info;
+};
+
+/// Every device of every platform, in the loader's order; empty where there is no driver.
+[[nodiscard]] std::vector<OpenClDevice> opencl_devices();
+
+/// The device meant by `wanted`: an index, or a part of the name in any case. Empty: the first GPU,
+/// else the first accelerator, else the first processor; a simulator only if nothing else is there.
+/// Throws Error (exit code 3) that lists what exists.
+[[nodiscard]] OpenClDevice choose_opencl_device(const std::string& wanted);
+
+/// Limits the threads of OpenCL drivers that run on the host (PoCL). Takes effect only before the
+/// first other OpenCL call of the process.
+void limit_opencl_threads(int threads);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,268 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "device/opencl/opencl_executor.h"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <deque>
+#include <map>
+
+#include "base/error.h"
+#include "device/opencl/opencl_program.h"
+
+namespace weft {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Launches that may wait in the queue: enough to keep the device busy, few enough that an
+/// interrupted run ends soon.
+constexpr std::size_t launches_ahead = 3;
+/// A device with thousands of lanes needs larger launches to be busy.
+constexpr std::uint32_t gpu_chunk_factor = 16;
+
+[[noreturn]] void rethrow(const cl::Error& error, const std::string& action) {
+    const bool memory = error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE ||
+                        error.err() == CL_OUT_OF_HOST_MEMORY;
+    throw Error(memory ? ExitCode::out_of_memory : ExitCode::device,
+                fmt::format("OpenCL: {} failed in {} (error {})", action, error.what(),
+                            error.err()));
+}
+
+class OpenClBuffer : public Buffer {
+  public:
+    OpenClBuffer(const cl::Context& context, std::size_t bytes, std::size_t& total)
+        : Buffer(bytes),
+          memory_(context, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes),
+          total_(total) {
+        total_ += bytes;
+    }
+    ~OpenClBuffer() override { total_ -= bytes(); }
+    OpenClBuffer(const OpenClBuffer&) = delete;
+    OpenClBuffer& operator=(const OpenClBuffer&) = delete;
+
+    [[nodiscard]] const cl::Buffer& memory() const noexcept { return memory_; }
+
+  private:
+    cl::Buffer memory_;
+    std::size_t& total_;
+};
+
+class OpenClTracedScene : public TracedScene {
+  public:
+    WideBvh bvh;
+    std::unique_ptr<Buffer> nodes;
+    std::unique_ptr<Buffer> triangles;
+};
+
+const cl::Buffer& memory_of(const Buffer& buffer) {
+    return dynamic_cast<const OpenClBuffer&>(buffer).memory();
+}
+
+std::uint32_t default_lanes(const DeviceInfo& device) {
+    if (!device.is_cpu) return 1;
+    return device.native_width >= 16 ? 16 : device.native_width >= 8 ? 8 : 4;
+}
+
+class OpenClExecutor : public Executor {
+  public:
+    OpenClExecutor(const OpenClDevice& device, int threads)
+        : info_(device.info),
+          device_(device.device),
+          context_(device_),
+          queue_(context_, device_, CL_QUEUE_PROFILING_ENABLE),
+          cache_(default_cache_folder()),
+          arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+        const std::uint32_t wanted = lanes_from_environment();
+        settings_.lanes = wanted > 0 ? wanted : default_lanes(info_);
+        settings_.local_size = info_.is_cpu ? 8 : 64;
+    }
+
+    [[nodiscard]] const DeviceInfo& device() const override { return info_; }
+    [[nodiscard]] std::uint32_t lanes() const override { return settings_.lanes; }
+
+    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
+                                                   std::string_view what) override {
+        if (bytes > info_.max_allocation)
+            throw Error(ExitCode::out_of_memory,
+                        fmt::format("{} needs {} bytes, {} allows {} in one buffer", what, bytes,
+                                    info_.name, info_.max_allocation));
+        try {
+            return std::make_unique<OpenClBuffer>(context_, bytes, allocated_);
+        } catch (const cl::Error& error) {
+            rethrow(error, fmt::format("allocating {} ({} bytes)", what, bytes));
+        }
+    }
+
+    void with_mapped(Buffer& buffer, Access access,
+                     const std::function<void(std::span<std::byte>)>& use) override;
+    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(
+        const TracedGeometry& geometry) override;
+    void build(std::span<const KernelId> kernels, std::uint32_t features) override;
+    bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
+    double take_milliseconds() override;
+
+    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
+        builds_.clear();
+        for (const auto& [kernel, program] : programs_) builds_.push_back(program.build());
+        return builds_;
+    }
+    [[nodiscard]] const WideBvh* bvh() const override { return bvh_; }
+    [[nodiscard]] double scene_ms() const override { return scene_ms_; }
+    [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
+
+  private:
+    [[nodiscard]] std::uint32_t chunk_of(KernelId kernel) const {
+        return kernel_chunk(kernel) * (info_.is_cpu ? 1 : gpu_chunk_factor);
+    }
+    cl::Event enqueue(OpenClProgram& program, const Launch& launch, shared::Params& params);
+    void retire_oldest();
+
+    DeviceInfo info_;
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    ProgramCache cache_;
+    tbb::task_arena arena_;
+    ProgramSettings settings_;
+    std::map<KernelId, OpenClProgram> programs_;
+    mutable std::vector<KernelBuild> builds_;
+    std::deque<cl::Event> in_flight_;
+    const WideBvh* bvh_ = nullptr;
+    double milliseconds_ = 0.0;
+    double scene_ms_ = 0.0;
+    std::size_t allocated_ = 0;
+};
+
+void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
+                                 const std::function<void(std::span<std::byte>)>& use) {
+    const cl::Buffer& memory = memory_of(buffer);
+    try {
+        const cl_map_flags flags =
+            access == Access::read ? CL_MAP_READ : CL_MAP_WRITE_INVALIDATE_REGION;
+        void* const data = queue_.enqueueMapBuffer(memory, CL_TRUE, flags, 0, buffer.bytes());
+        try {
+            use({static_cast<std::byte*>(data), buffer.bytes()});
+        } catch (...) {
+            queue_.enqueueUnmapMemObject(memory, data);
+            queue_.finish();
+            throw;
+        }
+        queue_.enqueueUnmapMemObject(memory, data);
+        queue_.finish();
+    } catch (const cl::Error& error) {
+        rethrow(error, "mapping a buffer");
+    }
+}
+
+std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& geometry) {
+    const auto start = Clock::now();
+    auto scene = std::make_unique<OpenClTracedScene>();
+    BvhSettings settings;
+    settings.padding = geometry.box_padding;
+    arena_.execute(
+        [&] { scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
+    scene->nodes = upload<shared::BvhNode>(*this, scene->bvh.nodes, "BVH nodes");
+    scene->triangles =
+        upload<shared::BvhTriangle>(*this, scene->bvh.triangles, "BVH triangles");
+    scene_ms_ = milliseconds_since(start);
+    bvh_ = &scene->bvh;
+    return scene;
+}
+
+void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t features) {
+    for (const KernelId kernel : kernels) {
+        try {
+            programs_.try_emplace(kernel, context_, device_, cache_, kernel, settings_, features);
+        } catch (const cl::Error& error) {
+            rethrow(error, fmt::format("building kernel {}", kernel_name(kernel)));
+        }
+    }
+}
+
+cl::Event OpenClExecutor::enqueue(OpenClProgram& program, const Launch& launch,
+                                  shared::Params& params) {
+    cl::Kernel& kernel = program.kernel();
+    cl_uint index = 0;
+    kernel.setArg(index++, sizeof(params), &params);
+    if (launch.scene != nullptr) {
+        const auto& scene = dynamic_cast<const OpenClTracedScene&>(*launch.scene);
+        kernel.setArg(index++, memory_of(*scene.nodes));
+        kernel.setArg(index++, memory_of(*scene.triangles));
+    }
+    for (const Buffer* buffer : launch.buffers) kernel.setArg(index++, memory_of(*buffer));
+    const std::size_t local = settings_.local_size;
+    // The launch shape never changes: drivers such as PoCL compile anew for each.
+    const std::size_t global = (chunk_of(launch.kernel) + local - 1) / local * local;
+    cl::Event event;
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local),
+                                nullptr, &event);
+    return event;
+}
+
+bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
+    const auto found = programs_.find(launch.kernel);
+    if (found == programs_.end())
+        throw Error(ExitCode::device, fmt::format("kernel {} was launched but not built",
+                                                  kernel_name(launch.kernel)));
+    OpenClProgram& program = found->second;
+    shared::Params params = launch.params;
+    std::uint32_t chunk = chunk_of(launch.kernel);
+    if (launch.items_per_launch > 0) chunk = std::min(chunk, launch.items_per_launch);
+    try {
+        if (!program.kept()) {
+            const auto start = Clock::now();
+            params.count = 0;
+            enqueue(program, launch, params).wait();
+            program.keep(cache_, milliseconds_since(start));
+        }
+        for (std::uint32_t first = 0; first < launch.items;) {
+            params.first = first;
+            params.count = std::min(chunk, launch.items - first);
+            in_flight_.push_back(enqueue(program, launch, params));
+            queue_.flush();
+            first += params.count;
+            while (in_flight_.size() > launches_ahead) retire_oldest();
+            if (keep_going && !keep_going(static_cast<double>(first) / launch.items)) return false;
+        }
+    } catch (const cl::Error& error) {
+        rethrow(error, fmt::format("kernel {}", kernel_name(launch.kernel)));
+    }
+    return true;
+}
+
+void OpenClExecutor::retire_oldest() {
+    const cl::Event event = in_flight_.front();
+    in_flight_.pop_front();
+    event.wait();
+    const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+    const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+    if (end > start) milliseconds_ += static_cast<double>(end - start) * 1e-6;
+}
+
+double OpenClExecutor::take_milliseconds() {
+    try {
+        while (!in_flight_.empty()) retire_oldest();
+    } catch (const cl::Error& error) {
+        rethrow(error, "waiting for kernels");
+    }
+    return std::exchange(milliseconds_, 0.0);
+}
+
+}  // namespace
+
+std::unique_ptr<Executor> make_opencl_executor(const OpenClDevice& device, int threads) {
+    try {
+        return std::make_unique<OpenClExecutor>(device, threads);
+    } catch (const cl::Error& error) {
+        rethrow(error, "opening " + device.info.name);
+    }
+}
+
+}  // namespace weft

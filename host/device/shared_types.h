@@ -1,0 +1,33 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_SHARED_TYPES_H
+#define WEFT_DEVICE_SHARED_TYPES_H
+
+#include <cstddef>
+
+/// The structs of kernels/types.h as the host sees them.
+namespace weft::shared {
+
+using uint = unsigned int;
+struct alignas(16) float4 {
+    float x, y, z, w;
+};
+
+#include "../../kernels/types.h"
+
+static_assert(sizeof(BvhNode) == 256);
+static_assert(sizeof(BvhTriangle) == 48);
+static_assert(sizeof(Triangle) == 16);
+static_assert(sizeof(InstanceRecord) == 16);
+static_assert(sizeof(MaterialRecord) == 48);
+static_assert(sizeof(TextureRecord) == 16);
+static_assert(sizeof(LightRecord) == 96);
+static_assert(sizeof(EmissiveTriangle) == 16);
+static_assert(sizeof(Vpl) == 64);
+static_assert(sizeof(RayCounter) == 16);
+static_assert(sizeof(NonfiniteCounter) == 32);
+static_assert(sizeof(Params) % 16 == 0 && sizeof(Params) <= 1024);
+
+}  // namespace weft::shared
+
+#endif

@@ -1,0 +1,106 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/camera_params.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace weft {
+namespace {
+
+shared::float4 to_float4(const glm::dvec3& v) {
+    const glm::vec3 f(v);
+    return {f.x, f.y, f.z, 0.0F};
+}
+
+/// Tangent of half the vertical field of view.
+double vertical_tangent(const Camera& camera, double aspect) {
+    const double tangent = std::tan(0.5 * camera.fov);
+    switch (camera.fov_axis) {
+        case FovAxis::y: return tangent;
+        case FovAxis::x: return tangent / aspect;
+        case FovAxis::smaller: return aspect >= 1.0 ? tangent : tangent / aspect;
+        case FovAxis::larger: return aspect >= 1.0 ? tangent / aspect : tangent;
+        case FovAxis::diagonal: return tangent / std::sqrt(1.0 + aspect * aspect);
+    }
+    return tangent;
+}
+
+double radical_inverse(std::uint32_t base, std::uint32_t index) {
+    double value = 0.0;
+    double digit = 1.0 / base;
+    for (; index > 0; index /= base, digit /= base) value += digit * (index % base);
+    return value;
+}
+
+/// A number in [0, 1) from two words.
+double shift_of(std::uint32_t seed, std::uint32_t axis) {
+    std::uint64_t x = (std::uint64_t{seed} << 1 | axis) + 0x9e3779b97f4a7c15ULL;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
+    return static_cast<double>((x ^ x >> 31) >> 11) * 0x1.0p-53;
+}
+
+}  // namespace
+
+void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params) {
+    const glm::dmat3 axes(camera.to_world);
+    const glm::dvec3 forward = glm::normalize(-axes[2]);
+    const glm::dvec3 right = glm::normalize(axes[0] - glm::dot(axes[0], forward) * forward);
+    const glm::dvec3 up = glm::normalize(axes[1] - glm::dot(axes[1], forward) * forward -
+                                         glm::dot(axes[1], right) * right);
+    const double aspect = static_cast<double>(params.width) / params.height;
+    const double tangent = vertical_tangent(camera, aspect);
+    params.camera_origin = to_float4(units.point(glm::dvec3(camera.to_world[3])));
+    params.camera_forward = to_float4(forward);
+    params.camera_right = to_float4(right * tangent * aspect * (camera.mirror_x ? -1.0 : 1.0));
+    params.camera_up = to_float4(up * tangent);
+    params.pixel_angle = static_cast<float>(2.0 * tangent / params.height);
+    params.unit = static_cast<float>(units.scale);
+}
+
+void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::Params& params) {
+    params.jitter_x = 0.5F;
+    params.jitter_y = 0.5F;
+    if (single) return;
+    const auto shifted = [&](std::uint32_t base, std::uint32_t axis) {
+        const double x = radical_inverse(base, frame) + shift_of(seed, axis);
+        return std::min(static_cast<float>(x - std::floor(x)), 0.99999994F);
+    };
+    params.jitter_x = shifted(2, 0);
+    params.jitter_y = shifted(3, 1);
+}
+
+Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::string& name,
+                     Diagnostics& diagnostics) {
+    if (!name.empty()) {
+        std::string names;
+        for (const Camera& camera : scene.cameras) {
+            if (camera.name == name) return camera;
+            names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", camera.name);
+        }
+        throw Error(ExitCode::usage,
+                    fmt::format("--camera \"{}\" is not in the scene, expected {}", name,
+                                names.empty() ? "a scene with cameras" : "one of: " + names));
+    }
+    if (!scene.cameras.empty()) return scene.cameras.front();
+    diagnostics.warn(scene.source, "no camera, one that shows the whole scene is used");
+    Camera camera;
+    camera.name = "automatic";
+    camera.fov_axis = FovAxis::smaller;
+    const glm::dvec3 backward = glm::normalize(glm::dvec3(0.5, 0.35, 1.0));
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), backward));
+    const double distance =
+        static_cast<double>(flat.radius) / flat.units.scale / std::sin(0.5 * camera.fov);
+    camera.to_world =
+        glm::dmat4(glm::dvec4(right, 0.0), glm::dvec4(glm::cross(backward, right), 0.0),
+                   glm::dvec4(backward, 0.0),
+                   glm::dvec4(flat.units.centre + backward * distance, 1.0));
+    return camera;
+}
+
+}  // namespace weft

@@ -1,0 +1,30 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_FRAME_CAMERA_PARAMS_H
+#define WEFT_FRAME_CAMERA_PARAMS_H
+
+#include <cstdint>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "device/shared_types.h"
+#include "scene/flat_scene.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+/// Sets the camera fields of `params` for a picture of params.width x params.height square pixels.
+void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params);
+
+/// Position of frame `frame` inside the pixel, in [0, 1)^2: the centre where only one frame is
+/// made, else points of a Halton sequence shifted by the seed, the same for all pixels.
+void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::Params& params);
+
+/// The camera of that name; the first where `name` is empty. A scene without cameras gets one that
+/// frames its geometry, and a warning says so. Throws Error (exit code 1) that lists the names.
+[[nodiscard]] Camera choose_camera(const Scene& scene, const FlatScene& flat,
+                                   const std::string& name, Diagnostics& diagnostics);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,21 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_FRAME_FILM_H
+#define WEFT_FRAME_FILM_H
+
+#include <cstdint>
+#include <span>
+
+#include "image/image.h"
+
+namespace weft {
+
+/// Means of the film's compensated sums (`high` + `low`, FILM_* planes) over `samples` frames, as
+/// layers. Beauty is emission + direct + indirect.
+[[nodiscard]] Image resolve_film(std::span<const float> high, std::span<const float> low,
+                                 std::uint32_t width, std::uint32_t height,
+                                 std::uint32_t samples);
+
+}  // namespace weft
+
+#endif

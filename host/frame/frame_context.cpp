@@ -1,0 +1,122 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/frame_context.h"
+
+namespace weft {
+namespace {
+
+/// Counters of one frame; stages wrap around beyond it, each is read before it is reused.
+constexpr std::uint32_t counter_slots = 16;
+
+std::uint64_t take_rays(Executor& executor, Buffer& counters, std::uint32_t slot) {
+    const auto values = read_buffer<shared::RayCounter>(executor, counters, counter_slots);
+    return std::uint64_t{values[slot].rays_high} << 32 | values[slot].rays_low;
+}
+
+}  // namespace
+
+SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
+    SceneBuffers scene;
+    const auto add = [&]<class T>(const std::vector<T>& values, const char* what) {
+        scene.geometry.push_back(upload<T>(executor, values, what));
+    };
+    add(flat.positions, "vertex positions");
+    add(flat.triangles, "triangles");
+    add(flat.instances, "instances");
+    add(flat.materials, "materials");
+    add(flat.normals, "vertex normals");
+    add(flat.texture_coordinates, "texture coordinates");
+    add(flat.vertex_colours, "vertex colours");
+    add(flat.textures, "texture table");
+    add(flat.texels, "texels");
+    add(srgb_table(), "sRGB table");
+    scene.lights = upload<shared::LightRecord>(executor, flat.lights, "lights");
+    scene.emissive = upload<shared::EmissiveTriangle>(executor, flat.emissive, "emitters");
+    // Boxes grow by what the triangle tests may be off: some rounding errors of the largest
+    // coordinate.
+    scene.traced = executor.make_scene({flat.positions, flat.triangles, flat.extent * 0x1p-22F});
+    return scene;
+}
+
+FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const WorkList& work,
+                            std::uint32_t width, std::uint32_t height, std::uint32_t features) {
+    FrameBuffers frame;
+    const std::size_t pixels = std::size_t{width} * height;
+    frame.slots = static_cast<std::uint32_t>(work.pixels.size());
+    const auto floats = [&](std::size_t count, const char* what) {
+        return executor.allocate(count * sizeof(float), what);
+    };
+    // What an interrupted frame leaves out is dark, not undefined.
+    const auto dark = [&](const char* what) {
+        const std::vector<float> zero(std::size_t{3} * frame.slots, 0.0F);
+        return upload<float>(executor, zero, what);
+    };
+    frame.gbuffer.push_back(floats(2 * pixels, "G-buffer ids"));
+    for (const char* what : {"G-buffer positions", "G-buffer normals", "G-buffer shading normals",
+                             "G-buffer albedo", "G-buffer emission"})
+        frame.gbuffer.push_back(floats(4 * pixels, what));
+    frame.nothing = floats(4, "a dummy buffer");
+    frame.slot_pixel = upload<std::uint32_t>(executor, work.pixels, "work list");
+    frame.block_set = upload<std::uint32_t>(executor, work.block_sets, "sample sets");
+    frame.pixel_slot = floats(pixels, "pixel slots");
+    const std::size_t planes = (features & FEATURE_SMOOTH_NORMALS) != 0 ? 10 : 7;
+    frame.receivers = floats(planes * frame.slots, "receivers");
+    if (plan.has_sampled_direct()) {
+        frame.direct = dark("direct irradiance");
+        frame.filtered_direct = floats(4 * pixels, "filtered direct irradiance");
+    }
+    if (plan.has_exact_direct())
+        frame.exact_direct = dark("exact direct irradiance");
+    if (plan.light_sample_count() > 0)
+        frame.light_samples = executor.allocate(
+            plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
+    if (plan.has_indirect()) {
+        frame.indirect = dark("indirect irradiance");
+        frame.filtered_indirect = floats(4 * pixels, "filtered indirect irradiance");
+        frame.vpls = executor.allocate(
+            std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
+    }
+    frame.film_high = floats(FILM_PLANES * pixels, "film");
+    frame.film_low = floats(FILM_PLANES * pixels, "film");
+    frame.counters = executor.allocate(counter_slots * sizeof(shared::RayCounter), "counters");
+    shared::NonfiniteCounter nonfinite{};
+    for (auto& first : nonfinite.first_pixel) first = NO_TRIANGLE;
+    frame.nonfinite = upload<shared::NonfiniteCounter>(
+        executor, std::span<const shared::NonfiniteCounter>(&nonfinite, 1), "counters");
+    return frame;
+}
+
+void FrameContext::run(KernelId kernel, const char* stage, const char* component, bool traces,
+                       const std::vector<Buffer*>& arguments, std::uint32_t items,
+                       std::uint32_t items_per_launch) {
+    if (items == 0 || (ended_early_ && !finishing_)) return;
+    params.counter = static_cast<std::uint32_t>(stages_.size()) % counter_slots;
+    const std::vector<shared::RayCounter> zero(counter_slots);
+    write_buffer<shared::RayCounter>(executor, *buffers.counters, zero);
+    const Launch launch{kernel,    params, traces ? scene_buffers.traced.get() : nullptr,
+                        arguments, items,  items_per_launch};
+    const std::string name = stage;
+    const bool complete = executor.run(launch, [&](double done) {
+        return finishing_ || !keep_going_ || keep_going_(name, done);
+    });
+    ended_early_ = ended_early_ || !complete;
+    const double ms = executor.take_milliseconds();
+    stages_.push_back(
+        {name, component, ms, take_rays(executor, *buffers.counters, params.counter)});
+}
+
+std::vector<Buffer*> with_geometry(const SceneBuffers& scene, const std::vector<Buffer*>& others) {
+    std::vector<Buffer*> all;
+    for (const auto& buffer : scene.geometry) all.push_back(buffer.get());
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<Buffer*>& others) {
+    std::vector<Buffer*> all;
+    for (const auto& buffer : frame.gbuffer) all.push_back(buffer.get());
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+}  // namespace weft

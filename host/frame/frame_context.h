@@ -1,0 +1,108 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_FRAME_FRAME_CONTEXT_H
+#define WEFT_FRAME_FRAME_CONTEXT_H
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "device/executor.h"
+#include "schedule/frame_plan.h"
+#include "schedule/work_list.h"
+#include "scene/flat_scene.h"
+
+namespace weft {
+
+/// The scene on the device; the order of `geometry` is that of GEOMETRY_ARGS.
+struct SceneBuffers {
+    std::vector<std::unique_ptr<Buffer>> geometry;
+    std::unique_ptr<Buffer> lights;
+    std::unique_ptr<Buffer> emissive;
+    std::unique_ptr<TracedScene> traced;
+};
+
+[[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
+
+/// What a frame works in; the order of `gbuffer` is that of GBUFFER_ARGS. Buffers that the plan
+/// does not call for are null.
+struct FrameBuffers {
+    std::vector<std::unique_ptr<Buffer>> gbuffer;
+    std::unique_ptr<Buffer> slot_pixel, pixel_slot, block_set, receivers;
+    std::unique_ptr<Buffer> vpls, light_samples;
+    std::unique_ptr<Buffer> direct, exact_direct, indirect;    ///< irradiance by slot
+    std::unique_ptr<Buffer> filtered_direct, filtered_indirect;  ///< by pixel
+    std::unique_ptr<Buffer> film_high, film_low;
+    std::unique_ptr<Buffer> counters, nonfinite;
+    std::unique_ptr<Buffer> nothing;  ///< stands in for buffers that the plan does not call for
+    std::uint32_t slots = 0;
+
+    /// The buffer, or `nothing`.
+    [[nodiscard]] Buffer* or_nothing(const std::unique_ptr<Buffer>& buffer) const {
+        return buffer ? buffer.get() : nothing.get();
+    }
+};
+
+[[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan,
+                                          const WorkList& work, std::uint32_t width,
+                                          std::uint32_t height, std::uint32_t features);
+
+/// What one stage of a frame took.
+struct StageStats {
+    std::string name;
+    std::string component;
+    double ms = 0.0;
+    std::uint64_t rays = 0;
+};
+
+/// Asked between launches with the stage's share done, in [0, 1]; false ends the frame early.
+using KeepGoing = std::function<bool(const std::string& stage, double done)>;
+
+/// What every frame of a rendering shares.
+struct FrameInputs {
+    Executor& executor;
+    const FlatScene& scene;
+    const SceneBuffers& scene_buffers;
+    FrameBuffers& buffers;
+    const FramePlan& plan;
+};
+
+/// One frame under way: where components find what they need and launch their stages.
+class FrameContext : public FrameInputs {
+  public:
+    FrameContext(const FrameInputs& inputs, const shared::Params& frame_params,
+                 const KeepGoing& keep_going)
+        : FrameInputs(inputs), params(frame_params), keep_going_(keep_going) {}
+
+    /// Runs one kernel as a stage and records its time and rays. After an early end nothing heavy
+    /// runs any more. `arguments` follow Params (and the scene where `traces`).
+    void run(KernelId kernel, const char* stage, const char* component, bool traces,
+             const std::vector<Buffer*>& arguments, std::uint32_t items,
+             std::uint32_t items_per_launch = 0);
+
+    [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
+    /// Lets cheap stages run although the frame ended early, to show what there is.
+    void finish_anyway() { finishing_ = true; }
+    [[nodiscard]] const std::vector<StageStats>& stages() const noexcept { return stages_; }
+
+    shared::Params params;
+
+  private:
+    const KeepGoing& keep_going_;
+    std::vector<StageStats> stages_;
+    bool ended_early_ = false;
+    bool finishing_ = false;
+};
+
+/// The buffers of GEOMETRY_ARGS, followed by others.
+[[nodiscard]] std::vector<Buffer*> with_geometry(const SceneBuffers& scene,
+                                                 const std::vector<Buffer*>& others);
+
+/// The buffers of GBUFFER_ARGS, followed by others.
+[[nodiscard]] std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame,
+                                                const std::vector<Buffer*>& others);
+
+}  // namespace weft
+
+#endif

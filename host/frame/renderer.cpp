@@ -1,0 +1,178 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "components/component.h"
+#include "frame/camera_params.h"
+#include "frame/film.h"
+
+namespace weft {
+
+FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
+    SceneStatistics statistics;
+    statistics.area_lights = scene.area_lights;
+    statistics.punctual_lights = scene.punctual_lights;
+    statistics.directional_lights = scene.directional_lights;
+    statistics.environment = (scene.features & FEATURE_ENVIRONMENT) != 0;
+    statistics.direct = settings.direct;
+    statistics.indirect = settings.indirect;
+    statistics.surface_area = scene.surface_area;
+    statistics.mean_reflectance = scene.mean_reflectance;
+    return plan_frames(settings.algorithm, settings.sampling, statistics);
+}
+
+std::vector<KernelId> kernels_of(const FramePlan& plan) {
+    std::set<KernelId> kernels{KernelId::gbuffer, KernelId::compose, KernelId::receivers};
+    for (const Component& component : components()) {
+        if (!component.called_for(plan)) continue;
+        for (const KernelId kernel : component.kernels(plan)) kernels.insert(kernel);
+    }
+    return {kernels.begin(), kernels.end()};
+}
+
+std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan) {
+    constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
+                                          FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
+                                          FEATURE_ENVIRONMENT;
+    std::uint32_t features = scene.features & of_surfaces;
+    if (plan.samples_per_set > 0) features |= FEATURE_AREA_LIGHTS;
+    if (plan.punctual_lights > 0) features |= FEATURE_PUNCTUAL_LIGHTS;
+    if (plan.directional_lights > 0) features |= FEATURE_DIRECTIONAL_LIGHTS;
+    if (plan.has_indirect()) features |= FEATURE_INDIRECT;
+    return features;
+}
+
+Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
+                   const RenderSettings& settings)
+    : executor_(executor),
+      scene_(scene),
+      settings_(settings),
+      plan_(plan_for(scene, settings)),
+      work_(make_work_list(settings.width, settings.height, plan_.interleave, settings.tile)) {
+    const std::uint32_t features = features_of(scene, plan_);
+    executor_.build(kernels_of(plan_), features);
+    scene_buffers_ = upload_scene(executor_, scene);
+    buffers_ = allocate_frame(executor_, plan_, work_, settings.width, settings.height, features);
+
+    shared::Params& params = base_params_;
+    params.width = settings.width;
+    params.height = settings.height;
+    set_camera(camera, scene.units, params);
+    params.environment = {scene.environment.r, scene.environment.g, scene.environment.b, 0.0F};
+    params.scene_centre = {0.0F, 0.0F, 0.0F, scene.radius};
+    params.extent = scene.extent;
+    params.gather_scale = static_cast<float>(plan_.gather_sets);
+    params.filter_cosine = static_cast<float>(settings.sampling.filter_cosine);
+    params.filter_planes = static_cast<float>(settings.sampling.filter_planes);
+    params.features = features;
+    params.seed = settings.seed;
+    params.slots = buffers_.slots;
+    params.interleave = plan_.interleave;
+    params.sets = plan_.sets;
+    params.gather_sets = plan_.gather_sets;
+    params.lights = static_cast<std::uint32_t>(scene.lights.size());
+    params.sampled_lights = scene.area_lights;
+    params.samples_per_light = plan_.samples_per_light;
+    params.samples_per_set = plan_.samples_per_set;
+    params.environment_samples = plan_.environment_samples;
+    params.paths_per_set = plan_.paths_per_set;
+    params.vpls_per_set = plan_.vpls_per_set;
+    params.bounces = plan_.bounces;
+    std::copy(plan_.survivors.begin(), plan_.survivors.end(), params.survivors);
+    std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), params.first_vpl);
+    params.filter_radius = plan_.filter_radius;
+    params.delta_lights_first = scene.area_lights;
+    params.delta_lights = plan_.punctual_lights;
+    params.directional_lights_first = scene.area_lights + scene.punctual_lights;
+    params.directional_lights = plan_.directional_lights;
+}
+
+shared::Params Renderer::params_of_frame(std::uint32_t frame) const {
+    shared::Params params = base_params_;
+    params.frame = frame;
+    params.film_starts = frame == 0 ? 1 : 0;
+    // 4 and n^2 are coprime for odd n: in n^2 frames a pixel meets every set.
+    params.set_rotation = frame * 4 % plan_.gather_sets;
+    const double growth = bound_growth(frame);
+    params.vpl_bound = static_cast<float>(plan_.vpl_bound * growth);
+    params.light_bound_scale = static_cast<float>(plan_.light_bound_scale * growth);
+    set_jitter(frame, !settings_.jitter, settings_.seed, params);
+    return params;
+}
+
+void Renderer::trace_primary(FrameContext& frame) {
+    const std::uint32_t pixels = settings_.width * settings_.height;
+    frame.run(KernelId::gbuffer, "primary rays", "", true,
+              with_geometry(scene_buffers_, with_gbuffer(buffers_, {})), pixels);
+    frame.run(KernelId::receivers, "receivers", "", false,
+              with_gbuffer(buffers_, {buffers_.slot_pixel.get(), buffers_.receivers.get(),
+                                      buffers_.pixel_slot.get()}),
+              buffers_.slots);
+}
+
+void Renderer::compose(FrameContext& frame) {
+    frame.run(KernelId::compose, "composition", "", false,
+              with_gbuffer(buffers_, {buffers_.pixel_slot.get(),
+                                      buffers_.or_nothing(buffers_.filtered_direct),
+                                      buffers_.or_nothing(buffers_.exact_direct),
+                                      buffers_.or_nothing(buffers_.filtered_indirect),
+                                      buffers_.film_high.get(), buffers_.film_low.get(),
+                                      buffers_.nonfinite.get()}),
+              settings_.width * settings_.height);
+}
+
+bool Renderer::render_frame(const KeepGoing& keep_going) {
+    const auto start = std::chrono::steady_clock::now();
+    const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
+    const auto number = static_cast<std::uint32_t>(stats_.size());
+    FrameContext frame(inputs, params_of_frame(number), keep_going);
+    trace_primary(frame);
+    for (const Component& component : components())
+        if (component.called_for(plan_)) component.sample(frame);
+    if (frame.ended_early()) {
+        if (number > 0) return false;
+        frame.finish_anyway();
+    }
+    for (const Component& component : components())
+        if (component.called_for(plan_)) component.reconstruct(frame);
+    compose(frame);
+    ++frames_in_film_;
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+            .count();
+    record(frame, ms);
+    return !frame.ended_early();
+}
+
+void Renderer::record(const FrameContext& frame, double ms) {
+    FrameStats stats;
+    stats.ms = ms;
+    stats.stages = frame.stages();
+    for (StageStats& stage : stats.stages) {
+        if (stage.name == "primary rays")
+            stage.rays = std::uint64_t{settings_.width} * settings_.height;
+        stats.rays += stage.rays;
+    }
+    const auto counters =
+        read_buffer<shared::NonfiniteCounter>(executor_, *buffers_.nonfinite, 1).front();
+    for (std::size_t c = 0; c < stats.nonfinite.size(); ++c) {
+        // The device counts over all frames.
+        stats.nonfinite[c].count = counters.count[c] - nonfinite_so_far_[c].count;
+        stats.nonfinite[c].first_pixel = counters.first_pixel[c];
+        nonfinite_so_far_[c].count = counters.count[c];
+    }
+    stats_.push_back(std::move(stats));
+}
+
+Image Renderer::image() {
+    const std::size_t values = std::size_t{FILM_PLANES} * settings_.width * settings_.height;
+    const auto high = read_buffer<float>(executor_, *buffers_.film_high, values);
+    const auto low = read_buffer<float>(executor_, *buffers_.film_low, values);
+    return resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
+}
+
+}  // namespace weft

@@ -1,0 +1,96 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_FRAME_RENDERER_H
+#define WEFT_FRAME_RENDERER_H
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frame/frame_context.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "schedule/frame_plan.h"
+
+namespace weft {
+
+/// What picture to make of a scene.
+struct RenderSettings {
+    Algorithm algorithm = Algorithm::igi;
+    SamplingSettings sampling;
+    std::uint32_t width = 512;
+    std::uint32_t height = 512;
+    std::uint32_t tile = 64;
+    std::uint32_t seed = 0;
+    bool jitter = false;  ///< frames through points all over the pixel instead of its centre
+    bool direct = true;
+    bool indirect = true;
+};
+
+/// Values that were not finite or negative, set to 0 before they reached the film.
+struct NonfiniteStats {
+    std::uint32_t count = 0;
+    std::uint32_t first_pixel = 0;  ///< row-major index, where count > 0
+};
+
+/// What one frame took.
+struct FrameStats {
+    double ms = 0.0;
+    std::uint64_t rays = 0;
+    std::vector<StageStats> stages;
+    /// By component, COMPONENT_* order.
+    std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
+};
+
+/// Renders frames of one scene from one camera into one film.
+class Renderer {
+  public:
+    /// `scene` must outlive the renderer. Uploads the scene, plans and builds what the plan calls
+    /// for.
+    Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
+             const RenderSettings& settings);
+
+    /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
+    /// it got and a later one is dropped; returns whether it was complete.
+    bool render_frame(const KeepGoing& keep_going);
+
+    /// Frames in the film.
+    [[nodiscard]] std::uint32_t frames() const noexcept { return frames_in_film_; }
+    /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth.
+    [[nodiscard]] Image image();
+
+    [[nodiscard]] const FramePlan& plan() const noexcept { return plan_; }
+    [[nodiscard]] const std::vector<FrameStats>& stats() const noexcept { return stats_; }
+
+  private:
+    void trace_primary(FrameContext& frame);
+    void compose(FrameContext& frame);
+    void record(const FrameContext& frame, double ms);
+    [[nodiscard]] shared::Params params_of_frame(std::uint32_t frame) const;
+
+    Executor& executor_;
+    const FlatScene& scene_;
+    RenderSettings settings_;
+    FramePlan plan_;
+    WorkList work_;
+    SceneBuffers scene_buffers_;
+    FrameBuffers buffers_;
+    shared::Params base_params_{};
+    std::vector<FrameStats> stats_;
+    std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite_so_far_{};
+    std::uint32_t frames_in_film_ = 0;
+};
+
+/// The plan for a scene and settings.
+[[nodiscard]] FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings);
+
+/// Kernels that frames of this plan launch, each once, in KernelId order.
+[[nodiscard]] std::vector<KernelId> kernels_of(const FramePlan& plan);
+
+/// FEATURE_* of frames of this plan.
+[[nodiscard]] std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,269 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "image/exr.h"
+
+#include <ImathBox.h>
+#include <ImfChannelList.h>
+#include <ImfChromaticities.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <new>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/limits.h"
+#include "base/quote.h"
+#include "image/exr_header.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view channel_order = "RGBAXYZ";
+
+// Decoded bytes a byte of the file can stand for: a property of deflate (1032), and a generous
+// bound for PIZ, whose blocks of zeros have almost constant size.
+constexpr std::size_t max_zip_expansion = 1100;
+constexpr std::size_t max_piz_expansion = 65536;
+
+/// A file that remembers a failed write: Imf::OutputFile swallows the failures of its destructor,
+/// which writes the table of line offsets.
+class CheckedStream : public Imf::OStream {
+  public:
+    explicit CheckedStream(const fs::path& path)
+        : OStream(path.c_str()), file_(path, std::ios::binary | std::ios::trunc) {}
+
+    void write(const char bytes[], int count) override {
+        file_.write(bytes, count);
+        if (!file_) throw std::runtime_error("not all bytes could be written");
+    }
+    std::uint64_t tellp() override { return static_cast<std::uint64_t>(file_.tellp()); }
+    void seekp(std::uint64_t position) override {
+        file_.seekp(static_cast<std::streamoff>(position));
+    }
+
+    /// Throws if any byte did not reach the system.
+    void close() {
+        file_.close();
+        if (!file_) throw std::runtime_error("not all bytes could be written");
+    }
+
+  private:
+    std::ofstream file_;
+};
+
+std::string channel_name(const Layer& layer, char channel) {
+    return layer.name.empty() ? std::string(1, channel) : layer.name + "." + channel;
+}
+
+bool printable(std::string_view text) {
+    return std::all_of(text.begin(), text.end(), [](char c) {
+        const auto code = static_cast<unsigned char>(c);
+        return code >= 0x20 && code != 0x7F;
+    });
+}
+
+/// Refuses what could not be written, or not be read again.
+void check_image(const Image& image, const std::string& place) {
+    const auto refuse = [&](const std::string& why) {
+        return Error(ExitCode::output, place, "cannot be written: " + why);
+    };
+    const std::size_t pixels = std::size_t{image.width} * image.height;
+    if (pixels == 0 || image.width > limits::max_film_edge ||
+        image.height > limits::max_film_edge || pixels > limits::max_film_pixels)
+        throw refuse("the picture is empty or too large");
+    std::set<std::string> names;
+    for (const Layer& layer : image.layers) {
+        if (layer.channels.empty() || layer.values.size() != pixels * layer.channels.size())
+            throw refuse("layer " + quote(layer.name) + " has the wrong number of values");
+        if (layer.name.size() > 200 || !printable(layer.name))
+            throw refuse("layer " + quote(layer.name) + " has an unusable name");
+        for (const char channel : layer.channels)
+            if (std::isalnum(static_cast<unsigned char>(channel)) == 0 ||
+                !names.insert(channel_name(layer, channel)).second)
+                throw refuse("layer " + quote(layer.name) + " has an unusable or repeated channel");
+    }
+    if (names.empty() || names.size() > limits::max_exr_channels ||
+        names.size() * pixels > limits::max_exr_values)
+        throw refuse("the picture has no channels or too many");
+}
+
+Imf::Header make_header(const Image& image, const std::string& place) {
+    Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
+    for (const auto& [key, value] : image.metadata) {
+        // These mean something else to readers of several parts, although they are strings.
+        const bool reserved = key == "name" || key == "type" || key == "view";
+        if (key.empty() || key.size() > 255 || !printable(key) || reserved ||
+            header.find(key) != header.end())
+            throw Error(ExitCode::output, place,
+                        "cannot be written: metadata cannot be named " + quote(key));
+        header.insert(key, Imf::StringAttribute(value));
+    }
+    for (const Layer& layer : image.layers)
+        for (const char channel : layer.channels)
+            header.channels().insert(channel_name(layer, channel), Imf::Channel(Imf::FLOAT));
+    return header;
+}
+
+/// The slice of one plane. OpenEXR takes one pointer type for reading and writing.
+Imf::Slice plane_slice(const float* plane, std::size_t width, const Imath::V2i& origin) {
+    const std::ptrdiff_t first =
+        static_cast<std::ptrdiff_t>(width) * origin.y + static_cast<std::ptrdiff_t>(origin.x);
+    const auto address = reinterpret_cast<std::uintptr_t>(plane) -
+                         static_cast<std::uintptr_t>(first) * sizeof(float);
+    return {Imf::FLOAT, reinterpret_cast<char*>(address), sizeof(float), width * sizeof(float)};
+}
+
+std::vector<std::byte> read_head(const fs::path& path, const std::string& place) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+        throw input_error(place, "cannot be opened: it is missing or not a regular file");
+    std::ifstream file(path, std::ios::binary);
+    std::vector<std::byte> bytes(
+        std::min<std::uintmax_t>(limits::max_exr_header_bytes, fs::file_size(path)));
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!file && !file.eof()) throw input_error(place, "cannot be read");
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+/// The layer and channel letter that a channel's full name stands for.
+std::pair<std::string, char> split_name(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    const std::string letter = dot == std::string::npos ? name : name.substr(dot + 1);
+    if (letter.size() != 1) return {name, 'Y'};
+    return {dot == std::string::npos ? "" : name.substr(0, dot), letter[0]};
+}
+
+/// Layers without values yet, in the order the header's channels give.
+std::vector<Layer> make_layers(const Imf::ChannelList& channels, const std::string& place) {
+    std::map<std::string, std::string> found;
+    for (auto i = channels.begin(); i != channels.end(); ++i) {
+        const auto [layer, letter] = split_name(i.name());
+        std::string& letters = found[layer];
+        if (letters.find(letter) != std::string::npos)
+            throw input_error(place, "has two channels that mean " + quote(i.name()));
+        letters += letter;
+    }
+    std::vector<Layer> layers;
+    for (auto& [name, letters] : found) {
+        const auto rank = [](char c) {
+            return std::pair(std::min(channel_order.find(c), channel_order.size()), c);
+        };
+        std::sort(letters.begin(), letters.end(),
+                  [&](char a, char b) { return rank(a) < rank(b); });
+        layers.push_back({name, letters, {}});
+    }
+    return layers;
+}
+
+/// The full name in the file of a channel that make_layers() has placed.
+std::string name_in_file(const Imf::ChannelList& channels, const Layer& layer, char channel) {
+    const std::string split = channel_name(layer, channel);
+    return channels.findChannel(split) != nullptr ? split : layer.name;
+}
+
+Image read_pixels(Imf::InputFile& file, std::size_t file_bytes, const std::string& place) {
+    const Imath::Box2i window = file.header().dataWindow();
+    const Imf::ChannelList& channels = file.header().channels();
+    Image image;
+    image.width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
+    image.height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
+    image.layers = make_layers(channels, place);
+    const std::size_t pixels = std::size_t{image.width} * image.height;
+    std::size_t total = 0;
+    for (const Layer& layer : image.layers) total += layer.channels.size() * pixels;
+    // A value takes at least two bytes; no file says less in fewer bytes than this.
+    const bool piz = file.header().compression() == Imf::PIZ_COMPRESSION;
+    const std::size_t expansion = piz ? max_piz_expansion : max_zip_expansion;
+    if (total > limits::max_exr_values || total / expansion > file_bytes / 2)
+        throw input_error(place, "claims " + std::to_string(total) +
+                                     " values, more than the file can hold or the limit of " +
+                                     std::to_string(limits::max_exr_values));
+    Imf::FrameBuffer frame;
+    for (Layer& layer : image.layers) {
+        layer.values.resize(layer.channels.size() * pixels);
+        for (std::size_t c = 0; c < layer.channels.size(); ++c)
+            frame.insert(name_in_file(channels, layer, layer.channels[c]),
+                         plane_slice(layer.values.data() + c * pixels, image.width, window.min));
+    }
+    file.setFrameBuffer(frame);
+    file.readPixels(window.min.y, window.max.y);
+    for (auto i = file.header().begin(); i != file.header().end(); ++i)
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
+            image.metadata.emplace(i.name(), text->value());
+    return image;
+}
+
+/// The reason an OpenEXR exception gives, on one line and without the file name it repeats.
+std::string reason(const std::exception& error) {
+    std::string text = error.what();
+    const std::size_t path_end = text.rfind("\". ");
+    if (path_end != std::string::npos) text.erase(0, path_end + 3);
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    return text;
+}
+
+}  // namespace
+
+void write_exr(const fs::path& path, const Image& image) {
+    const std::string place = path.string();
+    check_image(image, place);
+    const Imf::Header header = make_header(image, place);
+    write_file_atomically(path, [&](const fs::path& temporary) {
+        CheckedStream stream(temporary);
+        {
+            Imf::OutputFile file(stream, header);
+            Imf::FrameBuffer frame;
+            const std::size_t pixels = std::size_t{image.width} * image.height;
+            for (const Layer& layer : image.layers)
+                for (std::size_t c = 0; c < layer.channels.size(); ++c)
+                    frame.insert(
+                        channel_name(layer, layer.channels[c]),
+                        plane_slice(layer.values.data() + c * pixels, image.width, {0, 0}));
+            file.setFrameBuffer(frame);
+            file.writePixels(static_cast<int>(image.height));
+        }
+        stream.close();
+    });
+}
+
+Image read_exr(const fs::path& path) {
+    const std::string place = path.string();
+    check_exr_header(read_head(path, place), place);
+    try {
+        Imf::InputFile file(path.c_str());
+        if (!file.isComplete()) throw input_error(place, "is cut off, expected all scan lines");
+        return read_pixels(file, fs::file_size(path), place);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw input_error(place, "is damaged: " + reason(error));
+    }
+}
+
+}  // namespace weft

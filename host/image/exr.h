@@ -1,0 +1,25 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_IMAGE_EXR_H
+#define WEFT_IMAGE_EXR_H
+
+#include <filesystem>
+
+#include "image/image.h"
+
+namespace weft {
+
+/// Writes every layer as 32-bit float channels of one scan-line OpenEXR file with ZIP compression:
+/// the layer without a name as `R`, `G`, `B`, any other as `name.R`; metadata as string attributes.
+/// Values are written as they are. Throws Error (exit code 5), leaving an older file untouched.
+void write_exr(const std::filesystem::path& path, const Image& image);
+
+/// Reads a single-part scan-line OpenEXR file with a lossless compression. Channels are grouped
+/// into layers by their names up to the last dot (RGB, then A, then X, Y, Z, then the rest in
+/// alphabetical order); a channel whose last part is longer than one letter becomes a layer of its
+/// full name with the channel `Y`. Throws Error (exit code 2) for anything damaged or too large.
+[[nodiscard]] Image read_exr(const std::filesystem::path& path);
+
+}  // namespace weft
+
+#endif

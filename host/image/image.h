@@ -1,0 +1,35 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_IMAGE_IMAGE_H
+#define WEFT_IMAGE_IMAGE_H
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace weft {
+
+/// One plane group of a picture, e.g. "direct" with channels R, G, B. Planar: all values of
+/// channel 0, then of channel 1, ...; each plane row-major, top row first.
+struct Layer {
+    std::string name;      ///< empty for the beauty layer
+    std::string channels;  ///< one character a channel: "RGB", "XYZ", "Z", "Y"
+    std::vector<float> values;
+};
+
+/// A picture of several layers of one size, linear Rec.709 where it holds colour.
+struct Image {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<Layer> layers;
+    std::map<std::string, std::string> metadata;
+
+    /// The layer of that name, or nullptr.
+    [[nodiscard]] const Layer* find(std::string_view name) const;
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,202 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "image/png.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csetjmp>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/limits.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The three planes of the beauty layer; all the same one where it is grey.
+struct ColourPlanes {
+    std::array<std::span<const float>, 3> plane;
+    std::size_t pixels = 0;
+};
+
+/// Empty where the image holds no beauty layer of the right size.
+ColourPlanes find_colour(const Image& image) {
+    const std::size_t pixels = std::size_t{image.width} * image.height;
+    const Layer* beauty = image.find("");
+    if (beauty == nullptr || pixels == 0 || pixels > limits::max_film_pixels ||
+        beauty->values.size() != pixels * beauty->channels.size())
+        return {};
+    const std::span<const float> values = beauty->values;
+    if (beauty->channels == "Y") return {{values, values, values}, pixels};
+    if (!beauty->channels.starts_with("RGB")) return {};
+    return {
+        {values.first(pixels), values.subspan(pixels, pixels), values.subspan(2 * pixels, pixels)},
+        pixels};
+}
+
+double srgb_transfer(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+/// Threshold in (0, 1) of the 8x8 Bayer matrix, whose 64 values are (k + 1/2) / 64.
+double dither_threshold(std::uint32_t x, std::uint32_t y) {
+    std::uint32_t rank = 0;
+    for (std::uint32_t bit = 0; bit < 3; ++bit) {
+        const std::uint32_t x_bit = (x >> bit) & 1u;
+        const std::uint32_t y_bit = (y >> bit) & 1u;
+        rank = rank * 4 + ((x_bit ^ y_bit) * 2 + y_bit);
+    }
+    return (rank + 0.5) / 64.0;
+}
+
+png_byte encode(double linear, double threshold) {
+    if (!(linear > 0.0)) return 0;
+    const double value = 255.0 * srgb_transfer(std::min(linear, 1.0));
+    return static_cast<png_byte>(std::min(255.0, std::floor(value + threshold)));
+}
+
+/// libpng's state. Its errors leave by longjmp, past which no destructor runs: all that the
+/// encoder allocates belongs to this object, outside of the jump.
+class PngWriter {
+  public:
+    explicit PngWriter(const fs::path& path) : file_(path, std::ios::binary | std::ios::trunc) {
+        png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+        if (png_ != nullptr) info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) throw std::bad_alloc();
+    }
+    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    void write(const Image& image, const ColourPlanes& colour, double exposure_ev) {
+        width_ = image.width;
+        height_ = image.height;
+        row_.resize(std::size_t{width_} * 3);
+        for (const auto& [key, value] : image.metadata) add_text(key, value);
+        const double scale = std::exp2(exposure_ev);
+        const bool written = encode_rows([&](std::uint32_t y) { fill_row(colour, scale, y); });
+        if (written) file_.close();
+        if (!written || !file_)
+            throw std::runtime_error(message_[0] != '\0' ? message_.data()
+                                                         : "not all bytes could be written");
+    }
+
+  private:
+    void add_text(const std::string& key, const std::string& value) {
+        const bool ascii = std::all_of(value.begin(), value.end(),
+                                       [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+        png_text text{};
+        // libpng takes its own copy of the strings and only reads them.
+        text.key = const_cast<char*>(key.c_str());
+        text.text = const_cast<char*>(value.c_str());
+        text.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+        text_.push_back(text);
+    }
+
+    void fill_row(const ColourPlanes& colour, double scale, std::uint32_t y) {
+        const std::size_t first = std::size_t{y} * width_;
+        for (std::uint32_t x = 0; x < width_; ++x) {
+            const double threshold = dither_threshold(x, y);
+            for (std::size_t c = 0; c < 3; ++c)
+                row_[std::size_t{x} * 3 + c] =
+                    encode(scale * double{colour.plane[c][first + x]}, threshold);
+        }
+    }
+
+    /// False when libpng gave up. Nothing here may own memory: see the class.
+    template <typename FillRow>
+    bool encode_rows(const FillRow& fill_row) {
+        if (setjmp(png_jmpbuf(png_)) != 0) return false;
+        png_set_write_fn(png_, this, on_write, on_flush);
+        png_set_IHDR(png_, info_, width_, height_, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_set_text(png_, info_, text_.data(), static_cast<int>(text_.size()));
+        png_write_info(png_, info_);
+        for (row_index_ = 0; row_index_ < height_; ++row_index_) {
+            fill_row(row_index_);
+            png_write_row(png_, row_.data());
+        }
+        png_write_end(png_, nullptr);
+        return true;
+    }
+
+    [[noreturn]] static void on_error(png_structp png, png_const_charp text) {
+        auto* self = static_cast<PngWriter*>(png_get_error_ptr(png));
+        const std::string_view reason = text;
+        reason.copy(self->message_.data(), self->message_.size() - 1);
+        png_longjmp(png, 1);
+    }
+    static void on_warning(png_structp, png_const_charp) {}
+    static void on_write(png_structp png, png_bytep bytes, std::size_t size) {
+        auto* self = static_cast<PngWriter*>(png_get_io_ptr(png));
+        self->file_.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+        if (!self->file_) png_error(png, "not all bytes could be written");
+    }
+    static void on_flush(png_structp) {}
+
+    std::ofstream file_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    std::uint32_t width_ = 0;
+    std::uint32_t height_ = 0;
+    std::uint32_t row_index_ = 0;
+    std::vector<png_byte> row_;
+    std::vector<png_text> text_;
+    std::array<char, 200> message_{};
+};
+
+}  // namespace
+
+void write_png(const fs::path& path, const Image& image, double exposure_ev) {
+    const ColourPlanes colour = find_colour(image);
+    if (colour.pixels == 0 || image.width > limits::max_film_edge ||
+        image.height > limits::max_film_edge)
+        throw Error(ExitCode::output, path.string(),
+                    "cannot be written: the picture has no colour layer, expected RGB or Y");
+    write_file_atomically(path, [&](const fs::path& temporary) {
+        PngWriter(temporary).write(image, colour, exposure_ev);
+    });
+}
+
+double auto_exposure(const Image& image) {
+    const ColourPlanes colour = find_colour(image);
+    std::vector<float> luminances;
+    luminances.reserve(colour.pixels);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < colour.pixels; ++i) {
+        const float y = 0.2126f * colour.plane[0][i] + 0.7152f * colour.plane[1][i] +
+                        0.0722f * colour.plane[2][i];
+        if (!std::isfinite(y) || !(y > 0.0f)) continue;
+        luminances.push_back(y);
+        sum += y;
+    }
+    if (luminances.empty()) return 0.0;
+    // One pixel of almost nothing would otherwise brighten the whole picture.
+    const double floor = std::ldexp(sum / static_cast<double>(luminances.size()), -20);
+    std::erase_if(luminances, [&](float y) { return !(y > floor); });
+    double log_sum = 0.0;
+    for (const float y : luminances) log_sum += std::log2(double{y});
+    const auto percentile =
+        luminances.begin() + static_cast<std::ptrdiff_t>((luminances.size() - 1) * 95 / 100);
+    std::nth_element(luminances.begin(), percentile, luminances.end());
+    const double key = std::log2(0.18) - log_sum / static_cast<double>(luminances.size());
+    const double highlights = -std::log2(double{*percentile});
+    return std::max(key - 2.0, std::min(key, highlights));
+}
+
+}  // namespace weft

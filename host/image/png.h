@@ -1,0 +1,26 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_IMAGE_PNG_H
+#define WEFT_IMAGE_PNG_H
+
+#include <filesystem>
+
+#include "image/image.h"
+
+namespace weft {
+
+/// Writes the beauty layer (`RGB...` or `Y`) times 2^exposure_ev as an 8-bit sRGB PNG. Values are
+/// clamped to [0, 1] (NaN counts as 0) and rounded with an 8x8 ordered dither, which depends on
+/// the pixel's place alone and keeps values that 8 bits can hold; metadata becomes text chunks.
+/// Throws Error (exit code 5), leaving an older file untouched.
+void write_png(const std::filesystem::path& path, const Image& image, double exposure_ev);
+
+/// Exposure in stops for the beauty layer, from the luminances Y of its pixels that are finite and
+/// not black (Y > 2^-20 of their mean): `key = log2(0.18 / exp(mean(log Y)))` puts the log-average
+/// at middle grey. Highlights are protected by at most two stops: the result is
+/// `max(key - 2, min(key, -log2(P)))`, P being the 95th percentile of Y. 0 for a black picture.
+[[nodiscard]] double auto_exposure(const Image& image);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,224 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/flat_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/limits.h"
+
+namespace weft {
+namespace {
+
+/// Which optional attributes any instance of the scene brings.
+struct Attributes {
+    bool normals = false;
+    bool uvs = false;
+    bool colours = false;
+    bool one_sided = false;
+};
+
+Attributes attributes_of(const Scene& scene) {
+    Attributes found;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const Material& material = scene.materials[instance.material];
+        if (mesh.triangles.empty()) continue;
+        found.normals |= !mesh.normals.empty();
+        found.uvs |= !mesh.uvs.empty() && material.albedo_texture >= 0;
+        found.colours |= !mesh.colours.empty();
+        found.one_sided |= !material.two_sided;
+    }
+    return found;
+}
+
+KernelUnits kernel_units(const Scene& scene) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    for (const Instance& instance : scene.instances)
+        for (const auto& triangle : scene.meshes[instance.mesh].triangles)
+            for (const std::uint32_t vertex : triangle) {
+                const glm::dvec3 p(
+                    instance.to_world *
+                    glm::dvec4(glm::dvec3(scene.meshes[instance.mesh].positions[vertex]), 1.0));
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+    KernelUnits units;
+    if (!(low.x <= high.x)) return units;
+    units.centre = 0.5 * (low + high);
+    const glm::dvec3 half = 0.5 * (high - low);
+    const double largest = std::max(half.x, std::max(half.y, half.z));
+    if (largest > 0.0) units.scale = std::ldexp(1.0, -std::ilogb(largest));
+    return units;
+}
+
+void append_vertices(const Mesh& mesh, const Instance& instance, const Attributes& attributes,
+                     FlatScene& flat) {
+    const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(instance.to_world)));
+    const double side = instance.flip_normals ? -1.0 : 1.0;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 p(flat.units.point(
+            glm::dvec3(instance.to_world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0))));
+        flat.positions.push_back({p.x, p.y, p.z, 0.0F});
+        if (attributes.normals) {
+            glm::dvec3 n(0.0);
+            if (!mesh.normals.empty()) n = side * (normal_matrix * glm::dvec3(mesh.normals[i]));
+            const double length = glm::length(n);
+            if (length > 0.0) n /= length;
+            for (int k = 0; k < 3; ++k) flat.normals.push_back(static_cast<float>(n[k]));
+        }
+        if (attributes.uvs)
+            for (int k = 0; k < 2; ++k)
+                flat.texture_coordinates.push_back(mesh.uvs.empty() ? 0.0F : mesh.uvs[i][k]);
+        if (attributes.colours)
+            for (int k = 0; k < 3; ++k)
+                flat.vertex_colours.push_back(mesh.colours.empty() ? 1.0F : mesh.colours[i][k]);
+    }
+}
+
+void append_instance(const Scene& scene, std::uint32_t index, const Attributes& attributes,
+                     FlatScene& flat) {
+    const Instance& instance = scene.instances[index];
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const auto base = static_cast<std::uint32_t>(flat.positions.size());
+    if (flat.positions.size() + mesh.positions.size() > limits::max_vertices ||
+        flat.triangles.size() + mesh.triangles.size() > limits::max_triangles)
+        throw input_error(scene.source, "the instances together have too many triangles");
+    flat.instances.push_back(
+        {instance.material, static_cast<std::uint32_t>(flat.triangles.size()), instance.mesh, 0});
+    append_vertices(mesh, instance, attributes, flat);
+    // A mirroring transform turns the winding; the outside stays outside.
+    const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0.0;
+    const bool swap = mirrored != instance.flip_normals;
+    for (const auto& t : mesh.triangles)
+        flat.triangles.push_back(
+            {base + t[0], base + t[swap ? 2 : 1], base + t[swap ? 1 : 2], index});
+}
+
+void append_textures(const Scene& scene, FlatScene& flat) {
+    std::vector<bool> used(scene.textures.size(), false);
+    for (const Instance& instance : scene.instances) {
+        const int texture = scene.materials[instance.material].albedo_texture;
+        if (texture >= 0) used[static_cast<std::size_t>(texture)] = true;
+    }
+    for (std::size_t t = 0; t < scene.textures.size(); ++t) {
+        const Texture& texture = scene.textures[t];
+        shared::TextureRecord record{static_cast<std::uint32_t>(flat.texels.size()), texture.width,
+                                     texture.height, 0};
+        record.flags = (texture.nearest ? TEXTURE_NEAREST : 0U) |
+                       (texture.srgb ? TEXTURE_SRGB : 0U) |
+                       static_cast<std::uint32_t>(texture.wrap_u) << TEXTURE_WRAP_U_SHIFT |
+                       static_cast<std::uint32_t>(texture.wrap_v) << TEXTURE_WRAP_V_SHIFT;
+        if (used[t])
+            for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
+                flat.texels.push_back(static_cast<std::uint32_t>(texture.rgba[i]) |
+                                      static_cast<std::uint32_t>(texture.rgba[i + 1]) << 8 |
+                                      static_cast<std::uint32_t>(texture.rgba[i + 2]) << 16);
+        flat.textures.push_back(record);
+    }
+}
+
+shared::MaterialRecord material_record(const Material& material, bool textures) {
+    shared::MaterialRecord record{};
+    record.albedo = {material.albedo.r, material.albedo.g, material.albedo.b, 0.0F};
+    record.emission = {material.emission.r, material.emission.g, material.emission.b, 0.0F};
+    record.flags = (material.two_sided ? MATERIAL_TWO_SIDED : 0U) |
+                   (luminance(material.emission) > 0.0 ? MATERIAL_EMITS : 0U) |
+                   (material.emits_both_sides ? MATERIAL_EMITS_BOTH_SIDES : 0U);
+    record.texture = textures && material.albedo_texture >= 0
+                         ? static_cast<std::uint32_t>(material.albedo_texture)
+                         : NO_TRIANGLE;
+    return record;
+}
+
+double mean_luminance(const Texture& texture) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {
+        const auto value = [&](std::size_t k) {
+            return texture.srgb ? srgb_to_linear(texture.rgba[i + k])
+                                : static_cast<float>(texture.rgba[i + k]) / 255.0F;
+        };
+        sum += luminance({value(0), value(1), value(2)});
+    }
+    return texture.rgba.empty() ? 1.0 : 4.0 * sum / static_cast<double>(texture.rgba.size());
+}
+
+void measure(const Scene& scene, FlatScene& flat) {
+    std::vector<double> texture_mean(scene.textures.size(), -1.0);
+    std::vector<double> reflectance;
+    for (const Material& material : scene.materials) {
+        double value = luminance(material.albedo);
+        if (material.albedo_texture >= 0) {
+            double& mean = texture_mean[static_cast<std::size_t>(material.albedo_texture)];
+            if (mean < 0.0)
+                mean = mean_luminance(
+                    scene.textures[static_cast<std::size_t>(material.albedo_texture)]);
+            value *= mean;
+        }
+        reflectance.push_back(value);
+    }
+    double reflected = 0.0;
+    for (const shared::Triangle& triangle : flat.triangles) {
+        const double area = triangle_area(flat, triangle);
+        flat.surface_area += area;
+        reflected += area * reflectance[flat.instances[triangle.instance].material];
+    }
+    if (flat.surface_area > 0.0)
+        flat.mean_reflectance = std::clamp(reflected / flat.surface_area, 0.0, 1.0);
+    double radius = 0.0;
+    double extent = 0.0;
+    for (const shared::float4& p : flat.positions) {
+        const glm::dvec3 q(p.x, p.y, p.z);
+        radius = std::max(radius, glm::length(q));
+        extent = std::max({extent, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+    }
+    flat.radius = static_cast<float>(radius > 0.0 ? radius * 1.001 : 1.0);
+    flat.extent = static_cast<float>(extent > 0.0 ? extent : 1.0);
+}
+
+}  // namespace
+
+double triangle_area(const FlatScene& flat, const shared::Triangle& t) {
+    const auto vertex = [&](std::uint32_t i) {
+        const shared::float4& p = flat.positions[i];
+        return glm::dvec3(p.x, p.y, p.z);
+    };
+    const glm::dvec3 a = vertex(t.v0);
+    return 0.5 * glm::length(glm::cross(vertex(t.v1) - a, vertex(t.v2) - a));
+}
+
+float srgb_to_linear(std::uint8_t value) {
+    const double c = static_cast<double>(value) / 255.0;
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+std::vector<float> srgb_table() {
+    std::vector<float> table;
+    for (int i = 0; i < 256; ++i) table.push_back(srgb_to_linear(static_cast<std::uint8_t>(i)));
+    return table;
+}
+
+FlatScene flatten(const Scene& scene) {
+    FlatScene flat;
+    flat.units = kernel_units(scene);
+    const Attributes attributes = attributes_of(scene);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+        append_instance(scene, i, attributes, flat);
+    if (attributes.uvs) append_textures(scene, flat);
+    for (const Material& material : scene.materials)
+        flat.materials.push_back(material_record(material, attributes.uvs));
+    flat.features = (attributes.uvs ? FEATURE_TEXTURES : 0U) |
+                    (attributes.colours ? FEATURE_VERTEX_COLOURS : 0U) |
+                    (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
+                    (attributes.one_sided ? FEATURE_ONE_SIDED : 0U);
+    measure(scene, flat);
+    build_light_table(scene, flat);
+    return flat;
+}
+
+}  // namespace weft

@@ -1,0 +1,76 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_FLAT_SCENE_H
+#define WEFT_SCENE_FLAT_SCENE_H
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "device/shared_types.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+/// How scene units become kernel units: centred on the geometry and scaled by a power of two, so
+/// that floats near 1 are what kernels see wherever and however large the scene is.
+struct KernelUnits {
+    glm::dvec3 centre{0.0};  ///< scene units
+    double scale = 1.0;      ///< kernel units per scene unit, a power of two
+
+    [[nodiscard]] glm::dvec3 point(const glm::dvec3& p) const { return (p - centre) * scale; }
+};
+
+/// A scene as kernels read it: instances flattened to one list of triangles, with one table of
+/// lights. All in kernel units.
+struct FlatScene {
+    KernelUnits units;
+    std::vector<shared::float4> positions;
+    std::vector<shared::Triangle> triangles;
+    std::vector<shared::InstanceRecord> instances;
+    std::vector<shared::MaterialRecord> materials;
+    std::vector<float> normals;              ///< 3 a vertex, 0 where a mesh has none; or empty
+    std::vector<float> texture_coordinates;  ///< 2 a vertex; or empty
+    std::vector<float> vertex_colours;       ///< 3 a vertex; or empty
+    std::vector<shared::TextureRecord> textures;
+    std::vector<std::uint32_t> texels;
+    std::vector<shared::LightRecord> lights;  ///< area, point and spot, directional, environment
+    std::vector<shared::EmissiveTriangle> emissive;
+
+    std::uint32_t area_lights = 0;
+    std::uint32_t punctual_lights = 0;  ///< point and spot
+    std::uint32_t directional_lights = 0;
+    glm::vec3 environment{0.0F};
+    std::uint32_t features = 0;     ///< FEATURE_* that the scene calls for
+    float extent = 1.0F;            ///< largest |coordinate| of geometry and lights
+    float radius = 1.0F;            ///< of the bounding sphere about the centre
+    double surface_area = 0.0;
+    double mean_reflectance = 0.0;  ///< area-weighted luminance of the albedo, [0, 1]
+    double smallest_light_area = 0.0;
+};
+
+/// Flattens a validated scene. Throws Error (exit code 2) where a transform puts vertices out of
+/// range.
+[[nodiscard]] FlatScene flatten(const Scene& scene);
+
+/// Fills the light table from the flattened geometry; part of `flatten`.
+void build_light_table(const Scene& scene, FlatScene& flat);
+
+/// Area in kernel units squared.
+[[nodiscard]] double triangle_area(const FlatScene& flat, const shared::Triangle& triangle);
+
+/// 0.2126 R + 0.7152 G + 0.0722 B.
+[[nodiscard]] inline double luminance(const glm::vec3& c) {
+    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
+           0.0722 * static_cast<double>(c.b);
+}
+
+/// Linear value of an sRGB byte (IEC 61966-2-1).
+[[nodiscard]] float srgb_to_linear(std::uint8_t value);
+
+/// `srgb_to_linear` of every byte.
+[[nodiscard]] std::vector<float> srgb_table();
+
+}  // namespace weft
+
+#endif

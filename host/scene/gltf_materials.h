@@ -1,0 +1,52 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_MATERIALS_H
+#define WEFT_SCENE_GLTF_MATERIALS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "scene/gltf_textures.h"
+
+namespace weft {
+
+/// What a primitive must know of its material.
+struct GltfSurface {
+    std::uint32_t material = 0;  ///< index into Scene::materials
+    bool textured = false;
+    std::uint64_t uv_set = 0;      ///< n of TEXCOORD_n
+    glm::dmat3 uv_transform{1.0};  ///< KHR_texture_transform, applied to (u, v, 1)
+};
+
+/// Turns the materials that primitives refer to into diffuse ones, each once.
+class GltfMaterials {
+  public:
+    GltfMaterials(const GltfDocument& document, GltfTextures& textures, GltfReport& report,
+                  std::vector<Material>& materials);
+
+    /// The material whose index `reference` holds, or glTF's default material. Throws Error (exit
+    /// code 2).
+    [[nodiscard]] const GltfSurface& surface(const std::optional<GltfValue>& reference);
+
+  private:
+    [[nodiscard]] GltfSurface convert(const GltfValue& value, std::size_t index);
+    void convert_base_colour(const GltfValue& value, Material& material, GltfSurface& surface);
+    [[nodiscard]] glm::vec3 emission(const GltfValue& value);
+    [[nodiscard]] glm::vec3 colour(const GltfValue& place, const glm::dvec3& value,
+                                   const char* what);
+    void report_unsimulated(const GltfValue& value);
+
+    GltfValue root_;
+    GltfTextures& textures_;
+    GltfReport& report_;
+    std::vector<Material>& materials_;
+    std::map<std::size_t, GltfSurface> surfaces_;
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,187 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/gltf_nodes.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/limits.h"
+
+namespace weft {
+namespace {
+
+constexpr std::size_t no_parent = std::numeric_limits<std::size_t>::max();
+
+/// Parent of every node. With at most one parent each, the nodes form trees and perhaps rings;
+/// a ring is a part that no root leads to.
+std::vector<std::size_t> find_parents(const GltfValue& root, std::size_t count) {
+    std::vector<std::size_t> parents(count, no_parent);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::optional<GltfValue> children = root.at("nodes").element(i).find("children");
+        for (std::size_t c = 0; children && c < children->size(); ++c) {
+            const GltfValue reference = children->element(c);
+            const std::size_t child = reference.as_index(count, "nodes");
+            if (child == i)
+                throw reference.error("node " + std::to_string(i) +
+                                      " is its own child, expected no cycles");
+            if (parents[child] != no_parent)
+                throw reference.error("node " + std::to_string(child) + " is already a child of " +
+                                      "node " + std::to_string(parents[child]) +
+                                      ", expected one parent");
+            parents[child] = i;
+        }
+    }
+    return parents;
+}
+
+void refuse_rings(const GltfValue& root, const std::vector<std::size_t>& parents) {
+    enum class Mark : unsigned char { fresh, on_path, done };
+    std::vector<Mark> marks(parents.size(), Mark::fresh);
+    for (std::size_t start = 0; start < parents.size(); ++start) {
+        std::size_t node = start;
+        while (node != no_parent && marks[node] == Mark::fresh) {
+            marks[node] = Mark::on_path;
+            node = parents[node];
+        }
+        if (node != no_parent && marks[node] == Mark::on_path)
+            throw root.at("nodes").element(node).error(
+                "node is its own ancestor, expected no cycles");
+        for (node = start; node != no_parent && marks[node] == Mark::on_path; node = parents[node])
+            marks[node] = Mark::done;
+    }
+}
+
+std::vector<std::size_t> find_roots(const GltfValue& root, const std::vector<std::size_t>& parents,
+                                    GltfReport& report) {
+    std::vector<std::size_t> roots;
+    const std::size_t scene_count = root.size_of("scenes");
+    const std::optional<GltfValue> chosen = root.find("scene");
+    if (!chosen && scene_count == 0) {
+        if (!parents.empty())
+            report.once(root.place(), "file holds no scenes, all root nodes are rendered");
+        for (std::size_t i = 0; i < parents.size(); ++i)
+            if (parents[i] == no_parent) roots.push_back(i);
+        return roots;
+    }
+    if (!chosen && scene_count > 1)
+        report.once(root.place(), "file names no default scene, the first is rendered");
+    const std::size_t scene = chosen ? chosen->as_index(scene_count, "scenes") : 0;
+    const std::optional<GltfValue> listed = root.at("scenes").element(scene).find("nodes");
+    std::vector<bool> seen(parents.size(), false);
+    for (std::size_t i = 0; listed && i < listed->size(); ++i) {
+        const GltfValue reference = listed->element(i);
+        const std::size_t node = reference.as_index(parents.size(), "nodes");
+        if (parents[node] != no_parent)
+            throw reference.error("node " + std::to_string(node) + " is a child of node " +
+                                  std::to_string(parents[node]) + ", expected a root node");
+        if (seen[node]) throw reference.error("node " + std::to_string(node) + " is listed twice");
+        seen[node] = true;
+        roots.push_back(node);
+    }
+    return roots;
+}
+
+glm::dmat4 read_matrix(const GltfValue& node) {
+    std::array<double, 16> identity{};
+    for (std::size_t i = 0; i < 4; ++i) identity[5 * i] = 1.0;
+    const std::array<double, 16> values = node.numbers_or<16>("matrix", identity);
+    glm::dmat4 matrix(1.0);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            matrix[column][row] = values[static_cast<std::size_t>(4 * column + row)];
+    for (int column = 0; column < 4; ++column) {
+        const double expected = column == 3 ? 1.0 : 0.0;
+        if (std::abs(matrix[column][3] - expected) > 1e-6)
+            throw node.at("matrix").error("is not affine, expected 0, 0, 0, 1 as its last row");
+        matrix[column][3] = expected;
+    }
+    return matrix;
+}
+
+glm::dmat4 read_local_transform(const GltfValue& node) {
+    if (node.find("matrix")) {
+        for (const char* key : {"translation", "rotation", "scale"})
+            if (node.find(key))
+                throw node.error(std::string("has both 'matrix' and '") + key +
+                                 "', expected one of them");
+        return read_matrix(node);
+    }
+    const std::array<double, 3> t = node.numbers_or<3>("translation", {0.0, 0.0, 0.0});
+    const std::array<double, 4> r = node.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
+    const std::array<double, 3> s = node.numbers_or<3>("scale", {1.0, 1.0, 1.0});
+    const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    if (!(std::abs(length - 1.0) < 0.1))
+        throw node.at("rotation")
+            .error("is a quaternion of length " + std::to_string(length) + ", expected 1");
+    const double x = r[0] / length;
+    const double y = r[1] / length;
+    const double z = r[2] / length;
+    const double w = r[3] / length;
+    const glm::dvec3 column_x(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
+    const glm::dvec3 column_y(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
+    const glm::dvec3 column_z(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
+    return {glm::dvec4(column_x * s[0], 0.0), glm::dvec4(column_y * s[1], 0.0),
+            glm::dvec4(column_z * s[2], 0.0), glm::dvec4(t[0], t[1], t[2], 1.0)};
+}
+
+}  // namespace
+
+std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document, GltfReport& report) {
+    const GltfValue root = document.root();
+    const std::size_t count = root.size_of("nodes");
+    if (count > limits::max_nodes)
+        throw root.at("nodes").error("has " + std::to_string(count) +
+                                     " elements, expected at most " +
+                                     std::to_string(limits::max_nodes));
+    const std::vector<std::size_t> parents = find_parents(root, count);
+    refuse_rings(root, parents);
+    const std::vector<std::size_t> roots = find_roots(root, parents, report);
+
+    struct Pending {
+        std::size_t node;
+        int depth;
+        glm::dmat4 parent_to_world;
+    };
+    std::vector<Pending> stack;
+    for (auto node = roots.rbegin(); node != roots.rend(); ++node)
+        stack.push_back({*node, 1, glm::dmat4(1.0)});
+    std::vector<GltfNode> nodes;
+    while (!stack.empty()) {
+        const Pending next = stack.back();
+        stack.pop_back();
+        GltfNode node{root.at("nodes").element(next.node), {}, glm::dmat4(1.0)};
+        if (next.depth > limits::max_nesting)
+            throw node.value.error("node is nested deeper than " +
+                                   std::to_string(limits::max_nesting) + " levels");
+        node.name = node.value.name_or("");
+        node.to_world = next.parent_to_world * read_local_transform(node.value);
+        const std::optional<GltfValue> children = node.value.find("children");
+        for (std::size_t c = children ? children->size() : 0; c > 0; --c)
+            stack.push_back(
+                {children->element(c - 1).as_index(count, "nodes"), next.depth + 1, node.to_world});
+        nodes.push_back(std::move(node));
+    }
+    return nodes;
+}
+
+bool usable_transform(const GltfNode& node, GltfReport& report) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(node.to_world[column][row]))
+                throw node.value.error("the transform to world space is not finite");
+    // Compared with the volume that columns of these lengths would span at right angles, so that
+    // the size of the scene does not matter.
+    constexpr double flat = 1e-14;
+    const glm::dmat3 linear(node.to_world);
+    const double volume = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+    if (std::abs(glm::determinant(linear)) > flat * volume) return true;
+    report.count(node.value.place(),
+                 "objects are left out because their transform is singular (a scale of zero)", 1);
+    return false;
+}
+
+}  // namespace weft

@@ -1,0 +1,34 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_NODES_H
+#define WEFT_SCENE_GLTF_NODES_H
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/gltf_document.h"
+#include "scene/gltf_report.h"
+
+namespace weft {
+
+/// A node of the scene that is rendered.
+struct GltfNode {
+    GltfValue value;
+    std::string name;  ///< empty where the file gives none
+    glm::dmat4 to_world{1.0};
+};
+
+/// The nodes of the default scene (or the first, or all root nodes where there are no scenes),
+/// parents before children, each branch in the order of the file. Refuses cycles, nodes with two
+/// parents and nesting beyond `limits::max_nesting` with an Error (exit code 2).
+[[nodiscard]] std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
+                                                    GltfReport& report);
+
+/// Whether things can be placed with `to_world`: throws Error (exit code 2) where it is not
+/// finite; warns and returns false where it flattens space, as exporters do to hide objects.
+[[nodiscard]] bool usable_transform(const GltfNode& node, GltfReport& report);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,155 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/flat_scene.h"
+
+namespace weft {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Turns weights into probabilities and inclusive sums whose float differences are consistent.
+/// Entries whose probability would vanish in float are removed.
+template <class Entry>
+void normalise(std::vector<Entry>& entries, std::vector<double>& weights) {
+    double total = 0.0;
+    for (const double weight : weights) total += weight;
+    std::vector<Entry> kept;
+    double sum = 0.0;
+    float before = 0.0F;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        sum += weights[i];
+        const float cumulative =
+            i + 1 == entries.size() ? 1.0F : static_cast<float>(std::min(1.0, sum / total));
+        if (!(cumulative > before)) continue;
+        entries[i].cumulative = cumulative;
+        entries[i].probability = cumulative - before;
+        before = cumulative;
+        kept.push_back(entries[i]);
+    }
+    if (!kept.empty()) {
+        kept.back().probability += 1.0F - kept.back().cumulative;
+        kept.back().cumulative = 1.0F;
+    }
+    entries = std::move(kept);
+}
+
+shared::float4 rgb(const glm::vec3& c, double scale) {
+    const glm::vec3 s(glm::dvec3(c) * scale);
+    return {s.r, s.g, s.b, 0.0F};
+}
+
+/// Collects lights and their powers (luminance of the flux in kernel units).
+struct Collector {
+    const Scene& scene;
+    FlatScene& flat;
+    std::vector<shared::LightRecord> lights{};
+    std::vector<double> powers{};
+
+    void add(const shared::LightRecord& light, double power) {
+        if (!(power > 0.0) || !std::isfinite(power)) return;
+        lights.push_back(light);
+        powers.push_back(power);
+    }
+
+    void add_area_light(std::uint32_t instance, std::uint32_t end) {
+        const Material& material = scene.materials[flat.instances[instance].material];
+        if (!(luminance(material.emission) > 0.0)) return;
+        std::vector<shared::EmissiveTriangle> entries;
+        std::vector<double> areas;
+        double total = 0.0;
+        for (std::uint32_t t = flat.instances[instance].first_triangle; t < end; ++t) {
+            const double area = triangle_area(flat, flat.triangles[t]);
+            if (!(area > 0.0)) continue;
+            entries.push_back({t, 0.0F, 0.0F, 0});
+            areas.push_back(area);
+            total += area;
+        }
+        if (entries.empty()) return;
+        normalise(entries, areas);
+        shared::LightRecord light{};
+        light.kind = EMITTER_AREA;
+        light.power = rgb(material.emission, 1.0);
+        light.first = static_cast<std::uint32_t>(flat.emissive.size());
+        light.count = static_cast<std::uint32_t>(entries.size());
+        light.area = static_cast<float>(total);
+        light.both_sides = material.emits_both_sides ? 1 : 0;
+        flat.emissive.insert(flat.emissive.end(), entries.begin(), entries.end());
+        if (flat.area_lights == 0 || total < flat.smallest_light_area)
+            flat.smallest_light_area = total;
+        ++flat.area_lights;
+        add(light, pi * luminance(material.emission) * total * (light.both_sides != 0 ? 2.0 : 1.0));
+    }
+
+    void add_punctual(const PunctualLight& source) {
+        shared::LightRecord light{};
+        const glm::vec3 p(flat.units.point(source.position));
+        const glm::vec3 axis(source.direction);
+        light.position = {p.x, p.y, p.z, 0.0F};
+        light.axis = {axis.x, axis.y, axis.z, 0.0F};
+        light.cos_inner = source.cos_inner;
+        light.cos_outer = source.cos_outer;
+        if (source.type == LightType::directional) {
+            light.kind = EMITTER_DIRECTIONAL;
+            light.power = rgb(source.intensity, 1.0);
+            ++flat.directional_lights;
+            add(light, luminance(source.intensity) * pi * static_cast<double>(flat.radius) *
+                           static_cast<double>(flat.radius));
+            return;
+        }
+        const double square = flat.units.scale * flat.units.scale;
+        const bool spot = source.type == LightType::spot;
+        light.kind = spot ? EMITTER_SPOT : EMITTER_POINT;
+        if (!spot) light.axis = {0.0F, 0.0F, 1.0F, 0.0F};
+        light.power = rgb(source.intensity, square);
+        flat.extent = std::max({flat.extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        ++flat.punctual_lights;
+        const double angle = spot ? 2.0 * pi * (1.0 - static_cast<double>(source.cos_outer)) : 4 * pi;
+        add(light, luminance(source.intensity) * square * angle);
+    }
+};
+
+bool shines(const PunctualLight& light) { return luminance(light.intensity) > 0.0; }
+
+}  // namespace
+
+void build_light_table(const Scene& scene, FlatScene& flat) {
+    Collector collector{scene, flat};
+    for (std::uint32_t i = 0; i < flat.instances.size(); ++i)
+        collector.add_area_light(i, i + 1 < flat.instances.size()
+                                        ? flat.instances[i + 1].first_triangle
+                                        : static_cast<std::uint32_t>(flat.triangles.size()));
+    for (const PunctualLight& light : scene.lights)
+        if (light.type != LightType::directional && shines(light)) collector.add_punctual(light);
+    for (const PunctualLight& light : scene.lights)
+        if (light.type == LightType::directional && shines(light)) collector.add_punctual(light);
+    if (scene.environment && luminance(scene.environment->radiance) > 0.0) {
+        flat.environment = scene.environment->radiance;
+        shared::LightRecord light{};
+        light.kind = EMITTER_ENVIRONMENT;
+        light.axis = {0.0F, 0.0F, 1.0F, 0.0F};
+        light.power = rgb(scene.environment->radiance, 1.0);
+        collector.add(light, luminance(scene.environment->radiance) * 4.0 * pi * pi *
+                                 static_cast<double>(flat.radius) *
+                                 static_cast<double>(flat.radius));
+        flat.features |= FEATURE_ENVIRONMENT;
+    }
+    flat.lights = std::move(collector.lights);
+    normalise(flat.lights, collector.powers);
+    const auto count = [&](auto... kinds) {
+        return static_cast<std::uint32_t>(
+            std::count_if(flat.lights.begin(), flat.lights.end(),
+                          [&](const shared::LightRecord& l) { return ((l.kind == kinds) || ...); }));
+    };
+    flat.area_lights = count(EMITTER_AREA);
+    flat.punctual_lights = count(EMITTER_POINT, EMITTER_SPOT);
+    flat.directional_lights = count(EMITTER_DIRECTIONAL);
+    flat.features |= (flat.area_lights > 0 ? FEATURE_AREA_LIGHTS : 0U) |
+                     (flat.punctual_lights > 0 ? FEATURE_PUNCTUAL_LIGHTS : 0U) |
+                     (flat.directional_lights > 0 ? FEATURE_DIRECTIONAL_LIGHTS : 0U);
+}
+
+}  // namespace weft

@@ -1,0 +1,133 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_SCENE_H
+#define WEFT_SCENE_SCENE_H
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace weft {
+
+enum class Wrap : std::uint32_t { repeat, clamp, mirror };
+
+/// A picture for a surface. `rgba` is row-major, top row first, 4 bytes a pixel; texture
+/// coordinate v = 0 lies on the top edge of the first row.
+struct Texture {
+    std::string name;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint8_t> rgba;
+    bool srgb = true;  ///< colour bytes are sRGB encoded, else linear
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+    bool nearest = false;  ///< nearest texel instead of bilinear interpolation
+};
+
+/// A Lambertian surface that may emit. Colours are linear Rec.709.
+struct Material {
+    std::string name;
+    glm::vec3 albedo{0.8F};       ///< factor in [0,1], multiplied with texture and vertex colour
+    int albedo_texture = -1;      ///< index into Scene::textures, or -1
+    glm::vec3 emission{0.0F};     ///< emitted radiance, W/(m^2 sr)
+    bool emits_both_sides = false;  ///< else only to the side of the geometric normal
+    bool two_sided = true;          ///< reflects on both sides; else its back is black
+};
+
+/// Triangles in object space. Attribute arrays are empty or as long as `positions`.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;  ///< shading normals; empty: geometric normals
+    std::vector<glm::vec2> uvs;
+    std::vector<glm::vec3> colours;  ///< linear, multiplied with the albedo
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
+};
+
+/// A mesh placed in the world with a material. The transform stays in double.
+struct Instance {
+    std::string name;
+    std::uint32_t mesh = 0;
+    std::uint32_t material = 0;
+    glm::dmat4 to_world{1.0};
+    bool flip_normals = false;  ///< the file asks for reversed orientation
+};
+
+enum class LightType : std::uint32_t { point, spot, directional };
+
+/// A light without area.
+struct PunctualLight {
+    std::string name;
+    LightType type = LightType::point;
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit, the way the light travels
+    glm::vec3 intensity{1.0F};  ///< W/sr; for `directional` irradiance W/m^2 on a facing surface
+    float cos_inner = 1.0F;     ///< spot: full intensity inside this cone
+    float cos_outer = 0.0F;     ///< spot: dark outside this cone
+};
+
+/// Light from infinitely far away, the same from every direction.
+struct Environment {
+    glm::vec3 radiance{0.0F};
+};
+
+enum class FovAxis : std::uint32_t { x, y, diagonal, smaller, larger };
+
+/// A pinhole camera. Camera space looks along -z with +y up (the glTF convention).
+struct Camera {
+    std::string name;
+    glm::dmat4 to_world{1.0};  ///< rigid up to scale; scale is ignored
+    double fov = 0.8;          ///< radians, full angle along `fov_axis`
+    FovAxis fov_axis = FovAxis::y;
+    bool mirror_x = false;  ///< the file's camera space is left-handed
+};
+
+/// A participating medium as its file describes it. Kept for the media component.
+struct Medium {
+    std::string name;
+    std::string type;  ///< "homogeneous" or "heterogeneous"
+    glm::vec3 sigma_t{1.0F};
+    glm::vec3 albedo{0.75F};
+    float scale = 1.0F;
+    float anisotropy = 0.0F;     ///< Henyey-Greenstein g
+    std::string density_file;    ///< grid volume, absolute path; empty: constant
+    glm::dmat4 grid_to_world{1.0};
+};
+
+/// A closed boundary of a medium, invisible by itself.
+struct MediumBoundary {
+    std::uint32_t mesh = 0;
+    glm::dmat4 to_world{1.0};
+    int interior = -1;  ///< index into Scene::media, or -1
+    int exterior = -1;
+};
+
+/// The picture's size as the file asks for it.
+struct FilmSize {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+};
+
+/// Everything a scene file holds, validated: indices are in range, numbers finite, transforms
+/// invertible. Plain data; nothing here knows of BVHs or devices.
+struct Scene {
+    std::string source;  ///< path it was read from
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<PunctualLight> lights;
+    std::optional<Environment> environment;
+    std::vector<Camera> cameras;
+    std::vector<Medium> media;
+    std::vector<MediumBoundary> medium_boundaries;
+    int camera_medium = -1;  ///< medium around the cameras: index into `media`, or -1
+    std::optional<FilmSize> film;
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,224 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/validate_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/quote.h"
+
+namespace weft {
+namespace {
+
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+};
+
+template <typename Vector>
+bool all_finite(const Vector& v) {
+    for (int i = 0; i < static_cast<int>(Vector::length()); ++i)
+        if (!std::isfinite(v[i])) return false;
+    return true;
+}
+
+template <typename Vector>
+bool all_finite(const std::vector<Vector>& vectors) {
+    return std::all_of(vectors.begin(), vectors.end(),
+                       [](const Vector& v) { return all_finite(v); });
+}
+
+bool in_unit_cube(const glm::vec3& v) {
+    return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x <= 1 && v.y <= 1 && v.z <= 1;
+}
+
+bool not_negative(const glm::vec3& v) {
+    return all_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
+}
+
+/// Collects nothing, only stops: each check names the object in the error.
+class Validator {
+  public:
+    explicit Validator(const Scene& scene) : scene_(scene) {}
+
+    void run() {
+        for (const Texture& texture : scene_.textures) check(texture);
+        for (const Material& material : scene_.materials) check(material);
+        for (const Mesh& mesh : scene_.meshes) check(mesh);
+        for (const Instance& instance : scene_.instances) check(instance);
+        for (const PunctualLight& light : scene_.lights) check(light);
+        for (const Camera& camera : scene_.cameras) check(camera);
+        check_media();
+        require(!scene_.environment || not_negative(scene_.environment->radiance), "environment",
+                "has a radiance that is negative or not finite");
+        if (scene_.film) check(*scene_.film);
+    }
+
+  private:
+    void require(bool holds, const std::string& object, const char* message) const {
+        if (!holds) throw input_error(scene_.source, object + " " + message);
+    }
+
+    void check(const Texture& texture) const {
+        const std::string object = "texture " + quote(texture.name);
+        require(texture.width > 0 && texture.height > 0, object, "is empty");
+        require(
+            texture.width <= limits::max_texture_edge && texture.height <= limits::max_texture_edge,
+            object, "is larger than the limit");
+        require(texture.rgba.size() == std::size_t{4} * texture.width * texture.height, object,
+                "has the wrong number of bytes");
+    }
+
+    void check(const Material& material) const {
+        const std::string object = "material " + quote(material.name);
+        require(in_unit_cube(material.albedo), object, "has an albedo outside [0, 1]");
+        require(not_negative(material.emission), object,
+                "has an emission that is negative or not finite");
+        require(material.albedo_texture >= -1 &&
+                    (material.albedo_texture < 0 ||
+                     static_cast<std::size_t>(material.albedo_texture) < scene_.textures.size()),
+                object, "refers to a texture that does not exist");
+    }
+
+    void check(const Mesh& mesh) {
+        const std::string object = "mesh " + quote(mesh.name);
+        const std::size_t count = mesh.positions.size();
+        require(count <= limits::max_vertices, object, "has more vertices than the limit");
+        require(mesh.normals.empty() || mesh.normals.size() == count, object,
+                "has normals of the wrong number");
+        require(mesh.uvs.empty() || mesh.uvs.size() == count, object,
+                "has texture coordinates of the wrong number");
+        require(mesh.colours.empty() || mesh.colours.size() == count, object,
+                "has vertex colours of the wrong number");
+        require(all_finite(mesh.positions), object, "has a vertex that is not finite");
+        require(all_finite(mesh.normals), object, "has a normal that is not finite");
+        require(all_finite(mesh.uvs), object, "has a texture coordinate that is not finite");
+        require(std::all_of(mesh.colours.begin(), mesh.colours.end(), in_unit_cube), object,
+                "has a vertex colour outside [0, 1]");
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t corner : triangle)
+                require(corner < count, object, "has a triangle with a vertex that does not exist");
+        Box box;
+        for (const glm::vec3& position : mesh.positions) {
+            box.low = glm::min(box.low, glm::dvec3(position));
+            box.high = glm::max(box.high, glm::dvec3(position));
+        }
+        boxes_.push_back(box);
+    }
+
+    void check_transform(const glm::dmat4& to_world, const std::string& object) const {
+        for (int column = 0; column < 4; ++column) {
+            require(all_finite(to_world[column]), object, "has a transform that is not finite");
+            require(to_world[column][3] == (column == 3 ? 1.0 : 0.0), object,
+                    "has a transform that is not affine");
+        }
+        const double determinant = glm::determinant(glm::dmat3(to_world));
+        require(std::isfinite(1.0 / determinant) && determinant != 0.0, object,
+                "has a transform that cannot be inverted");
+        require(within_bounds(glm::dvec3(to_world[3])), object, "lies too far from the origin");
+    }
+
+    static bool within_bounds(const glm::dvec3& point) {
+        return std::abs(point.x) <= limits::max_coordinate &&
+               std::abs(point.y) <= limits::max_coordinate &&
+               std::abs(point.z) <= limits::max_coordinate;
+    }
+
+    /// A linear map takes its largest values at the corners of the mesh's box.
+    void check_extent(const Box& box, const glm::dmat4& to_world, const std::string& object) const {
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 point((corner & 1U) != 0 ? box.high.x : box.low.x,
+                                   (corner & 2U) != 0 ? box.high.y : box.low.y,
+                                   (corner & 4U) != 0 ? box.high.z : box.low.z);
+            require(within_bounds(glm::dvec3(to_world * glm::dvec4(point, 1.0))), object,
+                    "lies too far from the origin");
+        }
+    }
+
+    void check_placed_mesh(std::uint32_t mesh, const glm::dmat4& to_world,
+                           const std::string& object) const {
+        require(mesh < scene_.meshes.size(), object, "refers to a mesh that does not exist");
+        check_transform(to_world, object);
+        if (!scene_.meshes[mesh].positions.empty()) check_extent(boxes_[mesh], to_world, object);
+    }
+
+    void check(const Instance& instance) {
+        const std::string object = "instance " + quote(instance.name);
+        check_placed_mesh(instance.mesh, instance.to_world, object);
+        require(instance.material < scene_.materials.size(), object,
+                "refers to a material that does not exist");
+        const std::size_t triangles = scene_.meshes[instance.mesh].triangles.size();
+        if (triangles > limits::max_triangles - triangles_)
+            throw input_error(scene_.source, object + " brings the scene above the limit of " +
+                                                 std::to_string(limits::max_triangles) +
+                                                 " triangles");
+        triangles_ += triangles;
+    }
+
+    void check(const PunctualLight& light) const {
+        const std::string object = "light " + quote(light.name);
+        require(within_bounds(light.position), object, "lies too far from the origin");
+        require(std::abs(glm::length(light.direction) - 1.0) < 1e-6, object,
+                "has a direction that is not of unit length");
+        require(not_negative(light.intensity), object,
+                "has an intensity that is negative or not finite");
+        require(light.cos_inner >= light.cos_outer && light.cos_inner <= 1.0F &&
+                    light.cos_outer >= -1.0F,
+                object, "has impossible cone angles");
+    }
+
+    void check(const Camera& camera) const {
+        const std::string object = "camera " + quote(camera.name);
+        check_transform(camera.to_world, object);
+        require(camera.fov > 0.0 && camera.fov < std::numbers::pi, object,
+                "has a field of view outside (0, 180) degrees");
+    }
+
+    void check_media() const {
+        const auto exists = [&](int medium) {
+            return medium >= -1 &&
+                   (medium < 0 || static_cast<std::size_t>(medium) < scene_.media.size());
+        };
+        for (const Medium& medium : scene_.media) {
+            const std::string object = "medium " + quote(medium.name);
+            require(
+                not_negative(medium.sigma_t) && std::isfinite(medium.scale) && medium.scale >= 0.0F,
+                object, "has an extinction that is negative or not finite");
+            require(in_unit_cube(medium.albedo), object, "has an albedo outside [0, 1]");
+            require(medium.anisotropy > -1.0F && medium.anisotropy < 1.0F, object,
+                    "has an anisotropy outside (-1, 1)");
+        }
+        for (const MediumBoundary& boundary : scene_.medium_boundaries) {
+            check_placed_mesh(boundary.mesh, boundary.to_world, "medium boundary");
+            require(exists(boundary.interior) && exists(boundary.exterior), "medium boundary",
+                    "refers to a medium that does not exist");
+        }
+        require(exists(scene_.camera_medium), "camera", "lies in a medium that does not exist");
+    }
+
+    void check(const FilmSize& film) const {
+        require(film.width > 0 && film.height > 0, "film", "is empty");
+        require(film.width <= limits::max_film_edge && film.height <= limits::max_film_edge &&
+                    std::size_t{film.width} * film.height <= limits::max_film_pixels,
+                "film", "is larger than the limit");
+    }
+
+    const Scene& scene_;
+    std::vector<Box> boxes_;
+    std::size_t triangles_ = 0;
+};
+
+}  // namespace
+
+void validate_scene(const Scene& scene) {
+    Validator(scene).run();
+}
+
+}  // namespace weft

@@ -1,0 +1,18 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_VALIDATE_SCENE_H
+#define WEFT_SCENE_VALIDATE_SCENE_H
+
+#include "scene/scene.h"
+
+namespace weft {
+
+/// The last gate before a scene is rendered, whoever made it: indices in range, attribute arrays
+/// of equal length, numbers finite, transforms invertible, world coordinates within
+/// `limits::max_coordinate`, all placed triangles within `limits::max_triangles`. Throws Error
+/// (exit code 2) that names the object.
+void validate_scene(const Scene& scene);
+
+}  // namespace weft
+
+#endif

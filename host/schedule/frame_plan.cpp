@@ -1,0 +1,83 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "schedule/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace weft {
+namespace {
+
+/// Paths that survive to bounce k + 1 under fractional absorption (Keller 1997): floor(N r^k), but
+/// at least one, so that no order of light is lost.
+std::uint32_t survivors(std::uint32_t paths, double reflectance, std::uint32_t bounce) {
+    const double left = static_cast<double>(paths) * std::pow(reflectance, bounce);
+    return std::max(1U, static_cast<std::uint32_t>(std::floor(left + 1e-9)));
+}
+
+std::uint32_t vpl_count(std::uint32_t paths, double reflectance, std::uint32_t bounces) {
+    std::uint32_t count = 0;
+    for (std::uint32_t k = 0; k < bounces; ++k) count += survivors(paths, reflectance, k);
+    return count;
+}
+
+void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflectance) {
+    plan.bounces = std::min<std::uint32_t>(settings.bounces, MAX_BOUNCES);
+    // A floor keeps dark scenes from spending everything on the first bounce, a ceiling keeps
+    // paths from never ending.
+    const double r = std::clamp(reflectance, 0.05, 0.95);
+    std::uint32_t paths = 1;
+    while (vpl_count(paths + 1, r, plan.bounces) <= settings.vpls_per_set) ++paths;
+    plan.paths_per_set = paths;
+    for (std::uint32_t k = 0; k < plan.bounces; ++k) {
+        plan.survivors[k] = survivors(paths, r, k);
+        plan.first_vpl[k] = plan.vpls_per_set;
+        plan.vpls_per_set += plan.survivors[k];
+    }
+}
+
+}  // namespace
+
+double vpl_bound(double area, double count, double spacing) {
+    if (!(area > 0.0) || !(spacing > 0.0)) return 1e30;
+    return std::min(1e30, std::numbers::pi * count / (spacing * spacing * area));
+}
+
+double bound_growth(std::uint32_t frame) { return std::sqrt(static_cast<double>(frame) + 1.0); }
+
+FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
+                      const SceneStatistics& scene) {
+    FramePlan plan;
+    plan.sets = settings.interleave * settings.interleave;
+    const bool interleaved = algorithm == Algorithm::igi;
+    plan.interleave = interleaved ? settings.interleave : 1;
+    plan.gather_sets = interleaved ? plan.sets : 1;
+    plan.filter_radius = interleaved ? settings.filter_radius : 0;
+    const std::uint32_t lights = scene.area_lights + scene.punctual_lights +
+                                 scene.directional_lights + (scene.environment ? 1U : 0U);
+    if (scene.direct) {
+        const bool all_lights =
+            scene.area_lights * settings.samples_per_light <= settings.max_samples_per_set;
+        plan.samples_per_light = all_lights ? settings.samples_per_light : 0;
+        plan.samples_per_set = all_lights ? scene.area_lights * settings.samples_per_light
+                                          : settings.max_samples_per_set;
+        plan.environment_samples = scene.environment ? settings.samples_per_light : 0;
+        plan.punctual_lights = scene.punctual_lights;
+        plan.directional_lights = scene.directional_lights;
+    }
+    if (scene.indirect && lights > 0 && scene.mean_reflectance > 0.0)
+        plan_vpls(plan, settings, scene.mean_reflectance);
+    plan.vpl_bound = vpl_bound(scene.surface_area,
+                               static_cast<double>(plan.sets) * plan.vpls_per_set,
+                               settings.bound_spacing);
+    const double light_samples =
+        plan.samples_per_light > 0
+            ? plan.samples_per_light
+            : static_cast<double>(plan.samples_per_set) / std::max(1U, scene.area_lights);
+    plan.light_bound_scale = vpl_bound(1.0, static_cast<double>(plan.sets) * light_samples,
+                                       settings.bound_spacing);
+    return plan;
+}
+
+}  // namespace weft

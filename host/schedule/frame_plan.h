@@ -1,0 +1,96 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCHEDULE_FRAME_PLAN_H
+#define WEFT_SCHEDULE_FRAME_PLAN_H
+
+#include <array>
+#include <cstdint>
+
+#include "device/shared_types.h"
+
+namespace weft {
+
+enum class Algorithm : std::uint8_t { igi, ir };
+
+/// The standard setting, which `igi` and everything compared with it use.
+struct SamplingSettings {
+    std::uint32_t interleave = 3;        ///< n: n x n sample sets
+    std::uint32_t vpls_per_set = 64;     ///< at most
+    std::uint32_t bounces = 4;           ///< VPLs of indirect orders 1 to this, at most MAX_BOUNCES
+    std::uint32_t samples_per_light = 4; ///< per set and area light; also environment rays
+    std::uint32_t max_samples_per_set = 256;  ///< beyond it, lights are chosen by power
+    double bound_spacing = 1.0;          ///< c: VPLs closer than c mean spacings are bounded
+    std::uint32_t filter_radius = 1;     ///< discontinuity buffer, pixels
+    double filter_cosine = 0.9;
+    double filter_planes = 2.0;
+};
+
+/// What the scheduler needs to know of a scene.
+struct SceneStatistics {
+    std::uint32_t area_lights = 0;
+    std::uint32_t punctual_lights = 0;
+    std::uint32_t directional_lights = 0;
+    bool environment = false;
+    bool direct = true;    ///< the user wants direct light
+    bool indirect = true;  ///< the user wants indirect light
+    double surface_area = 0.0;      ///< kernel units squared
+    double mean_reflectance = 0.0;  ///< [0, 1]
+};
+
+/// Sample counts of every frame, decided once; plain data.
+struct FramePlan {
+    std::uint32_t interleave = 1;   ///< of the work list
+    std::uint32_t sets = 1;         ///< sample sets made
+    std::uint32_t gather_sets = 1;  ///< sample sets a pixel chooses from: 1 means all at once
+    std::uint32_t filter_radius = 0;
+
+    std::uint32_t paths_per_set = 0;  ///< 0: no indirect light
+    std::uint32_t vpls_per_set = 0;
+    std::uint32_t bounces = 0;
+    std::array<std::uint32_t, MAX_BOUNCES> survivors{};
+    std::array<std::uint32_t, MAX_BOUNCES> first_vpl{};
+
+    std::uint32_t samples_per_light = 0;  ///< 0: chosen by power
+    std::uint32_t samples_per_set = 0;    ///< area light samples; 0: none
+    std::uint32_t environment_samples = 0;
+    std::uint32_t punctual_lights = 0;
+    std::uint32_t directional_lights = 0;
+
+    double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
+    double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound
+
+    /// Lengths of the stretches of the light sample buffer.
+    [[nodiscard]] std::uint32_t area_samples() const { return sets * samples_per_set; }
+    [[nodiscard]] std::uint32_t light_sample_count() const {
+        return area_samples() + punctual_lights + sets * environment_samples;
+    }
+    [[nodiscard]] bool has_indirect() const { return paths_per_set > 0; }
+    [[nodiscard]] bool has_sampled_direct() const {
+        return samples_per_set > 0 || environment_samples > 0;
+    }
+    [[nodiscard]] bool has_exact_direct() const {
+        return punctual_lights > 0 || directional_lights > 0;
+    }
+    [[nodiscard]] bool has_distant() const {
+        return environment_samples > 0 || directional_lights > 0;
+    }
+};
+
+/// Plans the frames of an algorithm. `ir` makes the same sample sets as `igi`, and every pixel
+/// uses all of them.
+[[nodiscard]] FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
+                                    const SceneStatistics& scene);
+
+/// Bound on the geometry term G of VPLs that stand for `area` together with `count` - 1 others
+/// (Kollig and Keller 2004): 1/d^2 at the distance d of `spacing` times the mean distance between
+/// such points, sqrt(area / (pi count)). Scale-free; grows with the count, so that what it cuts off
+/// vanishes as frames accumulate.
+[[nodiscard]] double vpl_bound(double area, double count, double spacing);
+
+/// Factor on every bound in frame `frame` of a progressive rendering: sqrt(frame + 1), slower than
+/// the variance falls.
+[[nodiscard]] double bound_growth(std::uint32_t frame);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,28 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCHEDULE_WORK_LIST_H
+#define WEFT_SCHEDULE_WORK_LIST_H
+
+#include <cstdint>
+#include <vector>
+
+namespace weft {
+
+/// Pixels in the order in which packets work on them: tile by tile, within a tile sample set by
+/// sample set (interleaved sampling, Keller and Heidrich 2001), within a set along a Morton curve,
+/// so that neighbouring slots are neighbouring pixels of one set.
+struct WorkList {
+    /// Pixel index per slot, or NO_TRIANGLE for padding. A multiple of PACKET_BLOCK long.
+    std::vector<std::uint32_t> pixels;
+    /// Sample set of each block of PACKET_BLOCK slots.
+    std::vector<std::uint32_t> block_sets;
+};
+
+/// Work list of a picture with n x n interleaving: pixel (x, y) belongs to set
+/// (x mod n) + n (y mod n). Every pixel appears exactly once, whatever `tile` (in pixels).
+[[nodiscard]] WorkList make_work_list(std::uint32_t width, std::uint32_t height,
+                                      std::uint32_t interleave, std::uint32_t tile);
+
+}  // namespace weft
+
+#endif

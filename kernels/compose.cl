@@ -1,0 +1,77 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Components to radiance, and radiance into the film. What is not finite or negative is counted,
+// set to 0 and never reaches the film. The film sums samples in compensated float pairs.
+#include "gbuffer.h"
+#include "surface.h"
+
+static inline int is_good(float3 c) {
+    return is_finite3(c) != 0 && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f ? 1 : 0;
+}
+
+static inline float3 guard(GLOBAL NonfiniteCounter* counter, int component, uint pixel, float3 c) {
+    if (is_good(c) != 0) return c;
+    atomic_add_uint(&counter->count[component], 1u);
+    atomic_min_uint(&counter->first_pixel[component], pixel);
+    return f3(0.0f, 0.0f, 0.0f);
+}
+
+/// Neumaier's compensated sum; the first sample starts it.
+static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, int starts,
+                               float x) {
+    float sum = starts != 0 ? 0.0f : high[at];
+    float rest = starts != 0 ? 0.0f : low[at];
+    float total = sum + x;
+    if (absolute(sum) >= absolute(x))
+        rest += (sum - total) + x;
+    else
+        rest += (x - total) + sum;
+    high[at] = total;
+    low[at] = rest;
+}
+
+static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, uint pixels,
+                              int starts, float3 x) {
+    add_to_film(high, low, at, starts, x.x);
+    add_to_film(high, low, at + pixels, starts, x.y);
+    add_to_film(high, low, at + 2u * pixels, starts, x.z);
+}
+
+WEFT_KERNEL(compose)
+(PARAMS, GBUFFER_ARGS, GLOBAL const uint* pixel_slot, GLOBAL const float4* direct,
+ GLOBAL const float* exact_irradiance, GLOBAL const float4* indirect, GLOBAL float* film_high,
+ GLOBAL float* film_low, GLOBAL NonfiniteCounter* nonfinite) {
+    if (GLOBAL_ID >= params.count) return;
+    uint pixel = params.first + GLOBAL_ID;
+    uint pixels = params.width * params.height;
+    int starts = params.film_starts != 0u ? 1 : 0;
+    float3 reflectance = xyz(gb_albedo[pixel]) * 0.318309886f;
+    float3 direct_irradiance = f3(0.0f, 0.0f, 0.0f);
+    if (HAS(&params, FEATURE_AREA_LIGHTS | FEATURE_ENVIRONMENT))
+        direct_irradiance = xyz(direct[pixel]);
+    if (HAS(&params, FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS) &&
+        gb_ids[2u * pixel] != NO_TRIANGLE && gb_albedo[pixel].w > 0.0f) {
+        uint slot = pixel_slot[pixel];
+        direct_irradiance +=
+            f3(exact_irradiance[slot], exact_irradiance[params.slots + slot],
+               exact_irradiance[2u * params.slots + slot]);
+    }
+    float3 indirect_irradiance = f3(0.0f, 0.0f, 0.0f);
+    if (HAS(&params, FEATURE_INDIRECT)) indirect_irradiance = xyz(indirect[pixel]);
+    float3 emission = guard(nonfinite, COMPONENT_EMISSION, pixel, xyz(gb_emission[pixel]));
+    float3 direct_light =
+        guard(nonfinite, COMPONENT_DIRECT, pixel, reflectance * direct_irradiance);
+    float3 indirect_light =
+        guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * indirect_irradiance);
+    add_vector(film_high, film_low, FILM_EMISSION * pixels + pixel, pixels, starts, emission);
+    add_vector(film_high, film_low, FILM_DIRECT * pixels + pixel, pixels, starts, direct_light);
+    add_vector(film_high, film_low, FILM_INDIRECT * pixels + pixel, pixels, starts,
+               indirect_light);
+    add_vector(film_high, film_low, FILM_ALBEDO * pixels + pixel, pixels, starts,
+               xyz(gb_albedo[pixel]));
+    add_vector(film_high, film_low, FILM_NORMAL * pixels + pixel, pixels, starts,
+               xyz(gb_shading[pixel]));
+    add_to_film(film_high, film_low, FILM_DEPTH * pixels + pixel, starts,
+                gb_position[pixel].w / params.unit);
+}

@@ -1,0 +1,21 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a primary ray found, per pixel.
+//   gb_ids       instance (NO_TRIANGLE: background) and triangle id
+//   gb_position  point; w: distance along the viewing axis
+//   gb_normal    geometric normal towards the camera; w: footprint of a pixel on the surface
+//   gb_shading   interpolated normal
+//   gb_albedo    reflectance; w: 1 where the surface reflects at all
+//   gb_emission  emitted radiance, or that of the environment
+// Points of the previous frame, for moving objects, are to join as gb_previous.
+#ifndef WEFT_GBUFFER_H
+#define WEFT_GBUFFER_H
+
+#include "port.h"
+
+#define GBUFFER_ARGS                                                                      \
+    GLOBAL uint *gb_ids, GLOBAL float4 *gb_position, GLOBAL float4 *gb_normal,            \
+        GLOBAL float4 *gb_shading, GLOBAL float4 *gb_albedo, GLOBAL float4 *gb_emission
+
+#endif

@@ -1,0 +1,42 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// De-interleaves the G-buffer: what the pixels of one sample set need for shadow rays, in the order
+// of the work list, as planes of `slots` floats that a packet loads with one wide read each.
+#include "gbuffer.h"
+#include "receivers.h"
+#include "surface.h"
+
+WEFT_KERNEL(receivers)
+(PARAMS, GBUFFER_ARGS, GLOBAL const uint* slot_pixel, GLOBAL float* receiver_planes,
+ GLOBAL uint* pixel_slot) {
+    if (GLOBAL_ID >= params.count) return;
+    uint slot = params.first + GLOBAL_ID;
+    uint pixel = slot_pixel[slot];
+    float valid = 0.0f;
+    float3 position = f3(0.0f, 0.0f, 0.0f);
+    float3 normal = position;
+    float3 shading = position;
+    if (pixel != NO_TRIANGLE) {
+        pixel_slot[pixel] = slot;
+        valid = gb_ids[2u * pixel] != NO_TRIANGLE ? gb_albedo[pixel].w : 0.0f;
+        normal = xyz(gb_normal[pixel]);
+        shading = xyz(gb_shading[pixel]);
+        position = xyz(gb_position[pixel]);
+        position += normal * surface_offset(position, params.extent);
+    }
+    GLOBAL float* plane = receiver_planes + slot;
+    uint stride = params.slots;
+    plane[RECEIVER_X * stride] = position.x;
+    plane[RECEIVER_Y * stride] = position.y;
+    plane[RECEIVER_Z * stride] = position.z;
+    plane[RECEIVER_SHADING_X * stride] = shading.x;
+    plane[RECEIVER_SHADING_Y * stride] = shading.y;
+    plane[RECEIVER_SHADING_Z * stride] = shading.z;
+    plane[RECEIVER_VALID * stride] = valid;
+    if (HAS(&params, FEATURE_SMOOTH_NORMALS)) {
+        plane[RECEIVER_NORMAL_X * stride] = normal.x;
+        plane[RECEIVER_NORMAL_Y * stride] = normal.y;
+        plane[RECEIVER_NORMAL_Z * stride] = normal.z;
+    }
+}

@@ -1,0 +1,22 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Planes of the de-interleaved receivers, each Params::slots floats. The last three exist only
+// where the scene has smooth normals.
+#ifndef WEFT_RECEIVERS_H
+#define WEFT_RECEIVERS_H
+
+#define RECEIVER_X 0u
+#define RECEIVER_Y 1u
+#define RECEIVER_Z 2u
+#define RECEIVER_SHADING_X 3u
+#define RECEIVER_SHADING_Y 4u
+#define RECEIVER_SHADING_Z 5u
+#define RECEIVER_VALID 6u
+#define RECEIVER_NORMAL_X 7u
+#define RECEIVER_NORMAL_Y 8u
+#define RECEIVER_NORMAL_Z 9u
+#define RECEIVER_PLANES_FLAT 7u
+#define RECEIVER_PLANES_SMOOTH 10u
+
+#endif

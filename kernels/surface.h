@@ -1,0 +1,121 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From a hit to the surface there: position, normals, reflectance, emission.
+#ifndef WEFT_SURFACE_H
+#define WEFT_SURFACE_H
+
+#include "triangle.h"
+#include "texture.h"
+
+#define GEOMETRY_ARGS                                                                      \
+    GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list,                  \
+        GLOBAL const InstanceRecord *instances, GLOBAL const MaterialRecord *materials,    \
+        GLOBAL const float *normals, GLOBAL const float *texture_coordinates,              \
+        GLOBAL const float *vertex_colours, GLOBAL const TextureRecord *textures,          \
+        GLOBAL const uint *texels, GLOBAL const float *srgb_table
+#define GEOMETRY_MAKE(name)                          \
+    Geometry name;                                   \
+    name.positions = positions;                      \
+    name.triangles = triangle_list;                  \
+    name.instances = instances;                      \
+    name.materials = materials;                      \
+    name.normals = normals;                          \
+    name.texture_coordinates = texture_coordinates;  \
+    name.vertex_colours = vertex_colours;            \
+    name.textures = textures;                        \
+    name.texels = texels;                            \
+    name.srgb_table = srgb_table
+
+// The scene's buffers. Attributes a scene does not have are never read.
+typedef struct {
+    GLOBAL const float4* positions;
+    GLOBAL const Triangle* triangles;
+    GLOBAL const InstanceRecord* instances;
+    GLOBAL const MaterialRecord* materials;
+    GLOBAL const float* normals;              // 3 a vertex
+    GLOBAL const float* texture_coordinates;  // 2 a vertex
+    GLOBAL const float* vertex_colours;       // 3 a vertex
+    GLOBAL const TextureRecord* textures;
+    GLOBAL const uint* texels;
+    GLOBAL const float* srgb_table;
+} Geometry;
+
+// A surface point seen from a direction; both normals face the viewer.
+typedef struct {
+    float3 position;
+    float3 normal;     // geometric
+    float3 shading;    // interpolated, on the side of `normal`
+    float3 albedo;     // 0 on the back of one-sided materials
+    float3 emission;   // towards the viewer
+    uint instance;
+    int front;         // 1 where the viewer sees the outside
+} Surface;
+
+/// How far a ray's origin must be moved off a surface so that rounding in the point (from
+/// barycentrics, 8 half-ulps of its coordinates) and in the next ray's plane distance (translation
+/// and three products over at most twice the scene's extent) cannot put it on the wrong side.
+static inline float surface_offset(float3 position, float extent) {
+    return 5.9604645e-8f * (8.0f * max_component(absolute3(position)) + 16.0f * extent);
+}
+
+static inline float3 attribute3(GLOBAL const float* values, uint index) {
+    return f3(values[3u * index], values[3u * index + 1u], values[3u * index + 2u]);
+}
+
+static inline float3 triangle_normal(const Geometry* geometry, uint id) {
+    Triangle triangle = geometry->triangles[id];
+    float3 a = xyz(geometry->positions[triangle.v0]);
+    float3 b = xyz(geometry->positions[triangle.v1]);
+    float3 c = xyz(geometry->positions[triangle.v2]);
+    return normalize3(cross3(b - a, c - a));
+}
+
+/// The surface at a hit of a ray that travels along `direction`.
+static inline Surface surface_at(const Params* params, const Geometry* geometry, Hit hit,
+                                 float3 direction) {
+    Surface surface;
+    Triangle triangle = geometry->triangles[hit.triangle];
+    MaterialRecord material = geometry->materials[geometry->instances[triangle.instance].material];
+    float w = 1.0f - hit.u - hit.v;
+    float3 a = xyz(geometry->positions[triangle.v0]);
+    float3 b = xyz(geometry->positions[triangle.v1]);
+    float3 c = xyz(geometry->positions[triangle.v2]);
+    float3 outside = normalize3(cross3(b - a, c - a));
+    surface.position = a * w + b * hit.u + c * hit.v;
+    surface.instance = triangle.instance;
+    surface.front = dot3(outside, direction) < 0.0f ? 1 : 0;
+    surface.normal = surface.front != 0 ? outside : -outside;
+    surface.shading = surface.normal;
+    if (HAS(params, FEATURE_SMOOTH_NORMALS)) {
+        float3 smooth = normalize3(attribute3(geometry->normals, triangle.v0) * w +
+                                   attribute3(geometry->normals, triangle.v1) * hit.u +
+                                   attribute3(geometry->normals, triangle.v2) * hit.v);
+        if (surface.front == 0) smooth = -smooth;
+        if (dot3(smooth, surface.normal) > 0.0f) surface.shading = smooth;
+    }
+    surface.albedo = xyz(material.albedo);
+    if (HAS(params, FEATURE_TEXTURES) && material.texture != NO_TRIANGLE) {
+        GLOBAL const float* uv = geometry->texture_coordinates;
+        float s = uv[2u * triangle.v0] * w + uv[2u * triangle.v1] * hit.u +
+                  uv[2u * triangle.v2] * hit.v;
+        float t = uv[2u * triangle.v0 + 1u] * w + uv[2u * triangle.v1 + 1u] * hit.u +
+                  uv[2u * triangle.v2 + 1u] * hit.v;
+        surface.albedo *= sample_texture(geometry->textures[material.texture], geometry->texels,
+                                         geometry->srgb_table, s, t);
+    }
+    if (HAS(params, FEATURE_VERTEX_COLOURS))
+        surface.albedo *= attribute3(geometry->vertex_colours, triangle.v0) * w +
+                          attribute3(geometry->vertex_colours, triangle.v1) * hit.u +
+                          attribute3(geometry->vertex_colours, triangle.v2) * hit.v;
+    if (HAS(params, FEATURE_ONE_SIDED) && surface.front == 0 &&
+        (material.flags & MATERIAL_TWO_SIDED) == 0u)
+        surface.albedo = f3(0.0f, 0.0f, 0.0f);
+    surface.emission = f3(0.0f, 0.0f, 0.0f);
+    if ((material.flags & MATERIAL_EMITS) != 0u &&
+        (surface.front != 0 || (material.flags & MATERIAL_EMITS_BOTH_SIDES) != 0u))
+        surface.emission = xyz(material.emission);
+    return surface;
+}
+
+#endif

@@ -1,0 +1,43 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ray queries: the one thing besides the launch loop that differs between backends. A kernel takes
+// SCENE_ARGS first, makes a Scene from them with SCENE, and hands it to trace_*.
+#ifndef WEFT_TRACE_H
+#define WEFT_TRACE_H
+
+#include "bvh.h"
+#include "bvh_packet.h"
+
+#ifdef __cplusplus
+#include "trace_native.h"
+#else
+
+#define SCENE_ARGS GLOBAL const BvhNode *bvh_nodes, GLOBAL const BvhTriangle *bvh_triangles
+#define SCENE_MAKE(name)           \
+    Scene name;                    \
+    name.nodes = bvh_nodes;        \
+    name.triangles = bvh_triangles
+
+typedef struct {
+    GLOBAL const BvhNode* nodes;
+    GLOBAL const BvhTriangle* triangles;
+} Scene;
+
+/// Closest hit within (0, t_max]; of equally distant triangles the smallest id.
+static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {
+    return bvh_closest(scene.nodes, scene.triangles, origin, direction, t_max);
+}
+
+/// 1 where anything lies within (0, t_max), else 0.
+static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {
+    return bvh_any(scene.nodes, scene.triangles, origin, direction, t_max);
+}
+
+/// Lanes of `active` whose open segment from `origin` to `origin + d` is blocked.
+static inline WMask trace_any_packet(Scene scene, float3 origin, WFloat3 d, WMask active) {
+    return bvh_any_packet(scene.nodes, scene.triangles, origin, d, active);
+}
+
+#endif
+#endif

@@ -1,0 +1,68 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ray queries of the native kernels: Embree, or the kernels' own BVH where the scene holds no
+// Embree handle. Embree only finds the triangle; distance and barycentrics come from the same
+// test as on OpenCL, so that the points of equal triangles are equal bit for bit.
+#ifndef WEFT_TRACE_NATIVE_H
+#define WEFT_TRACE_NATIVE_H
+
+#define SCENE_ARGS const ::weft::NativeScene *native_scene, const void *
+#define SCENE_MAKE(name) Scene name = *native_scene
+
+typedef const ::weft::NativeScene& Scene;
+
+static inline const BvhNode* own_nodes(Scene scene) {
+    return static_cast<const BvhNode*>(scene.bvh_nodes);
+}
+
+static inline const BvhTriangle* own_triangles(Scene scene) {
+    return static_cast<const BvhTriangle*>(scene.bvh_triangles);
+}
+
+static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {
+    if (scene.embree == nullptr)
+        return bvh_closest(own_nodes(scene), own_triangles(scene), origin, direction, t_max);
+    const ::weft::EmbreeHit found = ::weft::embree_closest(
+        scene.embree, &origin.x, &direction.x, t_max);
+    Hit hit = {found.triangle, found.t, found.u, found.v};
+    if (found.triangle == NO_TRIANGLE) return hit;
+    const float4* positions = static_cast<const float4*>(scene.positions);
+    const Triangle triangle = static_cast<const Triangle*>(scene.triangles)[found.triangle];
+    const Ray ray = make_ray(origin, direction);
+    Hit exact;
+    if (intersect_triangle(&ray, xyz(positions[triangle.v0]), xyz(positions[triangle.v1]),
+                           xyz(positions[triangle.v2]), t_max, &exact) != 0) {
+        hit.t = exact.t;
+        hit.u = exact.u;
+        hit.v = exact.v;
+    }
+    return hit;
+}
+
+static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {
+    if (scene.embree == nullptr)
+        return bvh_any(own_nodes(scene), own_triangles(scene), origin, direction, t_max);
+    return ::weft::embree_any(scene.embree, &origin.x, &direction.x, t_max) ? 1 : 0;
+}
+
+static inline WMask trace_any_packet(Scene scene, float3 origin, WFloat3 d, WMask active) {
+    if (scene.embree == nullptr)
+        return bvh_any_packet(own_nodes(scene), own_triangles(scene), origin, d, active);
+    alignas(64) float directions[3 * LANES];
+    alignas(64) int lanes[LANES];
+    wide_store(d.x, directions, 0);
+    wide_store(d.y, directions, LANES);
+    wide_store(d.z, directions, 2 * LANES);
+    const WMask valid = SELECT(active, mask_none_set - 1, mask_none_set);
+    __builtin_memcpy(lanes, &valid, sizeof(lanes));
+    ::weft::embree_any_packet(scene.embree, &origin.x, directions, lanes, LANES);
+    WMask occluded;
+    __builtin_memcpy(&occluded, lanes, sizeof(lanes));
+#if LANES == 1
+    occluded = occluded != 0 ? 1 : 0;
+#endif
+    return active & occluded;
+}
+
+#endif

@@ -1,0 +1,193 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Structs that host and kernels share: 4-byte scalars and float4 only, padded explicitly, sizes
+// asserted by the host (host/device/shared_types.h) and probed on the device by the tests.
+// All geometry is in scene units times Params::unit, centred on the scene (kernel units).
+#ifndef WEFT_TYPES_H
+#define WEFT_TYPES_H
+
+#define NO_TRIANGLE 0xFFFFFFFFu
+#define MAX_BOUNCES 8
+#define PACKET_BLOCK 16  // slots of one work list block share a sample set; a multiple of any LANES
+#define BVH_STACK 160    // entries; the builder proves that no traversal needs more
+
+// Features: what a frame must be able to do. A kernel compiled without one costs nothing for it.
+#define FEATURE_TEXTURES 1u
+#define FEATURE_VERTEX_COLOURS 2u
+#define FEATURE_SMOOTH_NORMALS 4u
+#define FEATURE_ENVIRONMENT 8u
+#define FEATURE_PUNCTUAL_LIGHTS 16u
+#define FEATURE_DIRECTIONAL_LIGHTS 32u
+#define FEATURE_AREA_LIGHTS 64u
+#define FEATURE_ONE_SIDED 128u
+#define FEATURE_INDIRECT 256u
+
+// BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
+#define BVH_EMPTY 0xFFFFFFFFu
+#define BVH_LEAF 0x80000000u
+#define BVH_COUNT_SHIFT 27
+#define BVH_COUNT_MASK 15u
+#define BVH_FIRST_MASK 0x07FFFFFFu
+
+// A wide node. bounds[2a] holds the lower, bounds[2a+1] the upper planes of axis a.
+typedef struct {
+    float bounds[6][8];
+    uint child[8];
+    uint pad[8];
+} BvhNode;
+
+// A triangle as traversal reads it; v0.w holds the bits of the triangle's id.
+typedef struct {
+    float4 v0, v1, v2;
+} BvhTriangle;
+
+typedef struct {
+    uint v0, v1, v2;  // vertex indices, counter-clockwise seen from outside
+    uint instance;
+} Triangle;
+
+typedef struct {
+    uint material;
+    uint first_triangle;  // id of the instance's first triangle
+    uint source_mesh;
+    uint pad;
+} InstanceRecord;
+
+#define MATERIAL_TWO_SIDED 1u
+#define MATERIAL_EMITS 2u
+#define MATERIAL_EMITS_BOTH_SIDES 4u
+
+typedef struct {
+    float4 albedo;    // rgb
+    float4 emission;  // rgb, W/(m^2 sr)
+    uint flags;
+    uint texture;  // index or NO_TRIANGLE
+    uint pad0, pad1;
+} MaterialRecord;
+
+#define TEXTURE_NEAREST 1u
+#define TEXTURE_SRGB 2u
+#define TEXTURE_WRAP_U_SHIFT 4  // two bits: 0 repeat, 1 clamp, 2 mirror
+#define TEXTURE_WRAP_V_SHIFT 6
+
+typedef struct {
+    uint offset;  // first texel
+    uint width, height;
+    uint flags;
+} TextureRecord;
+
+// An area light: the emissive triangles [first, first + count) of the emitter list.
+#define EMITTER_AREA 0u
+#define EMITTER_POINT 1u
+#define EMITTER_SPOT 2u
+#define EMITTER_DIRECTIONAL 3u
+#define EMITTER_ENVIRONMENT 4u
+
+// One light. `cumulative` is the inclusive sum of choice probabilities up to this light.
+typedef struct {
+    float4 position;  // punctual: xyz
+    float4 axis;      // spot, directional: direction of travel
+    float4 power;     // area: radiance; point, spot: W/sr in kernel units; directional: W/m^2
+    uint kind;
+    uint first, count;  // emissive triangles
+    float area;         // kernel units squared
+    float cumulative;
+    float probability;
+    float cos_inner, cos_outer;
+    uint both_sides;
+    uint pad0, pad1, pad2;
+} LightRecord;
+
+// An emissive triangle; `cumulative` is relative to its light, by area.
+typedef struct {
+    uint triangle;
+    float cumulative;
+    float probability;
+    uint pad;
+} EmissiveTriangle;
+
+// A virtual point light, or a sample point on a light. Irradiance at x with unit normal n:
+// flux * min(G, bound) for VPL_SURFACE, flux * cos / d^2 for VPL_POINT, times the cone for VPL_SPOT.
+#define VPL_SURFACE 0u
+#define VPL_POINT 1u
+#define VPL_SPOT 2u
+
+typedef struct {
+    float4 position;  // xyz, offset to the lit side; w: bound on G, 1/unit^2
+    float4 normal;    // xyz unit; w: kind (bits)
+    float4 flux;      // rgb: reflected flux over pi, summed over all sets; 0: unused
+    float4 cone;      // spot: cos_inner, cos_outer
+} Vpl;
+
+// Counters of one launch, 64 bit in two halves.
+typedef struct {
+    uint rays_low, rays_high;
+    uint pad0, pad1;
+} RayCounter;
+
+#define COMPONENT_EMISSION 0
+#define COMPONENT_DIRECT 1
+#define COMPONENT_INDIRECT 2
+#define COMPONENT_COUNT 3
+
+typedef struct {
+    uint count[4];
+    uint first_pixel[4];
+} NonfiniteCounter;
+
+// Film planes, each width * height floats, in this order; sums over samples.
+#define FILM_EMISSION 0
+#define FILM_DIRECT 3
+#define FILM_INDIRECT 6
+#define FILM_ALBEDO 9
+#define FILM_NORMAL 12
+#define FILM_DEPTH 15
+#define FILM_PLANES 16
+
+typedef struct {
+    // Camera: the ray through film point (s, t) in [-1,1]^2, +t up, is forward + s right + t up.
+    float4 camera_origin;
+    float4 camera_forward;  // unit
+    float4 camera_right;
+    float4 camera_up;
+    float4 environment;   // rgb radiance
+    float4 scene_centre;  // xyz of the bounding sphere; w: its radius, kernel units
+    float jitter_x, jitter_y;  // in pixels, from the pixel's corner
+    float pixel_angle;         // radians between neighbouring pixels at the centre
+    float unit;                // kernel units per scene unit, a power of two
+    float extent;              // largest |coordinate| of geometry and camera, kernel units
+    float vpl_bound;           // bound on G of indirect VPLs
+    float light_bound_scale;   // bound on G of a light sample: this / light area
+    float gather_scale;        // sets: a set's sum times this estimates the whole sum
+    float filter_cosine;       // discontinuity buffer: least cosine between normals
+    float filter_planes;       // and largest distance from the plane, in footprints
+    uint width, height;
+    uint features;
+    uint seed;
+    uint frame;
+    uint first, count;  // work-items of this launch: [first, first + count)
+    uint slots;         // length of the work list
+    uint interleave;    // n: pixels (x, y) use set (x mod n) + n (y mod n)
+    uint sets;          // sample sets made per frame
+    uint gather_sets;   // sets the work list chooses from: n * n
+    uint set_rotation;
+    uint lights;              // entries of the light table
+    uint sampled_lights;      // area lights among them, the first entries
+    uint samples_per_light;   // per set; 0: `samples_per_set` are chosen by power
+    uint samples_per_set;     // light sample points of one set
+    uint environment_samples; // rays per pixel
+    uint paths_per_set;
+    uint vpls_per_set;
+    uint bounces;
+    uint survivors[MAX_BOUNCES];   // paths of a set that reach bounce k + 1
+    uint first_vpl[MAX_BOUNCES];   // their first slot inside the set
+    uint filter_radius;
+    uint film_starts;  // 1 for the first sample, which starts the film's sums
+    uint counter;      // which RayCounter this launch adds to
+    uint delta_lights_first, delta_lights;              // point and spot lights
+    uint directional_lights_first, directional_lights;  // in the light table
+    uint list_first, list_stride, list_length;          // VPLs of set k: first + k stride ...
+} Params;
+
+#endif

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the scenes that ship with Weft. Needs nothing but Python 3.
+
+    make_scenes.py            writes every file of this folder's scenes
+    make_scenes.py --check    compares them with what would be written; exit code 1 if one differs
+"""
+
+import argparse
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # a check leaves nothing behind in the source tree
+
+from generator import cornell, gallery  # noqa: E402 (after the line above, on purpose)
+
+
+def difference(path, wanted):
+    """What is wrong with a file, or None."""
+    if not path.is_file():
+        return "is missing"
+    found = path.read_bytes()
+    if found == wanted:
+        return None
+    common = min(len(found), len(wanted))
+    first = next((i for i in range(common) if found[i] != wanted[i]), common)
+    return (f"differs from byte {first} on ({len(found)} bytes, expected {len(wanted)}); "
+            "run make_scenes.py to write it anew")
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Makes the scenes that ship with Weft.")
+    parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path(__file__).parent,
+                        help="folder to write to or compare with (default: this script's)")
+    options = parser.parse_args()
+    wrong = 0
+    for name, content in {**cornell.build(), **gallery.build()}.items():
+        path = options.out / name
+        if not options.check:
+            path.write_bytes(content)
+            print(f"{path}: {len(content)} bytes")
+            continue
+        problem = difference(path, content)
+        if problem:
+            wrong += 1
+            print(f"{path}: {problem}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

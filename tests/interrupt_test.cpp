@@ -1,0 +1,54 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/interrupt.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+namespace weft {
+namespace {
+
+TEST(Interrupt, SignalsSetTheFlag) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const InterruptGuard guard;
+        EXPECT_FALSE(interrupt_flag());
+        std::raise(signal);
+        EXPECT_TRUE(interrupt_flag());
+        std::raise(signal);  // the same signal, passed on twice by another program
+        EXPECT_TRUE(interrupt_flag());
+    }
+}
+
+TEST(Interrupt, EarlierHandlersComeBack) {
+    const auto earlier = std::signal(SIGINT, SIG_IGN);
+    { const InterruptGuard guard; }
+    EXPECT_EQ(std::signal(SIGINT, earlier), SIG_IGN);
+}
+
+TEST(InterruptDeathTest, SecondCtrlCEndsAtOnce) {
+    const auto press_twice = [] {
+        const InterruptGuard guard;
+        std::raise(SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        std::raise(SIGINT);
+    };
+    EXPECT_EXIT(press_twice(), testing::ExitedWithCode(130), "");
+}
+
+TEST(InterruptDeathTest, RepeatedTerminationRequestsDoNotEnd) {
+    const auto terminate_twice = [] {
+        const InterruptGuard guard;
+        std::raise(SIGTERM);
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        std::raise(SIGTERM);
+        std::_Exit(interrupt_flag() ? 0 : 1);
+    };
+    EXPECT_EXIT(terminate_twice(), testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,242 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/options.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace weft {
+namespace {
+
+ParsedCommand parse(std::initializer_list<const char*> arguments) {
+    std::vector<const char*> argv = {"weft"};
+    argv.insert(argv.end(), arguments);
+    return parse_command_line(static_cast<int>(argv.size()), argv.data());
+}
+
+RenderOptions render(std::initializer_list<const char*> arguments) {
+    std::vector<const char*> argv = {"weft", "render", "scenes/box.gltf"};
+    argv.insert(argv.end(), arguments);
+    return std::get<RenderOptions>(parse_command_line(static_cast<int>(argv.size()), argv.data()));
+}
+
+template <typename Function>
+std::string failure(const Function& function) {
+    try {
+        static_cast<void>(function());
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::usage);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        return error.what();
+    }
+    return "no failure";
+}
+
+/// The message of a command line that must be refused.
+std::string refusal(std::initializer_list<const char*> arguments) {
+    return failure([&] { return parse(arguments); });
+}
+
+std::string render_refusal(std::initializer_list<const char*> arguments) {
+    return failure([&] { return render(arguments); });
+}
+
+TEST(Options, RenderDefaults) {
+    const RenderOptions options = render({});
+    EXPECT_EQ(options.scene, "scenes/box.gltf");
+    EXPECT_EQ(options.output, "box.exr");
+    EXPECT_EQ(options.algorithm, Algorithm::igi);
+    EXPECT_EQ(options.tile, 64u);
+    EXPECT_EQ(options.seed, 0u);
+    EXPECT_EQ(options.exposure_ev, 0.0);
+    EXPECT_EQ(options.progress, ProgressMode::automatic);
+    EXPECT_FALSE(options.backend || options.device || options.threads || options.size ||
+                 options.camera || options.components || options.spp || options.time_seconds ||
+                 options.stats);
+}
+
+TEST(Options, RenderReadsEveryOption) {
+    const RenderOptions options = render(
+        {"-o",         "out/x.PNG", "--algorithm", "ir",       "--backend",    "native",
+         "--device",   "1",         "--threads",   "3",        "--tile",       "4096",
+         "--size",     "640x480",   "--camera",    "top",      "--components", "indirect,direct",
+         "--spp",      "16",        "--time",      "2.5s",     "--seed",       "4294967295",
+         "--exposure", "-1.5",      "--stats",     "run.json", "--progress",   "plain"});
+    EXPECT_EQ(options.output, "out/x.PNG");
+    EXPECT_EQ(options.algorithm, Algorithm::ir);
+    EXPECT_EQ(options.backend, Backend::native);
+    EXPECT_EQ(options.device, "1");
+    EXPECT_EQ(options.threads, 3u);
+    EXPECT_EQ(options.tile, 4096u);
+    ASSERT_TRUE(options.size);
+    EXPECT_EQ(options.size->width, 640u);
+    EXPECT_EQ(options.size->height, 480u);
+    EXPECT_EQ(options.camera, "top");
+    EXPECT_EQ(options.components, (std::vector<std::string>{"direct", "indirect"}));
+    EXPECT_EQ(options.spp, 16u);
+    EXPECT_EQ(options.time_seconds, 2.5);
+    EXPECT_EQ(options.seed, 4294967295u);
+    EXPECT_EQ(options.exposure_ev, -1.5);
+    EXPECT_EQ(options.stats, "run.json");
+    EXPECT_EQ(options.progress, ProgressMode::plain);
+}
+
+TEST(Options, ValuesMayFollowAnEqualsSignAndScenesMayStartWithADash) {
+    EXPECT_EQ(render({"--spp=4"}).spp, 4u);
+    EXPECT_EQ(render({"--exposure=auto"}).exposure_ev, std::nullopt);
+    EXPECT_EQ(render({"--device", "GeForce RTX"}).device, "GeForce RTX");
+    EXPECT_EQ(std::get<RenderOptions>(parse({"render", "--", "-a.xml"})).scene, "-a.xml");
+    EXPECT_EQ(std::get<RenderOptions>(parse({"render", "info"})).scene, "info");
+    EXPECT_EQ(std::get<RenderOptions>(parse({"render", "a.b.glb"})).output, "a.b.exr");
+}
+
+TEST(Options, InfoAndDevices) {
+    const auto info = std::get<InfoOptions>(parse({"info", "a.xml", "--json"}));
+    EXPECT_EQ(info.scene, "a.xml");
+    EXPECT_TRUE(info.json);
+    EXPECT_FALSE(std::get<InfoOptions>(parse({"info", "a.xml"})).json);
+    EXPECT_TRUE(std::get<DevicesOptions>(parse({"devices", "--json"})).json);
+    EXPECT_FALSE(std::get<DevicesOptions>(parse({"devices"})).json);
+}
+
+TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
+    const std::string top = std::get<HelpText>(parse({"--help"})).text;
+    for (const char* name : {"render", "info", "devices", "--help", "--version"})
+        EXPECT_NE(top.find(name), std::string::npos) << name;
+    const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
+    for (const char* name : {"SCENE", "-o,--output", "--algorithm", "--backend", "--device",
+                             "--threads", "--tile", "--size", "--camera", "--components", "--spp",
+                             "--time", "--seed", "--exposure", "--stats", "--progress"})
+        EXPECT_NE(help.find(name), std::string::npos) << name;
+    for (const char* name : {"--frames", "--resume", "--preset", "media", "amax"})
+        EXPECT_EQ(help.find(name), std::string::npos) << name;
+    EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
+}
+
+TEST(Options, VersionWorksEverywhere) {
+    const std::string version = std::get<HelpText>(parse({"--version"})).text;
+    EXPECT_EQ(version.find("weft "), 0u);
+    EXPECT_EQ(std::get<HelpText>(parse({"render", "--version"})).text, version);
+}
+
+TEST(Options, RefusesBadNumbers) {
+    for (const char* text : {"0", "-1", "+1", "1.5", "1e3", "4k", " 4", "4 ", "", "x", "nan",
+                             "99999999999", "0x10", "4097"}) {
+        EXPECT_EQ(render_refusal({"--threads", text}).find("--threads: "), 0u) << text;
+        EXPECT_EQ(render_refusal({"--tile", text}).find("--tile: "), 0u) << text;
+    }
+    EXPECT_EQ(render_refusal({"--spp", "0"}),
+              "--spp: '0' is not valid, expected a whole number from 1 to 16777216");
+    EXPECT_EQ(render_refusal({"--seed", "4294967296"}).find("--seed: "), 0u);
+    EXPECT_EQ(render_refusal({"--seed", "-1"}).find("--seed: "), 0u);
+    for (const char* text : {"nan", "inf", "-inf", "1e999", "1,5", "2ev", "automatic", "101"})
+        EXPECT_EQ(render_refusal({"--exposure", text}).find("--exposure: "), 0u) << text;
+    for (const char* text : {"-1", "4294967296", "99999999999999999999"})
+        EXPECT_EQ(render_refusal({"--device", text}).find("--device: "), 0u) << text;
+}
+
+TEST(Options, ReadsTimes) {
+    EXPECT_DOUBLE_EQ(render({"--time", "300ms"}).time_seconds.value(), 0.3);
+    EXPECT_DOUBLE_EQ(render({"--time", "2m"}).time_seconds.value(), 120.0);
+    EXPECT_DOUBLE_EQ(render({"--time", "1e2s"}).time_seconds.value(), 100.0);
+    for (const char* text :
+         {"5", "s", "ms", "0s", "-1s", "nans", "infs", "1e999s", "1h", "2 s", "2.5.1s", "1e9s"})
+        EXPECT_EQ(render_refusal({"--time", text}).find("--time: "), 0u) << text;
+}
+
+TEST(Options, ReadsSizes) {
+    EXPECT_EQ(render({"--size", "32768x8192"}).size->width, 32768u);
+    for (const char* text : {"640", "640x", "x480", "0x480", "640x0", "-1x5", "640X480", "1x2x3",
+                             "640 x 480", "32769x1", "32768x32768", "4294967297x1"})
+        EXPECT_EQ(render_refusal({"--size", text}).find("--size: "), 0u) << text;
+}
+
+TEST(Options, RefusesBadListsAndNames) {
+    for (const char* text : {"direct,direct", ",", "direct,", "media", "Direct"})
+        EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
+    EXPECT_EQ(render_refusal({"--algorithm", "path"}),
+              "--algorithm: 'path' is not valid, expected one of igi, ir");
+    EXPECT_EQ(render_refusal({"--backend", "cuda"}),
+              "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
+    EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);
+    EXPECT_EQ(render_refusal({"-o", "a.jpg"}),
+              "--output: 'a.jpg' has no known extension, expected .exr or .png");
+    EXPECT_EQ(render_refusal({"-o", "folder/"}).find("--output: "), 0u);
+    EXPECT_EQ(render_refusal({"--stats", "./box.exr"}).find("--stats: "), 0u);
+    EXPECT_EQ(render_refusal({"--stats", "scenes/./box.gltf"}).find("--stats: "), 0u);
+}
+
+TEST(Options, SuggestsNearMisses) {
+    const auto suggests = [](const std::string& message, const std::string& name) {
+        return message.find("did you mean '" + name + "'?") != std::string::npos;
+    };
+    EXPECT_TRUE(suggests(refusal({"rendr", "a"}), "render"));
+    EXPECT_TRUE(suggests(refusal({"--versoin"}), "--version"));
+    EXPECT_TRUE(suggests(render_refusal({"--tiel", "4"}), "--tile"));
+    EXPECT_TRUE(suggests(render_refusal({"--algoritm=igi"}), "--algorithm"));
+    EXPECT_TRUE(suggests(render_refusal({"--algorithm", "igl"}), "igi"));
+    EXPECT_TRUE(suggests(render_refusal({"--backend", "openCL"}), "opencl"));
+    EXPECT_TRUE(suggests(render_refusal({"--components", "indirekt"}), "indirect"));
+    EXPECT_TRUE(suggests(refusal({"devices", "--jsn"}), "--json"));
+    EXPECT_EQ(render_refusal({"--photons", "4"}), "unknown option '--photons'");
+    EXPECT_EQ(refusal({"photons"}), "unknown command 'photons', expected render, info or devices");
+}
+
+TEST(Options, RefusesBadLines) {
+    EXPECT_EQ(refusal({}).find("no command given"), 0u);
+    EXPECT_EQ(refusal({""}).find("unknown command"), 0u);
+    EXPECT_EQ(refusal({"render"}), "no scene given, expected weft render SCENE");
+    EXPECT_EQ(refusal({"info", "--json"}), "no scene given, expected weft info SCENE");
+    EXPECT_EQ(refusal({"render", ""}).find("SCENE: "), 0u);
+    EXPECT_EQ(refusal({"--seed", "3", "render", "a"}),
+              "unknown option '--seed', expected a command first");
+    EXPECT_EQ(refusal({"devices", "a"}), "unexpected argument 'a'");
+    EXPECT_EQ(refusal({"info", "a", "b"}), "unexpected argument 'b'");
+    EXPECT_EQ(refusal({"info", "a", "--spp", "3"}), "unknown option '--spp'");
+    EXPECT_EQ(render_refusal({"--spp"}), "--spp: lacks its value");
+    EXPECT_EQ(render_refusal({"--spp", "--tile", "4"}), "--spp: lacks its value");
+    EXPECT_EQ(render_refusal({"--spp", "1", "--spp", "2"}), "--spp: is given more than once");
+    EXPECT_EQ(render_refusal({"-x"}), "unknown option '-x'");
+    EXPECT_NE(refusal({"devices", "--json=3"}), "no failure");
+    EXPECT_EQ(render_refusal({"a\nb\x1b"}), "unexpected argument 'a?b?'");
+}
+
+TEST(Options, JsonHoldsEveryOption) {
+    const nlohmann::json defaults = options_json(render({}));
+    for (const char* name :
+         {"backend", "device", "threads", "size", "camera", "components", "spp", "time", "stats"})
+        EXPECT_TRUE(defaults.contains(name) && defaults[name].is_null()) << name;
+    EXPECT_EQ(defaults["scene"], "scenes/box.gltf");
+    EXPECT_EQ(defaults["output"], "box.exr");
+    EXPECT_EQ(defaults["algorithm"], "igi");
+    EXPECT_EQ(defaults["tile"], 64);
+    EXPECT_EQ(defaults["seed"], 0);
+    EXPECT_EQ(defaults["exposure"], 0.0);
+    EXPECT_EQ(defaults["progress"], "auto");
+
+    const nlohmann::json given = options_json(render(
+        {"--backend",  "embree", "--device",     "2",      "--threads",  "3",   "--size", "6x4",
+         "--camera",   "c\xff",  "--components", "direct", "--spp",      "5",   "--time", "300ms",
+         "--exposure", "auto",   "--stats",      "s.json", "--progress", "none"}));
+    EXPECT_EQ(given["backend"], "embree");
+    EXPECT_EQ(given["device"], "2");
+    EXPECT_EQ(given["threads"], 3);
+    EXPECT_EQ(given["size"], nlohmann::json({6, 4}));
+    EXPECT_EQ(given["components"], nlohmann::json({"direct"}));
+    EXPECT_EQ(given["spp"], 5);
+    EXPECT_DOUBLE_EQ(given["time"].get<double>(), 0.3);
+    EXPECT_EQ(given["exposure"], "auto");
+    EXPECT_EQ(given["stats"], "s.json");
+    EXPECT_EQ(given["progress"], "none");
+    EXPECT_NO_THROW(static_cast<void>(given.dump())) << "names need not be UTF-8, JSON must";
+    EXPECT_EQ(given.size(), defaults.size());
+}
+
+}  // namespace
+}  // namespace weft
