@@ -65,7 +65,7 @@ static inline void lane_slab(float lower, float upper, WFloat inverse, WFloat* f
     *last = VMIN(*last, far_t);
 }
 
-/// Lanes whose segment from `origin` along `d` meets the triangle strictly between its ends, by
+/// Lanes whose segment from `origin` along `d` meets the triangle before SHADOW_END, by
 /// edge functions about the common point; division-free and antisymmetric over shared edges.
 static inline WMask packet_triangle(float3 origin, WFloat3 d, GLOBAL const BvhTriangle* triangle) {
     float3 a = xyz(triangle->v0) - origin;
@@ -85,12 +85,13 @@ static inline WMask packet_triangle(float3 origin, WFloat3 d, GLOBAL const BvhTr
     WFloat plane = WIDE(height);
     WMask inside = ((u >= zero) & (v >= zero) & (w >= zero)) |
                    ((u <= zero) & (v <= zero) & (w <= zero));
-    // 0 < height / along < 1 without the division.
-    WMask between = ((plane > zero) & (plane < along)) | ((plane < zero) & (plane > along));
+    // 0 < height / along < SHADOW_END without the division.
+    WFloat end = along * SHADOW_END;
+    WMask between = ((plane > zero) & (plane < end)) | ((plane < zero) & (plane > end));
     return inside & between;
 }
 
-/// Lanes of `active` whose open segment from `origin` to `origin + d` is blocked.
+/// Lanes of `active` whose segment from `origin` to `origin + d` is blocked before SHADOW_END.
 static inline WMask bvh_any_packet(GLOBAL const BvhNode* nodes,
                                    GLOBAL const BvhTriangle* triangles, float3 origin, WFloat3 d,
                                    WMask active) {

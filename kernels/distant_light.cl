@@ -15,6 +15,14 @@ static inline float3 receiver_vector(GLOBAL const float* planes, uint first, uin
               planes[(first + 2u) * stride + slot]);
 }
 
+/// 1 where nothing lies between the receiver and infinity. The ray starts a little along its way,
+/// because a receiver on the edge of two faces lies in the plane of both.
+static inline int sees_infinity(Scene scene, const Params* params, float3 position,
+                                float3 direction) {
+    float3 start = position + direction * (4.0f * surface_offset(position, params->extent));
+    return trace_any(scene, start, direction, RAY_INFINITY) == 0 ? 1 : 0;
+}
+
 static inline void add_irradiance(GLOBAL float* irradiance, uint stride, uint slot, float3 e) {
     irradiance[slot] += e.x;
     irradiance[stride + slot] += e.y;
@@ -46,7 +54,7 @@ WEFT_KERNEL(distant_light)
             float3 direction = turn_to(xyz(first[i].position), shading);
             if (!(dot3(direction, normal) > 0.0f)) continue;
             ++rays;
-            if (trace_any(scene, position, direction, RAY_INFINITY) == 0) ++open;
+            open += (uint)sees_infinity(scene, &params, position, direction);
         }
         float share = 3.14159265f * (float)open / (float)count;
         add_irradiance(sampled_irradiance, stride, slot, xyz(params.environment) * share);
@@ -58,7 +66,7 @@ WEFT_KERNEL(distant_light)
             float cosine = dot3(direction, shading);
             if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
             ++rays;
-            if (trace_any(scene, position, direction, RAY_INFINITY) != 0) continue;
+            if (sees_infinity(scene, &params, position, direction) == 0) continue;
             add_irradiance(exact_irradiance, stride, slot, xyz(light.power) * cosine);
         }
     }

@@ -33,7 +33,7 @@ WEFT_KERNEL(gbuffer)
                                                                : f4(0.0f, 0.0f, 0.0f, 0.0f);
         return;
     }
-    Surface surface = surface_at(&params, &geometry, hit, direction);
+    Surface surface = surface_at(&params, &geometry, hit, direction, params.texture_angle);
     // The forward component of `direction` is 1, so t is the distance along the viewing axis.
     float depth = hit.t;
     float distance = depth * length3(direction);

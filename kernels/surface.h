@@ -71,9 +71,28 @@ static inline float3 triangle_normal(const Geometry* geometry, uint id) {
     return normalize3(cross3(b - a, c - a));
 }
 
-/// The surface at a hit of a ray that travels along `direction`.
+/// Texture colour at a hit. `footprint` is the square root of the share of the triangle's doubled
+/// area that is to be averaged; 0 asks for full detail.
+static inline float3 texture_at(const Geometry* geometry, TextureRecord texture, Triangle triangle,
+                                Hit hit, float footprint) {
+    GLOBAL const float* uv = geometry->texture_coordinates;
+    float s0 = uv[2u * triangle.v0];
+    float t0 = uv[2u * triangle.v0 + 1u];
+    float s1 = uv[2u * triangle.v1] - s0;
+    float t1 = uv[2u * triangle.v1 + 1u] - t0;
+    float s2 = uv[2u * triangle.v2] - s0;
+    float t2 = uv[2u * triangle.v2 + 1u] - t0;
+    float texels =
+        absolute(s1 * t2 - s2 * t1) * (float)texture.width * (float)texture.height;
+    return sample_texture(texture, geometry->texels, geometry->srgb_table,
+                          s0 + s1 * hit.u + s2 * hit.v, t0 + t1 * hit.u + t2 * hit.v,
+                          footprint * square_root(texels));
+}
+
+/// The surface at a hit of a ray that travels along `direction`. Textures are averaged over a cone
+/// of `angle` radians about the ray; 0 asks for full detail.
 static inline Surface surface_at(const Params* params, const Geometry* geometry, Hit hit,
-                                 float3 direction) {
+                                 float3 direction, float angle) {
     Surface surface;
     Triangle triangle = geometry->triangles[hit.triangle];
     MaterialRecord material = geometry->materials[geometry->instances[triangle.instance].material];
@@ -81,7 +100,8 @@ static inline Surface surface_at(const Params* params, const Geometry* geometry,
     float3 a = xyz(geometry->positions[triangle.v0]);
     float3 b = xyz(geometry->positions[triangle.v1]);
     float3 c = xyz(geometry->positions[triangle.v2]);
-    float3 outside = normalize3(cross3(b - a, c - a));
+    float3 doubled_area = cross3(b - a, c - a);
+    float3 outside = normalize3(doubled_area);
     surface.position = a * w + b * hit.u + c * hit.v;
     surface.instance = triangle.instance;
     surface.front = dot3(outside, direction) < 0.0f ? 1 : 0;
@@ -96,13 +116,12 @@ static inline Surface surface_at(const Params* params, const Geometry* geometry,
     }
     surface.albedo = xyz(material.albedo);
     if (HAS(params, FEATURE_TEXTURES) && material.texture != NO_TRIANGLE) {
-        GLOBAL const float* uv = geometry->texture_coordinates;
-        float s = uv[2u * triangle.v0] * w + uv[2u * triangle.v1] * hit.u +
-                  uv[2u * triangle.v2] * hit.v;
-        float t = uv[2u * triangle.v0 + 1u] * w + uv[2u * triangle.v1 + 1u] * hit.u +
-                  uv[2u * triangle.v2 + 1u] * hit.v;
-        surface.albedo *= sample_texture(geometry->textures[material.texture], geometry->texels,
-                                         geometry->srgb_table, s, t);
+        // A cone of width w covers w^2 / cos of the surface.
+        float slant = absolute(dot3(direction, doubled_area));
+        float width = angle * hit.t * length3(direction) * square_root(length3(direction));
+        float footprint = slant > 0.0f ? width / square_root(slant) : 0.0f;
+        surface.albedo *= texture_at(geometry, geometry->textures[material.texture], triangle, hit,
+                                     footprint);
     }
     if (HAS(params, FEATURE_VERTEX_COLOURS))
         surface.albedo *= attribute3(geometry->vertex_colours, triangle.v0) * w +

@@ -34,7 +34,7 @@ static inline int trace_any(Scene scene, float3 origin, float3 direction, float 
     return bvh_any(scene.nodes, scene.triangles, origin, direction, t_max);
 }
 
-/// Lanes of `active` whose open segment from `origin` to `origin + d` is blocked.
+/// Lanes of `active` whose segment from `origin` to `origin + d` is blocked before SHADOW_END.
 static inline WMask trace_any_packet(Scene scene, float3 origin, WFloat3 d, WMask active) {
     return bvh_any_packet(scene.nodes, scene.triangles, origin, d, active);
 }

@@ -20,24 +20,49 @@ static inline const BvhTriangle* own_triangles(Scene scene) {
     return static_cast<const BvhTriangle*>(scene.bvh_triangles);
 }
 
+// Equally distant triangles that one ray is asked about.
+#define MAX_TIES 32
+
+/// The kernels' own test of one triangle, replacing `best` by the rule of bvh_closest.
+static inline void retest(Scene scene, const Ray* ray, uint id, Hit* best) {
+    const float4* positions = static_cast<const float4*>(scene.positions);
+    const Triangle triangle = static_cast<const Triangle*>(scene.triangles)[id];
+    Hit hit;
+    if (intersect_triangle(ray, xyz(positions[triangle.v0]), xyz(positions[triangle.v1]),
+                           xyz(positions[triangle.v2]), best->t, &hit) == 0)
+        return;
+    if (hit.t < best->t || id < best->triangle) {
+        *best = hit;
+        best->triangle = id;
+    }
+}
+
+/// Closest hit by Embree. Coincident faces and shared edges would be decided by the shape of its
+/// tree, so all triangles within rounding of the hit are asked for and the smallest id wins, as
+/// in bvh_closest.
+static inline Hit embree_closest_by_id(Scene scene, float3 origin, float3 direction, float t_max) {
+    const ::weft::EmbreeHit found =
+        ::weft::embree_closest(scene.embree, &origin.x, &direction.x, t_max);
+    Hit embree = {found.triangle, found.t, found.u, found.v};
+    if (found.triangle == NO_TRIANGLE) return embree;
+    const float reach = 1.52587890625e-5f;  // 2^-16, far above the difference of the two tests
+    uint ties[MAX_TIES];
+    const uint count =
+        ::weft::embree_candidates(scene.embree, &origin.x, &direction.x,
+                                  found.t * (1.0f - reach), found.t * (1.0f + reach), ties,
+                                  MAX_TIES);
+    const Ray ray = make_ray(origin, direction);
+    Hit best = {NO_TRIANGLE, t_max, 0.0f, 0.0f};
+    retest(scene, &ray, found.triangle, &best);
+    for (uint i = 0; i < count; ++i) retest(scene, &ray, ties[i], &best);
+    // A ray through an edge that only Embree's arithmetic puts inside keeps Embree's hit.
+    return best.triangle == NO_TRIANGLE ? embree : best;
+}
+
 static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {
     if (scene.embree == nullptr)
         return bvh_closest(own_nodes(scene), own_triangles(scene), origin, direction, t_max);
-    const ::weft::EmbreeHit found = ::weft::embree_closest(
-        scene.embree, &origin.x, &direction.x, t_max);
-    Hit hit = {found.triangle, found.t, found.u, found.v};
-    if (found.triangle == NO_TRIANGLE) return hit;
-    const float4* positions = static_cast<const float4*>(scene.positions);
-    const Triangle triangle = static_cast<const Triangle*>(scene.triangles)[found.triangle];
-    const Ray ray = make_ray(origin, direction);
-    Hit exact;
-    if (intersect_triangle(&ray, xyz(positions[triangle.v0]), xyz(positions[triangle.v1]),
-                           xyz(positions[triangle.v2]), t_max, &exact) != 0) {
-        hit.t = exact.t;
-        hit.u = exact.u;
-        hit.v = exact.v;
-    }
-    return hit;
+    return embree_closest_by_id(scene, origin, direction, t_max);
 }
 
 static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {

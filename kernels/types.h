@@ -10,6 +10,9 @@
 #define NO_TRIANGLE 0xFFFFFFFFu
 #define MAX_BOUNCES 8
 #define PACKET_BLOCK 16  // slots of one work list block share a sample set; a multiple of any LANES
+// Shadow rays between two points end this share before the second: a receiver on the edge of two
+// faces lies in the plane of both, and rounding must not let the other one block it.
+#define SHADOW_END 0.9999847412109375f  // 1 - 2^-16
 #define BVH_STACK 160    // entries; the builder proves that no traversal needs more
 
 // Features: what a frame must be able to do. A kernel compiled without one costs nothing for it.
@@ -71,8 +74,9 @@ typedef struct {
 #define TEXTURE_WRAP_U_SHIFT 4  // two bits: 0 repeat, 1 clamp, 2 mirror
 #define TEXTURE_WRAP_V_SHIFT 6
 
+// A texture's mip levels follow one another, each half as large, down to one texel.
 typedef struct {
-    uint offset;  // first texel
+    uint offset;  // first texel of level 0
     uint width, height;
     uint flags;
 } TextureRecord;
@@ -155,6 +159,7 @@ typedef struct {
     float4 scene_centre;  // xyz of the bounding sphere; w: its radius, kernel units
     float jitter_x, jitter_y;  // in pixels, from the pixel's corner
     float pixel_angle;         // radians between neighbouring pixels at the centre
+    float texture_angle;       // angle over which primary rays average textures
     float unit;                // kernel units per scene unit, a power of two
     float extent;              // largest |coordinate| of geometry and camera, kernel units
     float vpl_bound;           // bound on G of indirect VPLs
@@ -187,6 +192,7 @@ typedef struct {
     uint counter;      // which RayCounter this launch adds to
     uint delta_lights_first, delta_lights;              // point and spot lights
     uint directional_lights_first, directional_lights;  // in the light table
+    uint pad0, pad1, pad2;
     uint list_first, list_stride, list_length;          // VPLs of set k: first + k stride ...
 } Params;
 

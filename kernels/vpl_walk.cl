@@ -102,7 +102,7 @@ WEFT_KERNEL(vpl_walk)
             alive = 0;
             continue;
         }
-        Surface surface = surface_at(&params, &geometry, hit, path.direction);
+        Surface surface = surface_at(&params, &geometry, hit, path.direction, 0.0f);
         path.flux = path.flux * surface.albedo;
         path.origin =
             surface.position + surface.normal * surface_offset(surface.position, params.extent);

@@ -341,7 +341,7 @@ TEST(GltfHostile, FloodsOfWarningsEnd) {
     for (int i = 0; i < 5000; ++i)
         builder.json["extensionsUsed"].push_back("EXT_" + std::to_string(i));
     builder.read();
-    EXPECT_EQ(builder.diagnostics.warnings().size(), 101U);
+    EXPECT_EQ(builder.diagnostics.warnings().size(), limits::max_warnings + 1);
     EXPECT_TRUE(builder.warned("further kinds of warnings are left out"));
 }
 

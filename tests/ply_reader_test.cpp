@@ -113,7 +113,8 @@ TEST(PlyReader, ReadsBothByteOrdersWithSkippedPropertiesAndElements) {
         }
         put(bytes, 0.25F, big_endian);
         put(bytes, std::uint32_t{3}, big_endian);
-        for (const std::uint16_t index : std::array<std::uint16_t, 3>{2, 0, 1}) put(bytes, index, big_endian);
+        for (const std::uint16_t index : std::array<std::uint16_t, 3>{2, 0, 1})
+            put(bytes, index, big_endian);
         put(bytes, std::uint8_t{2}, big_endian);
         put(bytes, 0.5F, big_endian);
         put(bytes, 0.5F, big_endian);

@@ -46,7 +46,9 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.height = size.height;
     settings.tile = options.tile;
     settings.seed = options.seed;
-    settings.jitter = options.spp.value_or(options.time_seconds ? 2 : 1) > 1;
+    // How many samples a time limit allows is not known before; textures stay sharp for many.
+    constexpr std::uint32_t timed_samples = 16;
+    settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
     if (options.components) {
         const auto wanted = [&](const char* name) {
             return std::find(options.components->begin(), options.components->end(), name) !=

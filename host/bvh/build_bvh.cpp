@@ -23,8 +23,9 @@ constexpr std::uint32_t max_depth = (BVH_STACK - 1) / (node_width - 1) + 1;
 // Splits repeat triangles, so they must earn that by this factor of the cost.
 constexpr double worthwhile_cost = 0.95;
 
-// A build with splits takes about three times as long as one without. Up to this size that stays
-// within seconds; beyond it no second build is tried.
+// A build with splits takes three to ten times as long as one without: 3 s against 0.8 s for 330
+// thousand triangles on two busy cores, 21 s against 7 s for 5.3 million, where the cost fell by 14
+// percent only. So no second build is tried beyond this size.
 constexpr std::size_t max_pieces_to_split = 4'000'000;
 
 // Embree works with areas in float, which have to stay finite.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame/frame_context.h"
 
+#include "scene/mip_levels.h"
+
 namespace weft {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 
 #include "components/component.h"
@@ -62,6 +63,8 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     params.width = settings.width;
     params.height = settings.height;
     set_camera(camera, scene.units, params);
+    params.texture_angle = static_cast<float>(static_cast<double>(params.pixel_angle) /
+                                              std::sqrt(std::max(1U, settings.samples)));
     params.environment = {scene.environment.r, scene.environment.g, scene.environment.b, 0.0F};
     params.scene_centre = {0.0F, 0.0F, 0.0F, scene.radius};
     params.extent = scene.extent;
@@ -100,7 +103,7 @@ shared::Params Renderer::params_of_frame(std::uint32_t frame) const {
     const double growth = bound_growth(frame);
     params.vpl_bound = static_cast<float>(plan_.vpl_bound * growth);
     params.light_bound_scale = static_cast<float>(plan_.light_bound_scale * growth);
-    set_jitter(frame, !settings_.jitter, settings_.seed, params);
+    set_jitter(frame, settings_.samples <= 1, settings_.seed, params);
     return params;
 }
 

@@ -23,7 +23,9 @@ struct RenderSettings {
     std::uint32_t height = 512;
     std::uint32_t tile = 64;
     std::uint32_t seed = 0;
-    bool jitter = false;  ///< frames through points all over the pixel instead of its centre
+    /// Frames that are to be made, as far as known: 1 traces pixel centres, more points all over
+    /// the pixel, between which textures need less filtering.
+    std::uint32_t samples = 1;
     bool direct = true;
     bool indirect = true;
 };

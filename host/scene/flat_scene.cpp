@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "scene/mip_levels.h"
 
 namespace weft {
 namespace {
@@ -114,11 +115,7 @@ void append_textures(const Scene& scene, FlatScene& flat) {
                        (texture.srgb ? TEXTURE_SRGB : 0U) |
                        static_cast<std::uint32_t>(texture.wrap_u) << TEXTURE_WRAP_U_SHIFT |
                        static_cast<std::uint32_t>(texture.wrap_v) << TEXTURE_WRAP_V_SHIFT;
-        if (used[t])
-            for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
-                flat.texels.push_back(static_cast<std::uint32_t>(texture.rgba[i]) |
-                                      static_cast<std::uint32_t>(texture.rgba[i + 1]) << 8 |
-                                      static_cast<std::uint32_t>(texture.rgba[i + 2]) << 16);
+        if (used[t]) append_mip_levels(texture, flat.texels);
         flat.textures.push_back(record);
     }
 }
@@ -190,17 +187,6 @@ double triangle_area(const FlatScene& flat, const shared::Triangle& t) {
     };
     const glm::dvec3 a = vertex(t.v0);
     return 0.5 * glm::length(glm::cross(vertex(t.v1) - a, vertex(t.v2) - a));
-}
-
-float srgb_to_linear(std::uint8_t value) {
-    const double c = static_cast<double>(value) / 255.0;
-    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
-
-std::vector<float> srgb_table() {
-    std::vector<float> table;
-    for (int i = 0; i < 256; ++i) table.push_back(srgb_to_linear(static_cast<std::uint8_t>(i)));
-    return table;
 }
 
 FlatScene flatten(const Scene& scene) {

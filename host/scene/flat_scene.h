@@ -65,12 +65,6 @@ void build_light_table(const Scene& scene, FlatScene& flat);
            0.0722 * static_cast<double>(c.b);
 }
 
-/// Linear value of an sRGB byte (IEC 61966-2-1).
-[[nodiscard]] float srgb_to_linear(std::uint8_t value);
-
-/// `srgb_to_linear` of every byte.
-[[nodiscard]] std::vector<float> srgb_table();
-
 }  // namespace weft
 
 #endif

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "base/limits.h"
 
 namespace weft {
 
@@ -21,9 +22,8 @@ class GltfReport {
     /// Warns at the first place where `message` applies, and never again. Messages that quote a
     /// hostile file could be endless, so there is a last one.
     void once(const std::string& place, const std::string& message) {
-        constexpr std::size_t max_messages = 100;
-        if (said_.size() > max_messages || !said_.insert(message).second) return;
-        if (said_.size() <= max_messages)
+        if (said_.size() > limits::max_warnings || !said_.insert(message).second) return;
+        if (said_.size() <= limits::max_warnings)
             diagnostics_.warn(place, message);
         else
             diagnostics_.warn(place, "further kinds of warnings are left out");

@@ -4,6 +4,7 @@
 #define WEFT_SCENE_PLY_SOURCE_H
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cstdint>

@@ -19,7 +19,7 @@ struct SamplingSettings {
     std::uint32_t bounces = 4;           ///< VPLs of indirect orders 1 to this, at most MAX_BOUNCES
     std::uint32_t samples_per_light = 4; ///< per set and area light; also environment rays
     std::uint32_t max_samples_per_set = 256;  ///< beyond it, lights are chosen by power
-    double bound_spacing = 1.0;          ///< c: VPLs closer than c mean spacings are bounded
+    double bound_spacing = 2.0;          ///< c: VPLs closer than c mean spacings are bounded
     std::uint32_t filter_radius = 1;     ///< discontinuity buffer, pixels
     double filter_cosine = 0.9;
     double filter_planes = 2.0;

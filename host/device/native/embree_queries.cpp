@@ -5,9 +5,34 @@
 
 #include "device/native/embree.h"
 #include "device/native/native_scene.h"
+#include "device/shared_types.h"
 
 namespace weft {
 namespace {
+
+/// Embree's per-query context, extended by the list that `collect` fills.
+struct CandidateList {
+#if WEFT_EMBREE_MAJOR == 3
+    RTCIntersectContext context;
+#else
+    RTCRayQueryContext context;
+#endif
+    unsigned int* triangles;
+    unsigned int capacity;
+    unsigned int count;
+};
+
+/// Filter that notes every triangle met and rejects it, so that traversal goes on.
+void collect(const RTCFilterFunctionNArguments* arguments) {
+    auto* const list = reinterpret_cast<CandidateList*>(arguments->context);
+    for (unsigned int i = 0; i < arguments->N; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        if (list->count < list->capacity)
+            list->triangles[list->count++] =
+                RTCHitN_primID(arguments->hit, arguments->N, i);
+        arguments->valid[i] = 0;
+    }
+}
 
 #if WEFT_EMBREE_MAJOR == 3
 /// Embree 3 takes its context by pointer and fills it per query.
@@ -37,6 +62,11 @@ void intersect(RTCScene scene, RTCRayHit* ray) {
     QueryContext context;
     rtcIntersect1(scene, context.get(), ray);
 }
+void collect_candidates(RTCScene scene, RTCRayHit* ray, CandidateList* list) {
+    rtcInitIntersectContext(&list->context);
+    list->context.filter = collect;
+    rtcIntersect1(scene, &list->context, ray);
+}
 #else
 void occluded(RTCScene scene, RTCRay* ray) { rtcOccluded1(scene, ray); }
 void occluded(const int* valid, RTCScene scene, RTCRay4* rays) { rtcOccluded4(valid, scene, rays); }
@@ -45,6 +75,15 @@ void occluded(const int* valid, RTCScene scene, RTCRay16* rays) {
     rtcOccluded16(valid, scene, rays);
 }
 void intersect(RTCScene scene, RTCRayHit* ray) { rtcIntersect1(scene, ray); }
+void collect_candidates(RTCScene scene, RTCRayHit* ray, CandidateList* list) {
+    rtcInitRayQueryContext(&list->context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &list->context;
+    arguments.filter = collect;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    rtcIntersect1(scene, ray, &arguments);
+}
 #endif
 
 RTCRay make_ray(const float* origin, const float* direction, float t_max) {
@@ -60,6 +99,15 @@ RTCRay make_ray(const float* origin, const float* direction, float t_max) {
     return ray;
 }
 
+RTCRayHit make_query(const float* origin, const float* direction, float t_max) {
+    RTCRayHit query{};
+    query.ray = make_ray(origin, direction, t_max);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return query;
+}
+
 template <class Rays, int Width>
 void trace_packet(RTCScene scene, const float* origin, const float* directions, int* lanes) {
     alignas(64) int valid[Width];
@@ -69,7 +117,7 @@ void trace_packet(RTCScene scene, const float* origin, const float* directions, 
         rays.org_x[i] = origin[0];
         rays.org_y[i] = origin[1];
         rays.org_z[i] = origin[2];
-        rays.tfar[i] = 1.0F;
+        rays.tfar[i] = SHADOW_END;
         rays.mask[i] = ~0U;
     }
     std::memcpy(rays.dir_x, directions, sizeof(rays.dir_x));
@@ -83,15 +131,23 @@ void trace_packet(RTCScene scene, const float* origin, const float* directions, 
 }  // namespace
 
 EmbreeHit embree_closest(void* scene, const float* origin, const float* direction, float t_max) {
-    RTCRayHit query{};
-    query.ray = make_ray(origin, direction, t_max);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCRayHit query = make_query(origin, direction, t_max);
     intersect(static_cast<RTCScene>(scene), &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return {std::numeric_limits<unsigned int>::max(), t_max, 0.0F, 0.0F};
     return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+}
+
+unsigned int embree_candidates(void* scene, const float* origin, const float* direction,
+                               float t_from, float t_to, unsigned int* triangles,
+                               unsigned int capacity) {
+    RTCRayHit query = make_query(origin, direction, t_to);
+    query.ray.tnear = t_from;
+    CandidateList list{};
+    list.triangles = triangles;
+    list.capacity = capacity;
+    collect_candidates(static_cast<RTCScene>(scene), &query, &list);
+    return list.count;
 }
 
 bool embree_any(void* scene, const float* origin, const float* direction, float t_max) {
@@ -110,7 +166,7 @@ void embree_any_packet(void* scene, const float* origin, const float* directions
     } else if (width == 4) {
         trace_packet<RTCRay4, 4>(handle, origin, directions, lanes);
     } else {
-        lanes[0] = lanes[0] != 0 && embree_any(scene, origin, directions, 1.0F) ? -1 : 0;
+        lanes[0] = lanes[0] != 0 && embree_any(scene, origin, directions, SHADOW_END) ? -1 : 0;
     }
 }
 

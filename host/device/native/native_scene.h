@@ -24,11 +24,17 @@ struct EmbreeHit {
 /// Closest hit of a ray within (0, t_max].
 EmbreeHit embree_closest(void* scene, const float* origin, const float* direction, float t_max);
 
+/// Triangles that Embree finds within [t_from, t_to] of the ray, in no promised order: at most
+/// `capacity` of their ids go to `triangles`. Returns how many.
+unsigned int embree_candidates(void* scene, const float* origin, const float* direction,
+                               float t_from, float t_to, unsigned int* triangles,
+                               unsigned int capacity);
+
 /// Whether anything lies within (0, t_max).
 bool embree_any(void* scene, const float* origin, const float* direction, float t_max);
 
 /// Shadow rays from one `origin` along `directions` (`width` x, then y, then z components), within
-/// (0, 1). `lanes` is -1 for lanes to trace and 0 for others; on return -1 where blocked, else 0.
+/// (0, SHADOW_END). `lanes` is -1 for lanes to trace and 0 for others; on return -1 where blocked, else 0.
 /// `width` is 1, 4, 8 or 16.
 void embree_any_packet(void* scene, const float* origin, const float* directions, int* lanes,
                        int width);

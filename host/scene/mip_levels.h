@@ -1,0 +1,29 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_MIP_LEVELS_H
+#define WEFT_SCENE_MIP_LEVELS_H
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace weft {
+
+/// Appends a texture and its ever smaller averages, down to one texel, as kernels read them: red in
+/// the lowest byte. Each level halves the edges (rounded down, at least 1); a texel is the mean of
+/// linear light over the texels of the level before that it covers.
+void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels);
+
+/// Linear value of an sRGB byte (IEC 61966-2-1).
+[[nodiscard]] float srgb_to_linear(std::uint8_t value);
+
+/// The sRGB byte nearest to a linear value in [0, 1].
+[[nodiscard]] std::uint8_t linear_to_srgb(float value);
+
+/// `srgb_to_linear` of every byte.
+[[nodiscard]] std::vector<float> srgb_table();
+
+}  // namespace weft
+
+#endif
