@@ -74,8 +74,8 @@ static inline WMask packet_triangle(float3 origin, WFloat3 d, GLOBAL const BvhTr
     float3 bc = cross3(b, c);
     float3 ca = cross3(c, a);
     float3 ab = cross3(a, b);
-    float3 normal = cross3(xyz(triangle->v1) - xyz(triangle->v0),
-                           xyz(triangle->v2) - xyz(triangle->v0));
+    float3 normal =
+        cross3(xyz(triangle->v1) - xyz(triangle->v0), xyz(triangle->v2) - xyz(triangle->v0));
     float height = dot3(a, normal);
     WFloat u = d.x * bc.x + d.y * bc.y + d.z * bc.z;
     WFloat v = d.x * ca.x + d.y * ca.y + d.z * ca.z;
@@ -83,8 +83,8 @@ static inline WMask packet_triangle(float3 origin, WFloat3 d, GLOBAL const BvhTr
     WFloat along = d.x * normal.x + d.y * normal.y + d.z * normal.z;
     WFloat zero = WIDE(0.0f);
     WFloat plane = WIDE(height);
-    WMask inside = ((u >= zero) & (v >= zero) & (w >= zero)) |
-                   ((u <= zero) & (v <= zero) & (w <= zero));
+    WMask inside =
+        ((u >= zero) & (v >= zero) & (w >= zero)) | ((u <= zero) & (v <= zero) & (w <= zero));
     // 0 < height / along < SHADOW_END without the division.
     WFloat end = along * SHADOW_END;
     WMask between = ((plane > zero) & (plane < end)) | ((plane < zero) & (plane > end));
@@ -92,9 +92,8 @@ static inline WMask packet_triangle(float3 origin, WFloat3 d, GLOBAL const BvhTr
 }
 
 /// Lanes of `active` whose segment from `origin` to `origin + d` is blocked before SHADOW_END.
-static inline WMask bvh_any_packet(GLOBAL const BvhNode* nodes,
-                                   GLOBAL const BvhTriangle* triangles, float3 origin, WFloat3 d,
-                                   WMask active) {
+static inline WMask bvh_any_packet(GLOBAL const BvhNode* nodes, GLOBAL const BvhTriangle* triangles,
+                                   float3 origin, WFloat3 d, WMask active) {
     uint stack[BVH_STACK];
     WFloat size_x = VMAX(d.x, -d.x);
     WFloat size_y = VMAX(d.y, -d.y);

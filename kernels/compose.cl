@@ -53,9 +53,8 @@ WEFT_KERNEL(compose)
     if (HAS(&params, FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS) &&
         gb_ids[2u * pixel] != NO_TRIANGLE && gb_albedo[pixel].w > 0.0f) {
         uint slot = pixel_slot[pixel];
-        direct_irradiance +=
-            f3(exact_irradiance[slot], exact_irradiance[params.slots + slot],
-               exact_irradiance[2u * params.slots + slot]);
+        direct_irradiance += f3(exact_irradiance[slot], exact_irradiance[params.slots + slot],
+                                exact_irradiance[2u * params.slots + slot]);
     }
     float3 indirect_irradiance = f3(0.0f, 0.0f, 0.0f);
     if (HAS(&params, FEATURE_INDIRECT)) indirect_irradiance = xyz(indirect[pixel]);
@@ -66,8 +65,7 @@ WEFT_KERNEL(compose)
         guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * indirect_irradiance);
     add_vector(film_high, film_low, FILM_EMISSION * pixels + pixel, pixels, starts, emission);
     add_vector(film_high, film_low, FILM_DIRECT * pixels + pixel, pixels, starts, direct_light);
-    add_vector(film_high, film_low, FILM_INDIRECT * pixels + pixel, pixels, starts,
-               indirect_light);
+    add_vector(film_high, film_low, FILM_INDIRECT * pixels + pixel, pixels, starts, indirect_light);
     add_vector(film_high, film_low, FILM_ALBEDO * pixels + pixel, pixels, starts,
                xyz(gb_albedo[pixel]));
     add_vector(film_high, film_low, FILM_NORMAL * pixels + pixel, pixels, starts,

@@ -9,8 +9,7 @@
 static inline float3 camera_direction(const Params* params, uint x, uint y) {
     float s = 2.0f * ((float)x + params->jitter_x) / (float)params->width - 1.0f;
     float t = 1.0f - 2.0f * ((float)y + params->jitter_y) / (float)params->height;
-    return xyz(params->camera_forward) + xyz(params->camera_right) * s +
-           xyz(params->camera_up) * t;
+    return xyz(params->camera_forward) + xyz(params->camera_right) * s + xyz(params->camera_up) * t;
 }
 
 WEFT_KERNEL(gbuffer)
@@ -29,8 +28,8 @@ WEFT_KERNEL(gbuffer)
         gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
-        gb_emission[pixel] = HAS(&params, FEATURE_ENVIRONMENT) ? params.environment
-                                                               : f4(0.0f, 0.0f, 0.0f, 0.0f);
+        gb_emission[pixel] =
+            HAS(&params, FEATURE_ENVIRONMENT) ? params.environment : f4(0.0f, 0.0f, 0.0f, 0.0f);
         return;
     }
     Surface surface = surface_at(&params, &geometry, hit, direction, params.texture_angle);
@@ -39,14 +38,12 @@ WEFT_KERNEL(gbuffer)
     float distance = depth * length3(direction);
     float facing = -dot3(surface.normal, direction) / length3(direction);
     float footprint = distance * params.pixel_angle / m_max(facing, 0.05f);
-    float lit = surface.albedo.x > 0.0f || surface.albedo.y > 0.0f || surface.albedo.z > 0.0f
-                    ? 1.0f
-                    : 0.0f;
+    float lit =
+        surface.albedo.x > 0.0f || surface.albedo.y > 0.0f || surface.albedo.z > 0.0f ? 1.0f : 0.0f;
     gb_ids[2u * pixel] = surface.instance;
     gb_position[pixel] = f4(surface.position.x, surface.position.y, surface.position.z, depth);
     gb_normal[pixel] = f4(surface.normal.x, surface.normal.y, surface.normal.z, footprint);
     gb_shading[pixel] = f4(surface.shading.x, surface.shading.y, surface.shading.z, 0.0f);
     gb_albedo[pixel] = f4(surface.albedo.x, surface.albedo.y, surface.albedo.z, lit);
-    gb_emission[pixel] =
-        f4(surface.emission.x, surface.emission.y, surface.emission.z, 0.0f);
+    gb_emission[pixel] = f4(surface.emission.x, surface.emission.y, surface.emission.z, 0.0f);
 }

@@ -22,8 +22,7 @@ static inline void store_area_sample(const Params* params, const Geometry* geome
         float choice = radical_inverse(PRIME_LIGHT, index, params->seed) *
                        lights[params->sampled_lights - 1u].cumulative;
         chosen = choose_light(lights, params->sampled_lights, &choice);
-        probability =
-            lights[chosen].probability / lights[params->sampled_lights - 1u].cumulative;
+        probability = lights[chosen].probability / lights[params->sampled_lights - 1u].cumulative;
     }
     LightRecord light = lights[chosen];
     uint key = hash_pair(params->seed, chosen + 1u);

@@ -24,22 +24,52 @@ struct alignas(16) float4 {
     float x, y, z, w;
 };
 
-static inline float3 f3(float x, float y, float z) { return float3{x, y, z}; }
-static inline float4 f4(float x, float y, float z, float w) { return float4{x, y, z, w}; }
-static inline float3 operator+(float3 a, float3 b) { return f3(a.x + b.x, a.y + b.y, a.z + b.z); }
-static inline float3 operator-(float3 a, float3 b) { return f3(a.x - b.x, a.y - b.y, a.z - b.z); }
-static inline float3 operator*(float3 a, float3 b) { return f3(a.x * b.x, a.y * b.y, a.z * b.z); }
-static inline float3 operator*(float3 a, float s) { return f3(a.x * s, a.y * s, a.z * s); }
-static inline float3 operator*(float s, float3 a) { return f3(s * a.x, s * a.y, s * a.z); }
-static inline float3 operator/(float3 a, float s) { return f3(a.x / s, a.y / s, a.z / s); }
-static inline float3 operator-(float3 a) { return f3(-a.x, -a.y, -a.z); }
-static inline float3& operator+=(float3& a, float3 b) { return a = a + b; }
-static inline float3& operator*=(float3& a, float3 b) { return a = a * b; }
+static inline float3 f3(float x, float y, float z) {
+    return float3{x, y, z};
+}
+static inline float4 f4(float x, float y, float z, float w) {
+    return float4{x, y, z, w};
+}
+static inline float3 operator+(float3 a, float3 b) {
+    return f3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+static inline float3 operator-(float3 a, float3 b) {
+    return f3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+static inline float3 operator*(float3 a, float3 b) {
+    return f3(a.x * b.x, a.y * b.y, a.z * b.z);
+}
+static inline float3 operator*(float3 a, float s) {
+    return f3(a.x * s, a.y * s, a.z * s);
+}
+static inline float3 operator*(float s, float3 a) {
+    return f3(s * a.x, s * a.y, s * a.z);
+}
+static inline float3 operator/(float3 a, float s) {
+    return f3(a.x / s, a.y / s, a.z / s);
+}
+static inline float3 operator-(float3 a) {
+    return f3(-a.x, -a.y, -a.z);
+}
+static inline float3& operator+=(float3& a, float3 b) {
+    return a = a + b;
+}
+static inline float3& operator*=(float3& a, float3 b) {
+    return a = a * b;
+}
 
-static inline uint as_bits(float f) { return __builtin_bit_cast(uint, f); }
-static inline float from_bits(uint u) { return __builtin_bit_cast(float, u); }
-static inline float square_root(float f) { return __builtin_sqrtf(f); }
-static inline float absolute(float f) { return __builtin_fabsf(f); }
+static inline uint as_bits(float f) {
+    return __builtin_bit_cast(uint, f);
+}
+static inline float from_bits(uint u) {
+    return __builtin_bit_cast(float, u);
+}
+static inline float square_root(float f) {
+    return __builtin_sqrtf(f);
+}
+static inline float absolute(float f) {
+    return __builtin_fabsf(f);
+}
 
 #define SELECT(mask, a, b) ((mask) ? (a) : (b))
 
@@ -76,32 +106,58 @@ static inline uint vector_mask_bits(typename WideOf<N>::Mask m) {
 #if LANES == 1
 typedef float WFloat;
 typedef int WMask;
-static inline WFloat WIDE(float x) { return x; }
-static inline WFloat wide_load(const float* p, uint i) { return p[i]; }
-static inline void wide_store(WFloat v, float* p, uint i) { p[i] = v; }
-static inline bool mask_any(WMask m) { return m != 0; }
-static inline bool mask_all(WMask m) { return m != 0; }
-static inline WMask mask_not(WMask m) { return m == 0; }
-static inline uint mask_count(WMask m) { return static_cast<uint>(m); }
-static inline float wide_lowest(WFloat v) { return v; }
-static inline float wide_highest(WFloat v) { return v; }
-static inline WFloat wide_square_root(WFloat v) { return square_root(v); }
+static inline WFloat WIDE(float x) {
+    return x;
+}
+static inline WFloat wide_load(const float* p, uint i) {
+    return p[i];
+}
+static inline void wide_store(WFloat v, float* p, uint i) {
+    p[i] = v;
+}
+static inline bool mask_any(WMask m) {
+    return m != 0;
+}
+static inline bool mask_all(WMask m) {
+    return m != 0;
+}
+static inline WMask mask_not(WMask m) {
+    return m == 0;
+}
+static inline uint mask_count(WMask m) {
+    return static_cast<uint>(m);
+}
+static inline float wide_lowest(WFloat v) {
+    return v;
+}
+static inline float wide_highest(WFloat v) {
+    return v;
+}
+static inline WFloat wide_square_root(WFloat v) {
+    return square_root(v);
+}
 #define mask_none_set 0
 #else
 typedef WideOf<LANES>::Float WFloat;
 typedef WideOf<LANES>::Mask WMask;
-static inline WFloat WIDE(float x) { return x - WFloat{}; }
+static inline WFloat WIDE(float x) {
+    return x - WFloat{};
+}
 static inline WFloat wide_load(const float* p, uint i) {
     return *reinterpret_cast<const WideOf<LANES>::Unaligned*>(p + i);
 }
 static inline void wide_store(WFloat v, float* p, uint i) {
     *reinterpret_cast<WideOf<LANES>::Unaligned*>(p + i) = v;
 }
-static inline bool mask_any(WMask m) { return vector_mask_bits<LANES>(m) != 0u; }
+static inline bool mask_any(WMask m) {
+    return vector_mask_bits<LANES>(m) != 0u;
+}
 static inline bool mask_all(WMask m) {
     return vector_mask_bits<LANES>(m) == (1u << LANES) - 1u;
 }
-static inline WMask mask_not(WMask m) { return ~m; }
+static inline WMask mask_not(WMask m) {
+    return ~m;
+}
 static inline uint mask_count(WMask m) {
     return static_cast<uint>(__builtin_popcount(vector_mask_bits<LANES>(m)));
 }
@@ -125,15 +181,21 @@ static inline WFloat wide_square_root(WFloat v) {
 
 typedef WideOf<NODE_WIDTH>::Float NFloat;
 typedef WideOf<NODE_WIDTH>::Mask NMask;
-static inline NFloat NODE(float x) { return x - NFloat{}; }
+static inline NFloat NODE(float x) {
+    return x - NFloat{};
+}
 static inline NFloat node_load(const float* p) {
     return *reinterpret_cast<const WideOf<NODE_WIDTH>::Unaligned*>(p);
 }
 static inline void node_store(NFloat v, float* p) {
     *reinterpret_cast<WideOf<NODE_WIDTH>::Unaligned*>(p) = v;
 }
-static inline uint node_mask_bits(NMask m) { return vector_mask_bits<NODE_WIDTH>(m); }
-static inline uint lowest_bit(uint x) { return static_cast<uint>(__builtin_ctz(x)); }
+static inline uint node_mask_bits(NMask m) {
+    return vector_mask_bits<NODE_WIDTH>(m);
+}
+static inline uint lowest_bit(uint x) {
+    return static_cast<uint>(__builtin_ctz(x));
+}
 
 static inline uint atomic_add_uint(uint* p, uint x) {
     return __atomic_fetch_add(p, x, __ATOMIC_RELAXED);

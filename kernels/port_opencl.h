@@ -137,7 +137,9 @@ static inline uint node_mask_bits(NMask m) {
 }
 
 /// Index of the lowest set bit; `x` is not 0.
-static inline uint lowest_bit(uint x) { return 31u - clz(x & (0u - x)); }
+static inline uint lowest_bit(uint x) {
+    return 31u - clz(x & (0u - x));
+}
 
 #define atomic_add_uint(p, x) atomic_add((p), (x))
 #define atomic_min_uint(p, x) atomic_min((p), (x))

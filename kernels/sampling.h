@@ -5,9 +5,9 @@
 #ifndef WEFT_SAMPLING_H
 #define WEFT_SAMPLING_H
 
+#include "maths.h"
 #include "port.h"
 #include "types.h"
-#include "maths.h"
 #include "vector.h"
 
 // Primes of the dimensions of a light path; see vpl_walk.cl.
@@ -29,7 +29,9 @@ static inline uint hash_bits(uint x) {
     return x;
 }
 
-static inline uint hash_pair(uint a, uint b) { return hash_bits(a ^ hash_bits(b + 0x9e3779b9u)); }
+static inline uint hash_pair(uint a, uint b) {
+    return hash_bits(a ^ hash_bits(b + 0x9e3779b9u));
+}
 
 /// Radical inverse of `index` in a prime base, in [0, 1), with nested random linear scrambling of
 /// the digits (Matousek 1998; Owen 1995 for the nesting): every digit d becomes a d + b mod base,
@@ -38,9 +40,9 @@ static inline uint hash_pair(uint a, uint b) { return hash_bits(a ^ hash_bits(b 
 static inline float radical_inverse(uint base, uint index, uint key) {
     uint reversed = 0u;
     uint scale = 1u;
-    uint limit = 0xFFFFFFFFu / base;
     uint state = hash_pair(key, base);
-    while (scale <= limit) {
+    // As many digits as 32 bits hold.
+    for (uint room = 0xFFFFFFFFu; room >= base; room /= base) {
         uint digit = index % base;
         uint draw = hash_bits(state);
         uint factor = 1u + (draw & 0xFFFFu) % (base - 1u);
@@ -94,7 +96,7 @@ static inline float3 cone_direction(float u, float v, float cos_limit) {
     return f3(radius * c, radius * s, z);
 }
 
-/// `about_z` (about +z) turned to be about the unit vector `axis`.
+/// A direction given about +z turned to be about the unit vector `axis`.
 static inline float3 turn_to(float3 about_z, float3 axis) {
     float3 tangent, bitangent;
     make_basis(axis, &tangent, &bitangent);

@@ -5,26 +5,26 @@
 #ifndef WEFT_SURFACE_H
 #define WEFT_SURFACE_H
 
-#include "triangle.h"
 #include "texture.h"
+#include "triangle.h"
 
-#define GEOMETRY_ARGS                                                                      \
-    GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list,                  \
-        GLOBAL const InstanceRecord *instances, GLOBAL const MaterialRecord *materials,    \
-        GLOBAL const float *normals, GLOBAL const float *texture_coordinates,              \
-        GLOBAL const float *vertex_colours, GLOBAL const TextureRecord *textures,          \
+#define GEOMETRY_ARGS                                                                   \
+    GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list,               \
+        GLOBAL const InstanceRecord *instances, GLOBAL const MaterialRecord *materials, \
+        GLOBAL const float *normals, GLOBAL const float *texture_coordinates,           \
+        GLOBAL const float *vertex_colours, GLOBAL const TextureRecord *textures,       \
         GLOBAL const uint *texels, GLOBAL const float *srgb_table
-#define GEOMETRY_MAKE(name)                          \
-    Geometry name;                                   \
-    name.positions = positions;                      \
-    name.triangles = triangle_list;                  \
-    name.instances = instances;                      \
-    name.materials = materials;                      \
-    name.normals = normals;                          \
-    name.texture_coordinates = texture_coordinates;  \
-    name.vertex_colours = vertex_colours;            \
-    name.textures = textures;                        \
-    name.texels = texels;                            \
+#define GEOMETRY_MAKE(name)                         \
+    Geometry name;                                  \
+    name.positions = positions;                     \
+    name.triangles = triangle_list;                 \
+    name.instances = instances;                     \
+    name.materials = materials;                     \
+    name.normals = normals;                         \
+    name.texture_coordinates = texture_coordinates; \
+    name.vertex_colours = vertex_colours;           \
+    name.textures = textures;                       \
+    name.texels = texels;                           \
     name.srgb_table = srgb_table
 
 // The scene's buffers. Attributes a scene does not have are never read.
@@ -44,12 +44,12 @@ typedef struct {
 // A surface point seen from a direction; both normals face the viewer.
 typedef struct {
     float3 position;
-    float3 normal;     // geometric
-    float3 shading;    // interpolated, on the side of `normal`
-    float3 albedo;     // 0 on the back of one-sided materials
-    float3 emission;   // towards the viewer
+    float3 normal;    // geometric
+    float3 shading;   // interpolated, on the side of `normal`
+    float3 albedo;    // 0 on the back of one-sided materials
+    float3 emission;  // towards the viewer
     uint instance;
-    int front;         // 1 where the viewer sees the outside
+    int front;  // 1 where the viewer sees the outside
 } Surface;
 
 /// How far a ray's origin must be moved off a surface so that rounding in the point (from
@@ -82,8 +82,7 @@ static inline float3 texture_at(const Geometry* geometry, TextureRecord texture,
     float t1 = uv[2u * triangle.v1 + 1u] - t0;
     float s2 = uv[2u * triangle.v2] - s0;
     float t2 = uv[2u * triangle.v2 + 1u] - t0;
-    float texels =
-        absolute(s1 * t2 - s2 * t1) * (float)texture.width * (float)texture.height;
+    float texels = absolute(s1 * t2 - s2 * t1) * (float)texture.width * (float)texture.height;
     return sample_texture(texture, geometry->texels, geometry->srgb_table,
                           s0 + s1 * hit.u + s2 * hit.v, t0 + t1 * hit.u + t2 * hit.v,
                           footprint * square_root(texels));
@@ -120,8 +119,8 @@ static inline Surface surface_at(const Params* params, const Geometry* geometry,
         float slant = absolute(dot3(direction, doubled_area));
         float width = angle * hit.t * length3(direction) * square_root(length3(direction));
         float footprint = slant > 0.0f ? width / square_root(slant) : 0.0f;
-        surface.albedo *= texture_at(geometry, geometry->textures[material.texture], triangle, hit,
-                                     footprint);
+        surface.albedo *=
+            texture_at(geometry, geometry->textures[material.texture], triangle, hit, footprint);
     }
     if (HAS(params, FEATURE_VERTEX_COLOURS))
         surface.albedo *= attribute3(geometry->vertex_colours, triangle.v0) * w +

@@ -5,9 +5,9 @@
 #ifndef WEFT_TEXTURE_H
 #define WEFT_TEXTURE_H
 
+#include "maths.h"
 #include "port.h"
 #include "types.h"
-#include "maths.h"
 
 /// Texel coordinate of `x` for a wrap mode (0 repeat, 1 clamp, 2 mirror): in [0, size), or for
 /// bilinear neighbours one step outside. Coordinates that are not finite count as 0.
@@ -69,8 +69,7 @@ static inline TextureRecord next_level(TextureRecord level) {
 /// Linear colour of the texture at (s, t): nearest texel, or bilinear within the two mip levels
 /// whose texels are nearest in size to a footprint of `width` texels of level 0.
 static inline float3 sample_texture(TextureRecord texture, GLOBAL const uint* texels,
-                                    GLOBAL const float* srgb_table, float s, float t,
-                                    float width) {
+                                    GLOBAL const float* srgb_table, float s, float t, float width) {
     float u = wrap_coordinate(s, (texture.flags >> TEXTURE_WRAP_U_SHIFT) & 3u);
     float v = wrap_coordinate(t, (texture.flags >> TEXTURE_WRAP_V_SHIFT) & 3u);
     if ((texture.flags & TEXTURE_NEAREST) != 0u) {

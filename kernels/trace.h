@@ -14,9 +14,9 @@
 #else
 
 #define SCENE_ARGS GLOBAL const BvhNode *bvh_nodes, GLOBAL const BvhTriangle *bvh_triangles
-#define SCENE_MAKE(name)           \
-    Scene name;                    \
-    name.nodes = bvh_nodes;        \
+#define SCENE_MAKE(name)    \
+    Scene name;             \
+    name.nodes = bvh_nodes; \
     name.triangles = bvh_triangles
 
 typedef struct {

@@ -48,9 +48,8 @@ static inline Hit embree_closest_by_id(Scene scene, float3 origin, float3 direct
     const float reach = 1.52587890625e-5f;  // 2^-16, far above the difference of the two tests
     uint ties[MAX_TIES];
     const uint count =
-        ::weft::embree_candidates(scene.embree, &origin.x, &direction.x,
-                                  found.t * (1.0f - reach), found.t * (1.0f + reach), ties,
-                                  MAX_TIES);
+        ::weft::embree_candidates(scene.embree, &origin.x, &direction.x, found.t * (1.0f - reach),
+                                  found.t * (1.0f + reach), ties, MAX_TIES);
     const Ray ray = make_ray(origin, direction);
     Hit best = {NO_TRIANGLE, t_max, 0.0f, 0.0f};
     retest(scene, &ray, found.triangle, &best);

@@ -5,9 +5,9 @@
 #ifndef WEFT_TRIANGLE_H
 #define WEFT_TRIANGLE_H
 
+#include "maths.h"
 #include "port.h"
 #include "types.h"
-#include "maths.h"
 #include "vector.h"
 
 // Largest finite distance; rays "to infinity" end here.
@@ -27,7 +27,9 @@ typedef struct {
     float shear_x, shear_y, shear_z;
 } Ray;
 
-static inline float3 xyz(float4 v) { return f3(v.x, v.y, v.z); }
+static inline float3 xyz(float4 v) {
+    return f3(v.x, v.y, v.z);
+}
 
 static inline float component(float3 v, uint axis) {
     return axis == 0u ? v.x : (axis == 1u ? v.y : v.z);

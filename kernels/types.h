@@ -13,7 +13,7 @@
 // Shadow rays between two points end this share before the second: a receiver on the edge of two
 // faces lies in the plane of both, and rounding must not let the other one block it.
 #define SHADOW_END 0.9999847412109375f  // 1 - 2^-16
-#define BVH_STACK 160    // entries; the builder proves that no traversal needs more
+#define BVH_STACK 160                   // entries; the builder proves that no traversal needs more
 
 // Features: what a frame must be able to do. A kernel compiled without one costs nothing for it.
 #define FEATURE_TEXTURES 1u
@@ -112,7 +112,8 @@ typedef struct {
 } EmissiveTriangle;
 
 // A virtual point light, or a sample point on a light. Irradiance at x with unit normal n:
-// flux * min(G, bound) for VPL_SURFACE, flux * cos / d^2 for VPL_POINT, times the cone for VPL_SPOT.
+// flux * min(G, bound) for VPL_SURFACE, flux * cos / d^2 for VPL_POINT, times the cone for
+// VPL_SPOT.
 #define VPL_SURFACE 0u
 #define VPL_POINT 1u
 #define VPL_SPOT 2u
@@ -155,8 +156,8 @@ typedef struct {
     float4 camera_forward;  // unit
     float4 camera_right;
     float4 camera_up;
-    float4 environment;   // rgb radiance
-    float4 scene_centre;  // xyz of the bounding sphere; w: its radius, kernel units
+    float4 environment;        // rgb radiance
+    float4 scene_centre;       // xyz of the bounding sphere; w: its radius, kernel units
     float jitter_x, jitter_y;  // in pixels, from the pixel's corner
     float pixel_angle;         // radians between neighbouring pixels at the centre
     float texture_angle;       // angle over which primary rays average textures
@@ -177,23 +178,23 @@ typedef struct {
     uint sets;          // sample sets made per frame
     uint gather_sets;   // sets the work list chooses from: n * n
     uint set_rotation;
-    uint lights;              // entries of the light table
-    uint sampled_lights;      // area lights among them, the first entries
-    uint samples_per_light;   // per set; 0: `samples_per_set` are chosen by power
-    uint samples_per_set;     // light sample points of one set
-    uint environment_samples; // rays per pixel
+    uint lights;               // entries of the light table
+    uint sampled_lights;       // area lights among them, the first entries
+    uint samples_per_light;    // per set; 0: `samples_per_set` are chosen by power
+    uint samples_per_set;      // light sample points of one set
+    uint environment_samples;  // rays per pixel
     uint paths_per_set;
     uint vpls_per_set;
     uint bounces;
-    uint survivors[MAX_BOUNCES];   // paths of a set that reach bounce k + 1
-    uint first_vpl[MAX_BOUNCES];   // their first slot inside the set
+    uint survivors[MAX_BOUNCES];  // paths of a set that reach bounce k + 1
+    uint first_vpl[MAX_BOUNCES];  // their first slot inside the set
     uint filter_radius;
-    uint film_starts;  // 1 for the first sample, which starts the film's sums
-    uint counter;      // which RayCounter this launch adds to
-    uint delta_lights_first, delta_lights;              // point and spot lights
+    uint film_starts;                       // 1 for the first sample, which starts the film's sums
+    uint counter;                           // which RayCounter this launch adds to
+    uint delta_lights_first, delta_lights;  // point and spot lights
     uint directional_lights_first, directional_lights;  // in the light table
     uint pad0, pad1, pad2;
-    uint list_first, list_stride, list_length;          // VPLs of set k: first + k stride ...
+    uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
 } Params;
 
 #endif

@@ -35,7 +35,9 @@ static inline ReceiverPacket load_receivers(const Params* params, GLOBAL const f
     return packet;
 }
 
-static inline WFloat wide_dot(WFloat3 a, WFloat3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static inline WFloat wide_dot(WFloat3 a, WFloat3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 static inline WFloat wide_dot_scalar(WFloat3 a, float3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;

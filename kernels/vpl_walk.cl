@@ -14,7 +14,9 @@ typedef struct {
     float3 flux;  // W
 } LightPath;
 
-static inline float3 power_of(LightRecord light) { return xyz(light.power); }
+static inline float3 power_of(LightRecord light) {
+    return xyz(light.power);
+}
 
 /// First segment of a path: flux is the light's power over the probability of choosing it.
 static inline LightPath emit_path(const Params* params, const Geometry* geometry,
@@ -107,8 +109,8 @@ WEFT_KERNEL(vpl_walk)
         path.origin =
             surface.position + surface.normal * surface_offset(surface.position, params.extent);
         float survival = (float)params.paths_per_set / (float)params.survivors[bounce];
-        store_vpl(vpl, path.origin, surface.normal,
-                  path.flux * (share * survival * 0.318309886f), params.vpl_bound);
+        store_vpl(vpl, path.origin, surface.normal, path.flux * (share * survival * 0.318309886f),
+                  params.vpl_bound);
         if (bounce + 1u < params.bounces) {
             float u = radical_inverse(bounce_primes[2u * bounce], index, params.seed);
             float v = radical_inverse(bounce_primes[2u * bounce + 1u], index, params.seed);

@@ -100,7 +100,7 @@ RenderSettings settings_of(Algorithm algorithm, std::uint32_t width = 97,
                            std::uint32_t height = 70) {
     RenderSettings settings = test::small_settings(algorithm, width, height);
     settings.seed = 5;
-    settings.jitter = true;
+    settings.samples = 2;
     return settings;
 }
 
@@ -221,7 +221,7 @@ TEST(BackendAgreement, EmbreeDiffersFromTheOwnTraversalByAlmostNothing) {
     // where depth, albedo, normal and emission agree; depth may be off by 4 ulp.
     for (const Algorithm algorithm : algorithms) {
         RenderSettings settings = settings_of(algorithm, 641, 400);
-        settings.jitter = false;
+        settings.samples = 1;
         settings.sampling.vpls_per_set = 16;
         const Rendering own =
             render_everything(test::shared_executor(Backend::own_bvh), settings, true, 1);
@@ -270,7 +270,7 @@ TEST(BackendAgreement, APixelDoesNotDependOnThePicturesOthers) {
     // The left part of a wide picture is the picture of the same rays alone: `ir` uses all samples
     // at every pixel, so only the camera could tell them apart.
     RenderSettings whole = settings_of(Algorithm::ir, 64, 32);
-    whole.jitter = false;
+    whole.samples = 1;
     Camera wide = camera();
     wide.fov_axis = FovAxis::y;
     RenderSettings half = whole;

@@ -12,8 +12,7 @@ bool called_for(const FramePlan& plan) {
 std::vector<KernelId> kernels(const FramePlan& plan) {
     std::vector<KernelId> list;
     if (plan.light_sample_count() > 0) list.push_back(KernelId::light_samples);
-    if (plan.samples_per_set > 0 || plan.punctual_lights > 0)
-        list.push_back(KernelId::vpl_gather);
+    if (plan.samples_per_set > 0 || plan.punctual_lights > 0) list.push_back(KernelId::vpl_gather);
     if (plan.has_distant()) list.push_back(KernelId::distant_light);
     if (plan.has_sampled_direct()) list.push_back(KernelId::reconstruct);
     return list;
@@ -82,6 +81,8 @@ void reconstruct(FrameContext& frame) {
 
 }  // namespace
 
-Component direct_component() { return {"direct", called_for, kernels, sample, reconstruct}; }
+Component direct_component() {
+    return {"direct", called_for, kernels, sample, reconstruct};
+}
 
 }  // namespace weft

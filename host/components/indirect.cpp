@@ -5,7 +5,9 @@
 namespace weft {
 namespace {
 
-bool called_for(const FramePlan& plan) { return plan.has_indirect(); }
+bool called_for(const FramePlan& plan) {
+    return plan.has_indirect();
+}
 
 std::vector<KernelId> kernels(const FramePlan&) {
     return {KernelId::vpl_walk, KernelId::vpl_gather, KernelId::reconstruct};
@@ -40,6 +42,8 @@ void reconstruct(FrameContext& frame) {
 
 }  // namespace
 
-Component indirect_component() { return {"indirect", called_for, kernels, sample, reconstruct}; }
+Component indirect_component() {
+    return {"indirect", called_for, kernels, sample, reconstruct};
+}
 
 }  // namespace weft

@@ -32,7 +32,7 @@ enum class KernelId : std::uint32_t {
 
 /// What a device is, for users and reports.
 struct DeviceInfo {
-    int index = -1;  ///< position in the list of OpenCL devices; -1 for native backends
+    int index = -1;       ///< position in the list of OpenCL devices; -1 for native backends
     std::string backend;  ///< "opencl", "embree" or "native"
     std::string name;
     std::string driver;

@@ -21,11 +21,16 @@ shared::float4 to_float4(const glm::dvec3& v) {
 double vertical_tangent(const Camera& camera, double aspect) {
     const double tangent = std::tan(0.5 * camera.fov);
     switch (camera.fov_axis) {
-        case FovAxis::y: return tangent;
-        case FovAxis::x: return tangent / aspect;
-        case FovAxis::smaller: return aspect >= 1.0 ? tangent : tangent / aspect;
-        case FovAxis::larger: return aspect >= 1.0 ? tangent / aspect : tangent;
-        case FovAxis::diagonal: return tangent / std::sqrt(1.0 + aspect * aspect);
+        case FovAxis::y:
+            return tangent;
+        case FovAxis::x:
+            return tangent / aspect;
+        case FovAxis::smaller:
+            return aspect >= 1.0 ? tangent : tangent / aspect;
+        case FovAxis::larger:
+            return aspect >= 1.0 ? tangent / aspect : tangent;
+        case FovAxis::diagonal:
+            return tangent / std::sqrt(1.0 + aspect * aspect);
     }
     return tangent;
 }
@@ -96,10 +101,9 @@ Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::strin
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), backward));
     const double distance =
         static_cast<double>(flat.radius) / flat.units.scale / std::sin(0.5 * camera.fov);
-    camera.to_world =
-        glm::dmat4(glm::dvec4(right, 0.0), glm::dvec4(glm::cross(backward, right), 0.0),
-                   glm::dvec4(backward, 0.0),
-                   glm::dvec4(flat.units.centre + backward * distance, 1.0));
+    camera.to_world = glm::dmat4(
+        glm::dvec4(right, 0.0), glm::dvec4(glm::cross(backward, right), 0.0),
+        glm::dvec4(backward, 0.0), glm::dvec4(flat.units.centre + backward * distance, 1.0));
     return camera;
 }
 

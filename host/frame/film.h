@@ -13,8 +13,7 @@ namespace weft {
 /// Means of the film's compensated sums (`high` + `low`, FILM_* planes) over `samples` frames, as
 /// layers. Beauty is emission + direct + indirect.
 [[nodiscard]] Image resolve_film(std::span<const float> high, std::span<const float> low,
-                                 std::uint32_t width, std::uint32_t height,
-                                 std::uint32_t samples);
+                                 std::uint32_t width, std::uint32_t height, std::uint32_t samples);
 
 }  // namespace weft
 

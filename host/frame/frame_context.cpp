@@ -67,11 +67,10 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
         frame.direct = dark("direct irradiance");
         frame.filtered_direct = floats(4 * pixels, "filtered direct irradiance");
     }
-    if (plan.has_exact_direct())
-        frame.exact_direct = dark("exact direct irradiance");
+    if (plan.has_exact_direct()) frame.exact_direct = dark("exact direct irradiance");
     if (plan.light_sample_count() > 0)
-        frame.light_samples = executor.allocate(
-            plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
+        frame.light_samples =
+            executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
     if (plan.has_indirect()) {
         frame.indirect = dark("indirect irradiance");
         frame.filtered_indirect = floats(4 * pixels, "filtered indirect irradiance");
@@ -98,9 +97,8 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
     const Launch launch{kernel,    params, traces ? scene_buffers.traced.get() : nullptr,
                         arguments, items,  items_per_launch};
     const std::string name = stage;
-    const bool complete = executor.run(launch, [&](double done) {
-        return finishing_ || !keep_going_ || keep_going_(name, done);
-    });
+    const bool complete = executor.run(
+        launch, [&](double done) { return finishing_ || !keep_going_ || keep_going_(name, done); });
     ended_early_ = ended_early_ || !complete;
     const double ms = executor.take_milliseconds();
     stages_.push_back(

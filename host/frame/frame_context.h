@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "device/executor.h"
+#include "scene/flat_scene.h"
 #include "schedule/frame_plan.h"
 #include "schedule/work_list.h"
-#include "scene/flat_scene.h"
 
 namespace weft {
 
@@ -31,7 +31,7 @@ struct FrameBuffers {
     std::vector<std::unique_ptr<Buffer>> gbuffer;
     std::unique_ptr<Buffer> slot_pixel, pixel_slot, block_set, receivers;
     std::unique_ptr<Buffer> vpls, light_samples;
-    std::unique_ptr<Buffer> direct, exact_direct, indirect;    ///< irradiance by slot
+    std::unique_ptr<Buffer> direct, exact_direct, indirect;      ///< irradiance by slot
     std::unique_ptr<Buffer> filtered_direct, filtered_indirect;  ///< by pixel
     std::unique_ptr<Buffer> film_high, film_low;
     std::unique_ptr<Buffer> counters, nonfinite;

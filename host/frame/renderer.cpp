@@ -118,14 +118,14 @@ void Renderer::trace_primary(FrameContext& frame) {
 }
 
 void Renderer::compose(FrameContext& frame) {
-    frame.run(KernelId::compose, "composition", "", false,
-              with_gbuffer(buffers_, {buffers_.pixel_slot.get(),
-                                      buffers_.or_nothing(buffers_.filtered_direct),
-                                      buffers_.or_nothing(buffers_.exact_direct),
-                                      buffers_.or_nothing(buffers_.filtered_indirect),
-                                      buffers_.film_high.get(), buffers_.film_low.get(),
-                                      buffers_.nonfinite.get()}),
-              settings_.width * settings_.height);
+    frame.run(
+        KernelId::compose, "composition", "", false,
+        with_gbuffer(buffers_,
+                     {buffers_.pixel_slot.get(), buffers_.or_nothing(buffers_.filtered_direct),
+                      buffers_.or_nothing(buffers_.exact_direct),
+                      buffers_.or_nothing(buffers_.filtered_indirect), buffers_.film_high.get(),
+                      buffers_.film_low.get(), buffers_.nonfinite.get()}),
+        settings_.width * settings_.height);
 }
 
 bool Renderer::render_frame(const KeepGoing& keep_going) {
@@ -145,8 +145,7 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
     compose(frame);
     ++frames_in_film_;
     const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-            .count();
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     record(frame, ms);
     return !frame.ended_early();
 }

@@ -41,9 +41,9 @@ struct FlatScene {
     std::uint32_t punctual_lights = 0;  ///< point and spot
     std::uint32_t directional_lights = 0;
     glm::vec3 environment{0.0F};
-    std::uint32_t features = 0;     ///< FEATURE_* that the scene calls for
-    float extent = 1.0F;            ///< largest |coordinate| of geometry and lights
-    float radius = 1.0F;            ///< of the bounding sphere about the centre
+    std::uint32_t features = 0;  ///< FEATURE_* that the scene calls for
+    float extent = 1.0F;         ///< largest |coordinate| of geometry and lights
+    float radius = 1.0F;         ///< of the bounding sphere about the centre
     double surface_area = 0.0;
     double mean_reflectance = 0.0;  ///< area-weighted luminance of the albedo, [0, 1]
     double smallest_light_area = 0.0;

@@ -107,12 +107,15 @@ struct Collector {
         light.power = rgb(source.intensity, square);
         flat.extent = std::max({flat.extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         ++flat.punctual_lights;
-        const double angle = spot ? 2.0 * pi * (1.0 - static_cast<double>(source.cos_outer)) : 4 * pi;
+        const double angle =
+            spot ? 2.0 * pi * (1.0 - static_cast<double>(source.cos_outer)) : 4 * pi;
         add(light, luminance(source.intensity) * square * angle);
     }
 };
 
-bool shines(const PunctualLight& light) { return luminance(light.intensity) > 0.0; }
+bool shines(const PunctualLight& light) {
+    return luminance(light.intensity) > 0.0;
+}
 
 }  // namespace
 
@@ -140,9 +143,9 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
     flat.lights = std::move(collector.lights);
     normalise(flat.lights, collector.powers);
     const auto count = [&](auto... kinds) {
-        return static_cast<std::uint32_t>(
-            std::count_if(flat.lights.begin(), flat.lights.end(),
-                          [&](const shared::LightRecord& l) { return ((l.kind == kinds) || ...); }));
+        return static_cast<std::uint32_t>(std::count_if(
+            flat.lights.begin(), flat.lights.end(),
+            [&](const shared::LightRecord& l) { return ((l.kind == kinds) || ...); }));
     };
     flat.area_lights = count(EMITTER_AREA);
     flat.punctual_lights = count(EMITTER_POINT, EMITTER_SPOT);

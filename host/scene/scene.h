@@ -30,9 +30,9 @@ struct Texture {
 /// A Lambertian surface that may emit. Colours are linear Rec.709.
 struct Material {
     std::string name;
-    glm::vec3 albedo{0.8F};       ///< factor in [0,1], multiplied with texture and vertex colour
-    int albedo_texture = -1;      ///< index into Scene::textures, or -1
-    glm::vec3 emission{0.0F};     ///< emitted radiance, W/(m^2 sr)
+    glm::vec3 albedo{0.8F};         ///< factor in [0,1], multiplied with texture and vertex colour
+    int albedo_texture = -1;        ///< index into Scene::textures, or -1
+    glm::vec3 emission{0.0F};       ///< emitted radiance, W/(m^2 sr)
     bool emits_both_sides = false;  ///< else only to the side of the geometric normal
     bool two_sided = true;          ///< reflects on both sides; else its back is black
 };
@@ -43,7 +43,7 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< shading normals; empty: geometric normals
     std::vector<glm::vec2> uvs;
-    std::vector<glm::vec3> colours;  ///< linear, multiplied with the albedo
+    std::vector<glm::vec3> colours;                       ///< linear, multiplied with the albedo
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
@@ -92,8 +92,8 @@ struct Medium {
     glm::vec3 sigma_t{1.0F};
     glm::vec3 albedo{0.75F};
     float scale = 1.0F;
-    float anisotropy = 0.0F;     ///< Henyey-Greenstein g
-    std::string density_file;    ///< grid volume, absolute path; empty: constant
+    float anisotropy = 0.0F;   ///< Henyey-Greenstein g
+    std::string density_file;  ///< grid volume, absolute path; empty: constant
     glm::dmat4 grid_to_world{1.0};
 };
 

@@ -44,7 +44,9 @@ double vpl_bound(double area, double count, double spacing) {
     return std::min(1e30, std::numbers::pi * count / (spacing * spacing * area));
 }
 
-double bound_growth(std::uint32_t frame) { return std::sqrt(static_cast<double>(frame) + 1.0); }
+double bound_growth(std::uint32_t frame) {
+    return std::sqrt(static_cast<double>(frame) + 1.0);
+}
 
 FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
                       const SceneStatistics& scene) {
@@ -68,15 +70,15 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     if (scene.indirect && lights > 0 && scene.mean_reflectance > 0.0)
         plan_vpls(plan, settings, scene.mean_reflectance);
-    plan.vpl_bound = vpl_bound(scene.surface_area,
-                               static_cast<double>(plan.sets) * plan.vpls_per_set,
-                               settings.bound_spacing);
+    plan.vpl_bound =
+        vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,
+                  settings.bound_spacing);
     const double light_samples =
         plan.samples_per_light > 0
             ? plan.samples_per_light
             : static_cast<double>(plan.samples_per_set) / std::max(1U, scene.area_lights);
-    plan.light_bound_scale = vpl_bound(1.0, static_cast<double>(plan.sets) * light_samples,
-                                       settings.bound_spacing);
+    plan.light_bound_scale =
+        vpl_bound(1.0, static_cast<double>(plan.sets) * light_samples, settings.bound_spacing);
     return plan;
 }
 

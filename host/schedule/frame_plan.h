@@ -14,13 +14,13 @@ enum class Algorithm : std::uint8_t { igi, ir };
 
 /// The standard setting, which `igi` and everything compared with it use.
 struct SamplingSettings {
-    std::uint32_t interleave = 3;        ///< n: n x n sample sets
-    std::uint32_t vpls_per_set = 64;     ///< at most
-    std::uint32_t bounces = 4;           ///< VPLs of indirect orders 1 to this, at most MAX_BOUNCES
-    std::uint32_t samples_per_light = 4; ///< per set and area light; also environment rays
+    std::uint32_t interleave = 3;     ///< n: n x n sample sets
+    std::uint32_t vpls_per_set = 64;  ///< at most
+    std::uint32_t bounces = 4;        ///< VPLs of indirect orders 1 to this, at most MAX_BOUNCES
+    std::uint32_t samples_per_light = 4;      ///< per set and area light; also environment rays
     std::uint32_t max_samples_per_set = 256;  ///< beyond it, lights are chosen by power
-    double bound_spacing = 2.0;          ///< c: VPLs closer than c mean spacings are bounded
-    std::uint32_t filter_radius = 1;     ///< discontinuity buffer, pixels
+    double bound_spacing = 2.0;               ///< c: VPLs closer than c mean spacings are bounded
+    std::uint32_t filter_radius = 1;          ///< discontinuity buffer, pixels
     double filter_cosine = 0.9;
     double filter_planes = 2.0;
 };
@@ -31,8 +31,8 @@ struct SceneStatistics {
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
     bool environment = false;
-    bool direct = true;    ///< the user wants direct light
-    bool indirect = true;  ///< the user wants indirect light
+    bool direct = true;             ///< the user wants direct light
+    bool indirect = true;           ///< the user wants indirect light
     double surface_area = 0.0;      ///< kernel units squared
     double mean_reflectance = 0.0;  ///< [0, 1]
 };

@@ -28,8 +28,7 @@ void collect(const RTCFilterFunctionNArguments* arguments) {
     for (unsigned int i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] == 0) continue;
         if (list->count < list->capacity)
-            list->triangles[list->count++] =
-                RTCHitN_primID(arguments->hit, arguments->N, i);
+            list->triangles[list->count++] = RTCHitN_primID(arguments->hit, arguments->N, i);
         arguments->valid[i] = 0;
     }
 }
@@ -68,13 +67,21 @@ void collect_candidates(RTCScene scene, RTCRayHit* ray, CandidateList* list) {
     rtcIntersect1(scene, &list->context, ray);
 }
 #else
-void occluded(RTCScene scene, RTCRay* ray) { rtcOccluded1(scene, ray); }
-void occluded(const int* valid, RTCScene scene, RTCRay4* rays) { rtcOccluded4(valid, scene, rays); }
-void occluded(const int* valid, RTCScene scene, RTCRay8* rays) { rtcOccluded8(valid, scene, rays); }
+void occluded(RTCScene scene, RTCRay* ray) {
+    rtcOccluded1(scene, ray);
+}
+void occluded(const int* valid, RTCScene scene, RTCRay4* rays) {
+    rtcOccluded4(valid, scene, rays);
+}
+void occluded(const int* valid, RTCScene scene, RTCRay8* rays) {
+    rtcOccluded8(valid, scene, rays);
+}
 void occluded(const int* valid, RTCScene scene, RTCRay16* rays) {
     rtcOccluded16(valid, scene, rays);
 }
-void intersect(RTCScene scene, RTCRayHit* ray) { rtcIntersect1(scene, ray); }
+void intersect(RTCScene scene, RTCRayHit* ray) {
+    rtcIntersect1(scene, ray);
+}
 void collect_candidates(RTCScene scene, RTCRayHit* ray, CandidateList* list) {
     rtcInitRayQueryContext(&list->context);
     RTCIntersectArguments arguments;

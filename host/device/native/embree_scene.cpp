@@ -50,9 +50,9 @@ EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads) {
     if (code != RTC_ERROR_NONE) {
         rtcReleaseScene(scene_);
         rtcReleaseDevice(device_);
-        throw Error(code == RTC_ERROR_OUT_OF_MEMORY ? ExitCode::out_of_memory : ExitCode::device,
-                    fmt::format("Embree could not build the scene (error {})",
-                                static_cast<int>(code)));
+        throw Error(
+            code == RTC_ERROR_OUT_OF_MEMORY ? ExitCode::out_of_memory : ExitCode::device,
+            fmt::format("Embree could not build the scene (error {})", static_cast<int>(code)));
     }
 }
 

@@ -87,8 +87,7 @@ namespace weft {
 /// This variant's kernels; declared where variants are listed.
 const NativeVariant& WEFT_NATIVE_TABLE();
 const NativeVariant& WEFT_NATIVE_TABLE() {
-    static const NativeVariant variant{WEFT_LANES,
-                                       WEFT_NATIVE_NAMESPACE::kernel_table,
+    static const NativeVariant variant{WEFT_LANES, WEFT_NATIVE_NAMESPACE::kernel_table,
                                        std::size(WEFT_NATIVE_NAMESPACE::kernel_table)};
     return variant;
 }

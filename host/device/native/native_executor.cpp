@@ -100,8 +100,7 @@ class NativeExecutor : public Executor {
         use({static_cast<std::byte*>(memory.data()), memory.bytes()});
     }
 
-    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(
-        const TracedGeometry& geometry) override {
+    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
         const auto start = Clock::now();
         auto scene = std::make_unique<NativeTracedScene>();
         scene->view.positions = geometry.positions.data();
@@ -126,8 +125,8 @@ class NativeExecutor : public Executor {
     void build(std::span<const KernelId> kernels, std::uint32_t) override {
         for (const KernelId kernel : kernels)
             builds_.push_back({std::string(kernel_name(kernel)),
-                               fmt::format("{} lanes {}", variant_.isa, variant_.kernels->lanes), 0.0,
-                               true});
+                               fmt::format("{} lanes {}", variant_.isa, variant_.kernels->lanes),
+                               0.0, true});
     }
 
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;

@@ -34,8 +34,8 @@ unsigned int embree_candidates(void* scene, const float* origin, const float* di
 bool embree_any(void* scene, const float* origin, const float* direction, float t_max);
 
 /// Shadow rays from one `origin` along `directions` (`width` x, then y, then z components), within
-/// (0, SHADOW_END). `lanes` is -1 for lanes to trace and 0 for others; on return -1 where blocked, else 0.
-/// `width` is 1, 4, 8 or 16.
+/// (0, SHADOW_END). `lanes` is -1 for lanes to trace and 0 for others; on return -1 where blocked,
+/// else 0. `width` is 1, 4, 8 or 16.
 void embree_any_packet(void* scene, const float* origin, const float* directions, int* lanes,
                        int width);
 

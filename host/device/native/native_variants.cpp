@@ -48,8 +48,7 @@ IsaVariant choose_variant(std::uint32_t lanes) {
         // The base instruction set is compiled at every width; its vectors hold 4 floats.
         wanted = 4;
         for (const IsaVariant& variant : variants)
-            if (variant.isa != "base")
-                wanted = static_cast<std::uint32_t>(variant.kernels->lanes);
+            if (variant.isa != "base") wanted = static_cast<std::uint32_t>(variant.kernels->lanes);
     }
     IsaVariant chosen{{}, nullptr};
     for (const IsaVariant& variant : variants)

@@ -102,8 +102,8 @@ OpenClDevice choose_opencl_device(const std::string& wanted) {
 
 void limit_opencl_threads(int threads) {
     const std::string count = std::to_string(threads);
-    setenv("POCL_MAX_PTHREAD_COUNT", count.c_str(), 1);   // PoCL before 4
-    setenv("POCL_CPU_MAX_CU_COUNT", count.c_str(), 1);    // PoCL 4 and later
+    setenv("POCL_MAX_PTHREAD_COUNT", count.c_str(), 1);  // PoCL before 4
+    setenv("POCL_CPU_MAX_CU_COUNT", count.c_str(), 1);   // PoCL 4 and later
 }
 
 }  // namespace weft

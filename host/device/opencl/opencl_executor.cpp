@@ -28,11 +28,11 @@ constexpr std::size_t launches_ahead = 3;
 constexpr std::uint32_t gpu_chunk_factor = 16;
 
 [[noreturn]] void rethrow(const cl::Error& error, const std::string& action) {
-    const bool memory = error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE ||
-                        error.err() == CL_OUT_OF_HOST_MEMORY;
-    throw Error(memory ? ExitCode::out_of_memory : ExitCode::device,
-                fmt::format("OpenCL: {} failed in {} (error {})", action, error.what(),
-                            error.err()));
+    const bool memory =
+        error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_HOST_MEMORY;
+    throw Error(
+        memory ? ExitCode::out_of_memory : ExitCode::device,
+        fmt::format("OpenCL: {} failed in {} (error {})", action, error.what(), error.err()));
 }
 
 class OpenClBuffer : public Buffer {
@@ -102,8 +102,7 @@ class OpenClExecutor : public Executor {
 
     void with_mapped(Buffer& buffer, Access access,
                      const std::function<void(std::span<std::byte>)>& use) override;
-    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(
-        const TracedGeometry& geometry) override;
+    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
     void build(std::span<const KernelId> kernels, std::uint32_t features) override;
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
     double take_milliseconds() override;
@@ -169,8 +168,7 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     arena_.execute(
         [&] { scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
     scene->nodes = upload<shared::BvhNode>(*this, scene->bvh.nodes, "BVH nodes");
-    scene->triangles =
-        upload<shared::BvhTriangle>(*this, scene->bvh.triangles, "BVH triangles");
+    scene->triangles = upload<shared::BvhTriangle>(*this, scene->bvh.triangles, "BVH triangles");
     scene_ms_ = milliseconds_since(start);
     bvh_ = &scene->bvh;
     return scene;

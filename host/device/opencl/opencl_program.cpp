@@ -47,8 +47,9 @@ std::uint32_t asked_features(const std::string& source) {
 
 std::string build_options(const cl::Device& device, const ProgramSettings& settings,
                           std::uint32_t features) {
-    std::string options = fmt::format("-cl-std=CL1.2 -DLANES={} -DLOCAL_SIZE={} -DWEFT_FEATURES={}u",
-                                      settings.lanes, settings.local_size, features);
+    std::string options =
+        fmt::format("-cl-std=CL1.2 -DLANES={} -DLOCAL_SIZE={} -DWEFT_FEATURES={}u", settings.lanes,
+                    settings.local_size, features);
     // Where division and square root are exact, all devices give the same bits.
     if ((device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0)
         options += " -cl-fp32-correctly-rounded-divide-sqrt";
@@ -56,8 +57,7 @@ std::string build_options(const cl::Device& device, const ProgramSettings& setti
 }
 
 void check_arguments(const cl::Kernel& kernel, KernelId id) {
-    const NativeKernel& native =
-        choose_variant(0).kernels->kernels[static_cast<std::size_t>(id)];
+    const NativeKernel& native = choose_variant(0).kernels->kernels[static_cast<std::size_t>(id)];
     const auto count = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
     if (count != native.argument_count)
         throw Error(ExitCode::device,
@@ -112,11 +112,11 @@ void OpenClProgram::compile(const cl::Context& context, const cl::Device& device
     } catch (const cl::Error& error) {
         if (error.err() == CL_OUT_OF_HOST_MEMORY)
             throw Error(ExitCode::out_of_memory, "no memory to compile kernel " + build_.name);
-        throw Error(ExitCode::device,
-                    fmt::format("kernel {} does not build on {} ({}, options {}):\n{}", build_.name,
-                                device.getInfo<CL_DEVICE_NAME>(),
-                                device.getInfo<CL_DRIVER_VERSION>(), build_.flags,
-                                program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
+        throw Error(
+            ExitCode::device,
+            fmt::format("kernel {} does not build on {} ({}, options {}):\n{}", build_.name,
+                        device.getInfo<CL_DEVICE_NAME>(), device.getInfo<CL_DRIVER_VERSION>(),
+                        build_.flags, program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
     }
 }
 
@@ -124,12 +124,14 @@ void OpenClProgram::keep(const ProgramCache& cache, double launch_ms) {
     kept_ = true;
     build_.build_ms += launch_ms;
     if (build_.from_cache) return;
+    const auto start = Clock::now();
     try {
         const auto binaries = program_.getInfo<CL_PROGRAM_BINARIES>();
         if (!binaries.empty()) cache.store(key_, binaries.front());
     } catch (const cl::Error&) {
         return;  // a driver without binaries compiles again next time
     }
+    build_.build_ms += milliseconds_since(start);
 }
 
 }  // namespace weft

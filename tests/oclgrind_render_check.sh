@@ -1,0 +1,39 @@
+#!/bin/sh
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Renders a small picture under Oclgrind, which simulates an OpenCL device and reports every invalid
+# access, data race, misuse of the interface and use of uninitialised memory, and compares it with
+# the native kernels' picture. Exit code 77 where Oclgrind is not installed.
+set -eu
+
+[ -z "${WEFT_SANITIZED:-}" ] || { echo "sanitizers and Oclgrind do not mix"; exit 77; }
+command -v oclgrind >/dev/null || { echo "oclgrind is not installed"; exit 77; }
+: "${WEFT_PROGRAM:?the built program}" "${WEFT_SOURCE_DIR:?the source tree}"
+folder=$(mktemp -d)
+trap 'rm -rf -- "$folder"' EXIT
+export WEFT_LANES=1
+scene=$WEFT_SOURCE_DIR/scenes/cornell-box.gltf
+
+# check NAME SIZE OCLGRIND_OPTION...: renders; anything that Oclgrind says is an error.
+check() {
+    name=$1 size=$2
+    shift 2
+    export WEFT_CACHE_DIR="$folder/$name-cache"
+    oclgrind "$@" "$WEFT_PROGRAM" render "$scene" -o "$folder/$name.png" --size "$size" \
+        --backend opencl --progress none >"$folder/$name.log" 2>&1 ||
+        { cat "$folder/$name.log"; exit 1; }
+    if [ -s "$folder/$name.log" ]; then
+        cat "$folder/$name.log"
+        exit 1
+    fi
+    "$WEFT_PROGRAM" render "$scene" -o "$folder/native.png" --size "$size" --backend native \
+        --progress none
+    # Only the text that names nothing of the backend is in the files: equal pixels, equal bytes.
+    cmp "$folder/$name.png" "$folder/native.png"
+}
+
+check races 24x24 --data-races --check-api
+# The check for uninitialised memory does not know every optimised instruction.
+check uninitialised 6x6 --build-options -O0 --uninitialized
+echo "clean"

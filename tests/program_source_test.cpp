@@ -1,0 +1,122 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#if WEFT_HAS_OPENCL
+
+#include "device/opencl/program_source.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "device/executor.h"
+#include "device/kernel_sources.h"
+
+namespace weft {
+namespace {
+
+const std::vector<std::string>& kernels() {
+    static const std::vector<std::string> names{
+#define WEFT_KERNEL_ENTRY(name, chunk) #name,
+#include "../kernels/kernels.def"
+#undef WEFT_KERNEL_ENTRY
+    };
+    return names;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+/// Lines that define an include guard, and how often.
+std::map<std::string, int> guards_of(const std::string& source) {
+    std::map<std::string, int> guards;
+    std::istringstream lines(source);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("#define WEFT_") && line.ends_with("_H")) ++guards[line];
+    return guards;
+}
+
+TEST(ProgramSource, NoIncludeIsLeft) {
+    for (const std::string& kernel : kernels()) {
+        std::istringstream lines(program_source(kernel));
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t begin = line.find_first_not_of(" \t");
+            if (begin == std::string::npos || line[begin] != '#') continue;
+            EXPECT_EQ(line.find("include"), std::string::npos) << kernel << ": " << line;
+        }
+    }
+}
+
+TEST(ProgramSource, EveryHeaderComesOnce) {
+    for (const std::string& kernel : kernels()) {
+        const std::map<std::string, int> guards = guards_of(program_source(kernel));
+        EXPECT_EQ(guards.count("#define WEFT_PORT_H"), 1u) << kernel;
+        EXPECT_EQ(guards.count("#define WEFT_TYPES_H"), 1u) << kernel;
+        for (const auto& [guard, count] : guards) EXPECT_EQ(count, 1) << kernel << ": " << guard;
+    }
+}
+
+TEST(ProgramSource, HeadersPrecedeTheKernel) {
+    for (const std::string& kernel : kernels()) {
+        const std::string source = program_source(kernel);
+        EXPECT_EQ(count_of(source, "WEFT_KERNEL(" + kernel + ")"), 1u) << kernel;
+        EXPECT_LT(source.find("#define WEFT_PORT_H"), source.find("WEFT_KERNEL(" + kernel + ")"))
+            << kernel;
+        EXPECT_LT(source.find("#define WEFT_TYPES_H"), source.find("Params* params")) << kernel;
+    }
+}
+
+TEST(ProgramSource, NativeHalvesAreLeftOut) {
+    for (const std::string& kernel : kernels()) {
+        const std::string source = program_source(kernel);
+        EXPECT_EQ(source.find("WEFT_PORT_NATIVE_H"), std::string::npos) << kernel;
+        EXPECT_EQ(source.find("reinterpret_cast"), std::string::npos) << kernel;
+    }
+}
+
+TEST(ProgramSource, HoldsNoPathAndOnlyAscii) {
+    const std::string folder = WEFT_SOURCE_DIR;
+    for (const std::string& kernel : kernels()) {
+        const std::string source = program_source(kernel);
+        EXPECT_EQ(source.find(folder), std::string::npos) << kernel;
+        EXPECT_EQ(source.find("/kernels/"), std::string::npos) << kernel;
+        for (const char c : source) {
+            const auto byte = static_cast<unsigned char>(c);
+            ASSERT_TRUE(byte == '\n' || (byte >= 0x20 && byte < 0x7f)) << kernel;
+        }
+    }
+}
+
+TEST(ProgramSource, EveryListedKernelIsEmbeddedAndListed) {
+    std::size_t files = 0;
+    for (const KernelSource& source : kernel_sources()) {
+        EXPECT_EQ(source.name.find('/'), std::string_view::npos) << source.name;
+        if (!source.name.ends_with(".cl")) continue;
+        ++files;
+        const std::string name(source.name.substr(0, source.name.size() - 3));
+        EXPECT_NE(std::find(kernels().begin(), kernels().end(), name), kernels().end()) << name;
+    }
+    EXPECT_EQ(files, kernels().size());
+}
+
+TEST(ProgramSource, UnknownKernelsAreRefused) {
+    try {
+        (void)program_source("nothing");
+        FAIL() << "a source was found";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::device);
+        EXPECT_STREQ(error.what(), "kernel source nothing.cl is not embedded");
+    }
+}
+
+}  // namespace
+}  // namespace weft
+
+#endif
