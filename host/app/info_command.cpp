@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/print.h"
 #include "components/component.h"
 #include "frame/renderer.h"
 #include "scene/load_scene.h"
@@ -59,14 +60,17 @@ nlohmann::json info_json(const Scene& scene) {
             {"kernels", kernels}};
 }
 
-}  // namespace
-
-void info_command(const InfoOptions& options, Diagnostics& diagnostics) {
-    const nlohmann::json info = info_json(load_scene(options.scene, diagnostics));
-    if (options.json) {
-        fmt::print("{}\n", info.dump(2));
-        return;
+/// Names come from files: what would move a terminal's cursor becomes `?`.
+std::string printable(std::string text) {
+    for (char& c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7F) c = '?';
     }
+    return text;
+}
+
+std::string info_text(const nlohmann::json& info) {
+    std::string lines;
     for (const char* key : {"scene", "triangles", "meshes", "instances", "materials", "textures",
                             "lights", "media", "cameras", "effects", "components", "kernels"}) {
         std::string text;
@@ -75,8 +79,16 @@ void info_command(const InfoOptions& options, Diagnostics& diagnostics) {
                 text += (text.empty() ? "" : ", ") + entry.get<std::string>();
         else
             text = info[key].is_string() ? info[key].get<std::string>() : info[key].dump();
-        fmt::print("{:<11} {}\n", key, text.empty() ? "none" : text);
+        lines += fmt::format("{:<11} {}\n", key, text.empty() ? "none" : printable(text));
     }
+    return lines;
+}
+
+}  // namespace
+
+void info_command(const InfoOptions& options, Diagnostics& diagnostics) {
+    const nlohmann::json info = info_json(load_scene(options.scene, diagnostics));
+    print_result(options.json ? json_document(info) : info_text(info));
 }
 
 }  // namespace weft

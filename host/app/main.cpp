@@ -1,12 +1,11 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <cstdio>
+#include <csignal>
 #include <new>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/print.h"
 #include "base/diagnostics.h"
 #include "base/error.h"
 
@@ -18,7 +17,7 @@ int exit_status(weft::ExitCode code) {
 
 weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagnostics) {
     if (const auto* help = std::get_if<weft::HelpText>(&command)) {
-        fmt::print("{}", help->text);
+        weft::print_result(help->text);
     } else if (const auto* render = std::get_if<weft::RenderOptions>(&command)) {
         return weft::render_command(*render, diagnostics);
     } else if (const auto* info = std::get_if<weft::InfoOptions>(&command)) {
@@ -31,12 +30,14 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
 
 void print_warnings(const weft::Diagnostics& diagnostics) {
     for (const std::string& warning : diagnostics.warnings())
-        fmt::print(stderr, "weft: warning: {}\n", warning);
+        weft::print_message("warning: " + warning);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    // A reader that has gone is an error of the write, not the end of the program.
+    std::signal(SIGPIPE, SIG_IGN);
     weft::Diagnostics diagnostics;
     try {
         const weft::ExitCode code = run(weft::parse_command_line(argc, argv), diagnostics);
@@ -44,13 +45,13 @@ int main(int argc, char** argv) {
         return exit_status(code);
     } catch (const weft::Error& error) {
         print_warnings(diagnostics);
-        fmt::print(stderr, "weft: {}\n", error.what());
+        weft::print_message(error.what());
         return exit_status(error.code());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "weft: out of memory\n");
+        weft::print_message("out of memory");
         return exit_status(weft::ExitCode::out_of_memory);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "weft: {}\n", error.what());
+        weft::print_message(error.what());
         return exit_status(weft::ExitCode::device);
     }
 }

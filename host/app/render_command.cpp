@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <thread>
 
 #include "app/choose_executor.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/print.h"
 #include "app/stats_json.h"
 #include "base/file.h"
+#include "base/quote.h"
 #include "frame/camera_params.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -70,6 +73,11 @@ double share_of_frame(const std::string& stage, double done) {
     return before_gather * done * 0.5;
 }
 
+/// Stages that read no light, but that every later one builds on: the first frame has them whole.
+bool is_needed_by_all(const std::string& stage) {
+    return stage == "primary rays" || stage == "receivers";
+}
+
 /// Renders frames until the options' count, their time or the user ends it.
 bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& progress,
                    const Stopwatch& watch) {
@@ -79,17 +87,18 @@ bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& p
     const double budget_ms = timed ? *options.time_seconds * 1000.0 : 0.0;
     double shown = 0.0;
     std::uint32_t frame = 0;
-    bool out_of_time = false;
     const KeepGoing keep_going = [&](const std::string& stage, double done) {
         double fraction = (frame + share_of_frame(stage, done)) / frames;
         if (timed) fraction = std::max(fraction, std::min(1.0, watch.total() / budget_ms));
         shown = std::max(shown, fraction);
         progress.update(shown, stage);
         // A first frame is finished even when the time is up: less than a picture helps nobody.
-        out_of_time = timed && frame > 0 && watch.total() > budget_ms;
+        if (frame == 0 && is_needed_by_all(stage)) return true;
+        const bool out_of_time = timed && frame > 0 && watch.total() > budget_ms;
         return !interrupt_flag() && !out_of_time;
     };
-    for (; frame < frames && !interrupt_flag(); ++frame) {
+    // A first frame is begun in any case: without it there is no picture to keep.
+    for (; frame < frames && (frame == 0 || !interrupt_flag()); ++frame) {
         if (timed && frame > 0 && watch.total() >= budget_ms) break;
         if (!renderer.render_frame(keep_going)) break;
     }
@@ -97,17 +106,41 @@ bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& p
 }
 
 void warn_about_nonfinite(const Renderer& renderer, std::uint32_t width, Diagnostics& diagnostics) {
-    constexpr std::array names{"emission", "direct", "indirect"};
-    for (std::size_t frame = 0; frame < renderer.stats().size(); ++frame)
-        for (std::size_t c = 0; c < names.size(); ++c) {
-            const NonfiniteStats& found = renderer.stats()[frame].nonfinite[c];
-            if (found.count > 0)
-                diagnostics.warn(
-                    "", fmt::format("{} values of {} light were not finite in sample "
-                                    "{} (first at pixel {}, {}) and count as black",
-                                    found.count, names[c], frame, found.first_pixel % width,
-                                    found.first_pixel / width));
-        }
+    for (const NonfiniteSummary& found : nonfinite_of(renderer))
+        diagnostics.warn(
+            "", fmt::format("{} values of {} light were negative or not finite and count as black, "
+                            "the first in sample {} at pixel ({}, {})",
+                            found.count, found.component, found.first_sample,
+                            found.first_pixel % width, found.first_pixel / width));
+}
+
+/// Refuses an output that could never be written, before an hour is spent on what to write.
+void check_folder(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+        throw Error(ExitCode::output, file.string(),
+                    "cannot be written, expected " + quote(folder.string()) + " to be a folder");
+}
+
+/// The options with what was chosen where the user chose nothing.
+RenderOptions effective(const RenderOptions& options, const RenderSettings& settings,
+                        const Camera& camera, const Executor& executor, const Renderer& renderer) {
+    RenderOptions used = options;
+    const DeviceInfo& device = executor.device();
+    used.backend = device.backend == "opencl"   ? Backend::opencl
+                   : device.backend == "embree" ? Backend::embree
+                                                : Backend::native;
+    used.device = device.name;
+    if (!used.threads)
+        used.threads = device.is_cpu ? device.compute_units : std::thread::hardware_concurrency();
+    used.size = FilmSize{settings.width, settings.height};
+    used.camera = camera.name;
+    used.components.emplace();
+    if (settings.direct) used.components->emplace_back("direct");
+    if (settings.indirect) used.components->emplace_back("indirect");
+    if (!used.spp) used.spp = renderer.frames();
+    return used;
 }
 
 void write_picture(const RenderOptions& options, Image& image, const Renderer& renderer) {
@@ -129,7 +162,7 @@ void write_picture(const RenderOptions& options, Image& image, const Renderer& r
 
 void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
     if (!options.stats) return;
-    const std::string text = stats.dump(2) + "\n";
+    const std::string text = json_document(stats);
     write_file_atomically(*options.stats, std::as_bytes(std::span(text)));
 }
 
@@ -143,6 +176,8 @@ double kernel_build_ms(const Executor& executor) {
 
 ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) {
     Stopwatch watch;
+    check_folder(options.output);
+    if (options.stats) check_folder(*options.stats);
     const InterruptGuard guard;
     Progress progress(options.progress, stderr);
     RunTimes times;
@@ -163,14 +198,19 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     times.render_ms = watch.lap();
     times.build_kernels_ms = kernel_build_ms(*executor);
     times.build_bvh_ms = executor->scene_ms();
-    progress.update(1.0, "writing");
+    if (complete) progress.update(1.0, "writing");
     Image image = renderer.image();
     write_picture(options, image, renderer);
     times.write_ms = watch.lap();
     times.total_ms = watch.total();
-    progress.finish();
+    if (complete) progress.finish();
+    if (!complete)
+        diagnostics.warn("", fmt::format("interrupted, the picture holds what was done by then "
+                                         "(samples: {})",
+                                         renderer.frames()));
     warn_about_nonfinite(renderer, settings.width, diagnostics);
-    write_stats(options, stats_json(options, *executor, renderer, flat, settings, times));
+    const RenderOptions used = effective(options, settings, camera, *executor, renderer);
+    write_stats(options, stats_json(used, *executor, renderer, flat, settings, times));
     return complete ? ExitCode::success : ExitCode::interrupted;
 }
 

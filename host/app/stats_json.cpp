@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/stats_json.h"
 
+#include <array>
+
 #include "device/native/embree_scene.h"
 
 namespace weft {
 namespace {
+
+// In the order of COMPONENT_*.
+constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "direct",
+                                                                   "indirect"};
 
 nlohmann::json stage_json(const StageStats& stage) {
     return {{"name", stage.name},
@@ -18,8 +24,8 @@ nlohmann::json frame_json(const FrameStats& frame) {
     nlohmann::json stages = nlohmann::json::array();
     for (const StageStats& stage : frame.stages) stages.push_back(stage_json(stage));
     nlohmann::json nonfinite;
-    constexpr std::array names{"emission", "direct", "indirect"};
-    for (std::size_t c = 0; c < names.size(); ++c) nonfinite[names[c]] = frame.nonfinite[c].count;
+    for (std::size_t c = 0; c < component_names.size(); ++c)
+        nonfinite[component_names[c]] = frame.nonfinite[c].count;
     return {{"ms", frame.ms}, {"rays", frame.rays}, {"stages", stages}, {"nonfinite", nonfinite}};
 }
 
@@ -48,6 +54,24 @@ nlohmann::json plan_json(const FramePlan& plan) {
 
 }  // namespace
 
+std::vector<NonfiniteSummary> nonfinite_of(const Renderer& renderer) {
+    std::vector<NonfiniteSummary> found;
+    for (std::size_t c = 0; c < component_names.size(); ++c) {
+        NonfiniteSummary sum;
+        sum.component = component_names[c];
+        for (std::size_t frame = 0; frame < renderer.stats().size(); ++frame) {
+            const NonfiniteStats& stats = renderer.stats()[frame].nonfinite[c];
+            if (sum.count == 0 && stats.count > 0) {
+                sum.first_sample = static_cast<std::uint32_t>(frame);
+                sum.first_pixel = stats.first_pixel;
+            }
+            sum.count += stats.count;
+        }
+        if (sum.count > 0) found.push_back(sum);
+    }
+    return found;
+}
+
 nlohmann::json device_json(const DeviceInfo& device) {
     return {{"index", device.index},
             {"name", device.name},
@@ -70,6 +94,13 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
                            {"from_cache", build.from_cache}});
     nlohmann::json frames = nlohmann::json::array();
     for (const FrameStats& frame : renderer.stats()) frames.push_back(frame_json(frame));
+    nlohmann::json nonfinite = nlohmann::json::object();
+    for (const NonfiniteSummary& found : nonfinite_of(renderer))
+        nonfinite[found.component] = {
+            {"count", found.count},
+            {"first_sample", found.first_sample},
+            {"first_pixel",
+             {found.first_pixel % settings.width, found.first_pixel / settings.width}}};
     return {{"weft", WEFT_VERSION},
             {"versions", {{"embree", embree_version()}}},
             {"backend", executor.device().backend},
@@ -91,6 +122,7 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
               {"write_ms", times.write_ms},
               {"total_ms", times.total_ms}}},
             {"bytes", executor.allocated_bytes()},
+            {"nonfinite", nonfinite},
             {"frames", frames}};
 }
 

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "app/options.h"
 #include "device/executor.h"
@@ -23,9 +25,20 @@ struct RunTimes {
     double total_ms = 0.0;  ///< from the start of the program to the written picture
 };
 
+/// Values of one component that were negative or not finite, over all frames.
+struct NonfiniteSummary {
+    std::string component;
+    std::uint64_t count = 0;         ///< above 0
+    std::uint32_t first_sample = 0;  ///< the first frame with such a value
+    std::uint32_t first_pixel = 0;   ///< its first such pixel, row-major
+};
+
+/// The components that had such values.
+[[nodiscard]] std::vector<NonfiniteSummary> nonfinite_of(const Renderer& renderer);
+
 [[nodiscard]] nlohmann::json device_json(const DeviceInfo& device);
 
-/// The content of `--stats`.
+/// The content of `--stats`; `options` as they took effect.
 [[nodiscard]] nlohmann::json stats_json(const RenderOptions& options, const Executor& executor,
                                         const Renderer& renderer, const FlatScene& scene,
                                         const RenderSettings& settings, const RunTimes& times);

@@ -112,7 +112,7 @@ class Executor {
     [[nodiscard]] virtual std::unique_ptr<TracedScene> make_scene(
         const TracedGeometry& geometry) = 0;
 
-    /// Makes kernels ready for frames with these features; others cannot be launched.
+    /// Makes kernels ready for frames with these features (Params::features of their launches).
     virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;
 
     /// Runs all launches of `launch`, in order, after all earlier ones. `keep_going`, where given,

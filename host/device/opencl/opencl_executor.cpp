@@ -109,7 +109,7 @@ class OpenClExecutor : public Executor {
 
     [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
         builds_.clear();
-        for (const auto& [kernel, program] : programs_) builds_.push_back(program.build());
+        for (const auto& [key, program] : programs_) builds_.push_back(program.build());
         return builds_;
     }
     [[nodiscard]] const WideBvh* bvh() const override { return bvh_; }
@@ -130,7 +130,8 @@ class OpenClExecutor : public Executor {
     ProgramCache cache_;
     tbb::task_arena arena_;
     ProgramSettings settings_;
-    std::map<KernelId, OpenClProgram> programs_;
+    /// By kernel and the features of the frames it was built for.
+    std::map<std::pair<KernelId, std::uint32_t>, OpenClProgram> programs_;
     mutable std::vector<KernelBuild> builds_;
     std::deque<cl::Event> in_flight_;
     const WideBvh* bvh_ = nullptr;
@@ -177,7 +178,8 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
 void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t features) {
     for (const KernelId kernel : kernels) {
         try {
-            programs_.try_emplace(kernel, context_, device_, cache_, kernel, settings_, features);
+            programs_.try_emplace({kernel, features}, context_, device_, cache_, kernel, settings_,
+                                  features);
         } catch (const cl::Error& error) {
             rethrow(error, fmt::format("building kernel {}", kernel_name(kernel)));
         }
@@ -205,7 +207,7 @@ cl::Event OpenClExecutor::enqueue(OpenClProgram& program, const Launch& launch,
 }
 
 bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
-    const auto found = programs_.find(launch.kernel);
+    const auto found = programs_.find({launch.kernel, launch.params.features});
     if (found == programs_.end())
         throw Error(ExitCode::device, fmt::format("kernel {} was launched but not built",
                                                   kernel_name(launch.kernel)));

@@ -1,0 +1,130 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TESTS_RUN_PROGRAM_H
+#define WEFT_TESTS_RUN_PROGRAM_H
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "temporary_folder.h"
+
+namespace weft::test {
+
+inline std::string text_of_file(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The built program as another process, with its output in files of a folder of its own.
+class RunningProgram {
+  public:
+    struct Settings {
+        std::filesystem::path working_folder = ".";
+        std::map<std::string, std::string> environment{};
+        std::string standard_output{};  ///< where it goes instead of a file for `out()`
+    };
+
+    /// Starts `weft` with these arguments.
+    explicit RunningProgram(const std::vector<std::string>& arguments)
+        : RunningProgram(arguments, Settings{}) {}
+    RunningProgram(const std::vector<std::string>& arguments, const Settings& settings) {
+        const std::string out = settings.standard_output.empty() ? (folder_.path() / "out").string()
+                                                                 : settings.standard_output;
+        const std::string err = (folder_.path() / "err").string();
+        std::vector<char*> argv;
+        std::vector<std::string> all{WEFT_PROGRAM};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        for (std::string& argument : all) argv.push_back(argument.data());
+        argv.push_back(nullptr);
+        process_ = ::fork();
+        if (process_ < 0) throw std::runtime_error("cannot fork");
+        if (process_ > 0) return;
+        const bool ready = redirect(out, STDOUT_FILENO) && redirect(err, STDERR_FILENO) &&
+                           ::chdir(settings.working_folder.c_str()) == 0;
+        for (const auto& [name, value] : settings.environment)
+            ::setenv(name.c_str(), value.c_str(), 1);
+        if (ready) ::execv(argv[0], argv.data());
+        ::_exit(126);
+    }
+    ~RunningProgram() {
+        if (running_) {
+            ::kill(process_, SIGKILL);
+            static_cast<void>(wait());
+        }
+    }
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+
+    void send(int signal) const { ::kill(process_, signal); }
+
+    /// Waits until standard error holds `text`; false where the program ends or hangs before.
+    [[nodiscard]] bool wait_for_message(const std::string& text) {
+        constexpr int tries = 6000;
+        for (int i = 0; i < tries; ++i) {
+            if (err().find(text) != std::string::npos) return true;
+            siginfo_t info{};
+            if (::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) !=
+                    0 ||
+                info.si_pid != 0)
+                return err().find(text) != std::string::npos;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+    }
+
+    /// Waits for the end. The exit code, or 1000 + the signal that ended it.
+    int wait() {
+        int status = 0;
+        if (::waitpid(process_, &status, 0) != process_) throw std::runtime_error("cannot wait");
+        running_ = false;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+    }
+
+    [[nodiscard]] std::string out() const { return text_of_file(folder_.path() / "out"); }
+    [[nodiscard]] std::string err() const { return text_of_file(folder_.path() / "err"); }
+
+  private:
+    static bool redirect(const std::string& path, int descriptor) {
+        const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        return file >= 0 && ::dup2(file, descriptor) == descriptor;
+    }
+
+    TemporaryFolder folder_;
+    pid_t process_ = -1;
+    bool running_ = true;
+};
+
+struct ProgramResult {
+    int exit_code = -1;
+    std::string out, err;
+};
+
+/// Runs `weft` with these arguments to its end.
+inline ProgramResult run_program(const std::vector<std::string>& arguments,
+                                 const RunningProgram::Settings& settings = {}) {
+    RunningProgram program(arguments, settings);
+    const int code = program.wait();
+    return {code, program.out(), program.err()};
+}
+
+/// A scene that ships.
+inline std::string shipped_scene(const std::string& name) {
+    return std::string(WEFT_SOURCE_DIR) + "/scenes/" + name;
+}
+
+}  // namespace weft::test
+
+#endif
