@@ -187,8 +187,9 @@ TEST(FramePlan, ManyAreaLightsAreChosenByPower) {
     EXPECT_EQ(chosen.samples_per_set, 256u);
     EXPECT_TRUE(chosen.has_sampled_direct());
     // The bound stands for the samples a light gets on average.
-    EXPECT_NEAR(chosen.light_bound_scale, std::numbers::pi * 9.0 * 256.0 / 65.0, 1e-9);
-    EXPECT_NEAR(all.light_bound_scale, std::numbers::pi * 9.0 * 4.0, 1e-9);
+    const double square = std::pow(SamplingSettings{}.bound_spacing, 2);
+    EXPECT_NEAR(chosen.light_bound_scale, std::numbers::pi * 9.0 * 256.0 / 65.0 / square, 1e-9);
+    EXPECT_NEAR(all.light_bound_scale, std::numbers::pi * 9.0 * 4.0 / square, 1e-9);
 }
 
 TEST(FramePlan, InstantRadiosityMakesTheSameSetsAndUsesAll) {
@@ -219,7 +220,9 @@ TEST(FramePlan, BoundOfVirtualLights) {
     // 1/d^2 at d = c sqrt(area / (pi count)).
     const double distance = 2.0 * std::sqrt(24.0 / (std::numbers::pi * 576.0));
     EXPECT_NEAR(vpl_bound(24.0, 576.0, 2.0), 1.0 / (distance * distance), 1e-9);
-    EXPECT_NEAR(plan_of(0.5).vpl_bound, vpl_bound(24.0, 576.0, 1.0), 1e-9);
+    SamplingSettings settings;
+    settings.bound_spacing = 1.5;
+    EXPECT_NEAR(plan_of(0.5, settings).vpl_bound, vpl_bound(24.0, 576.0, 1.5), 1e-9);
 }
 
 TEST(FramePlan, BoundScalesWithTheSceneAndTheCount) {

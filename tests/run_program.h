@@ -35,6 +35,7 @@ class RunningProgram {
         std::filesystem::path working_folder = ".";
         std::map<std::string, std::string> environment{};
         std::string standard_output{};  ///< where it goes instead of a file for `out()`
+        int output_descriptor = -1;     ///< or an open descriptor
     };
 
     /// Starts `weft` with these arguments.
@@ -52,8 +53,10 @@ class RunningProgram {
         process_ = ::fork();
         if (process_ < 0) throw std::runtime_error("cannot fork");
         if (process_ > 0) return;
-        const bool ready = redirect(out, STDOUT_FILENO) && redirect(err, STDERR_FILENO) &&
-                           ::chdir(settings.working_folder.c_str()) == 0;
+        const int given = settings.output_descriptor;
+        const bool ready =
+            (given >= 0 ? ::dup2(given, STDOUT_FILENO) >= 0 : redirect(out, STDOUT_FILENO)) &&
+            redirect(err, STDERR_FILENO) && ::chdir(settings.working_folder.c_str()) == 0;
         for (const auto& [name, value] : settings.environment)
             ::setenv(name.c_str(), value.c_str(), 1);
         if (ready) ::execv(argv[0], argv.data());
