@@ -71,9 +71,11 @@ static inline WMask packet_triangle(float3 origin, WFloat3 d, GLOBAL const BvhTr
     float3 a = xyz(triangle->v0) - origin;
     float3 b = xyz(triangle->v1) - origin;
     float3 c = xyz(triangle->v2) - origin;
-    float3 bc = cross3(b, c);
-    float3 ca = cross3(c, a);
-    float3 ab = cross3(a, b);
+    // (b - c) x (b + c) is twice b x c and as antisymmetric, but does not cancel on triangles that
+    // are small against their distance.
+    float3 bc = cross3(b - c, b + c);
+    float3 ca = cross3(c - a, c + a);
+    float3 ab = cross3(a - b, a + b);
     float3 normal =
         cross3(xyz(triangle->v1) - xyz(triangle->v0), xyz(triangle->v2) - xyz(triangle->v0));
     float height = dot3(a, normal);

@@ -4,12 +4,13 @@
 // Components to radiance, and radiance into the film. What is not finite or negative is counted,
 // set to 0 and never reaches the film. The film sums samples in compensated float pairs.
 #include "gbuffer.h"
-#include "surface.h"
+#include "triangle.h"
 
 static inline int is_good(float3 c) {
     return is_finite3(c) != 0 && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f ? 1 : 0;
 }
 
+/// `c`, or black where it is not good, which is counted.
 static inline float3 guard(GLOBAL NonfiniteCounter* counter, int component, uint pixel, float3 c) {
     if (is_good(c) != 0) return c;
     atomic_add_uint(&counter->count[component], 1u);
@@ -48,10 +49,9 @@ WEFT_KERNEL(compose)
     int starts = params.film_starts != 0u ? 1 : 0;
     float3 reflectance = xyz(gb_albedo[pixel]) * 0.318309886f;
     float3 direct_irradiance = f3(0.0f, 0.0f, 0.0f);
-    if (HAS(&params, FEATURE_AREA_LIGHTS | FEATURE_ENVIRONMENT))
-        direct_irradiance = xyz(direct[pixel]);
-    if (HAS(&params, FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS) &&
-        gb_ids[2u * pixel] != NO_TRIANGLE && gb_albedo[pixel].w > 0.0f) {
+    if (HAS(&params, FEATURE_SAMPLED_DIRECT)) direct_irradiance = xyz(direct[pixel]);
+    if (HAS(&params, FEATURE_EXACT_DIRECT) && gb_ids[2u * pixel] != NO_TRIANGLE &&
+        gb_albedo[pixel].w > 0.0f) {
         uint slot = pixel_slot[pixel];
         direct_irradiance += f3(exact_irradiance[slot], exact_irradiance[params.slots + slot],
                                 exact_irradiance[2u * params.slots + slot]);
@@ -66,10 +66,11 @@ WEFT_KERNEL(compose)
     add_vector(film_high, film_low, FILM_EMISSION * pixels + pixel, pixels, starts, emission);
     add_vector(film_high, film_low, FILM_DIRECT * pixels + pixel, pixels, starts, direct_light);
     add_vector(film_high, film_low, FILM_INDIRECT * pixels + pixel, pixels, starts, indirect_light);
-    add_vector(film_high, film_low, FILM_ALBEDO * pixels + pixel, pixels, starts,
-               xyz(gb_albedo[pixel]));
+    float3 albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, xyz(gb_albedo[pixel]));
+    float depth = gb_position[pixel].w / params.unit;
+    add_vector(film_high, film_low, FILM_ALBEDO * pixels + pixel, pixels, starts, albedo);
     add_vector(film_high, film_low, FILM_NORMAL * pixels + pixel, pixels, starts,
                xyz(gb_shading[pixel]));
     add_to_film(film_high, film_low, FILM_DEPTH * pixels + pixel, starts,
-                gb_position[pixel].w / params.unit);
+                guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth, 0.0f, 0.0f)).x);
 }

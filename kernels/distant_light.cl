@@ -5,8 +5,9 @@
 // each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
-#include "light.h"
+#include "offset.h"
 #include "receivers.h"
+#include "sampling.h"
 #include "trace.h"
 
 static inline float3 receiver_vector(GLOBAL const float* planes, uint first, uint stride,

@@ -5,8 +5,9 @@
 #ifndef WEFT_LIGHT_H
 #define WEFT_LIGHT_H
 
+#include "geometry.h"
+#include "offset.h"
 #include "sampling.h"
-#include "surface.h"
 
 #define LIGHT_ARGS GLOBAL const LightRecord *lights, GLOBAL const EmissiveTriangle *emissive
 

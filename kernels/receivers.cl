@@ -4,8 +4,9 @@
 // De-interleaves the G-buffer: what the pixels of one sample set need for shadow rays, in the order
 // of the work list, as planes of `slots` floats that a packet loads with one wide read each.
 #include "gbuffer.h"
+#include "offset.h"
 #include "receivers.h"
-#include "surface.h"
+#include "triangle.h"
 
 WEFT_KERNEL(receivers)
 (PARAMS, GBUFFER_ARGS, GLOBAL const uint* slot_pixel, GLOBAL float* receiver_planes,

@@ -6,7 +6,7 @@
 // that every sample set is met once. Texture never passes through it. At the picture's border the
 // window is moved inwards, to hold all sets there too.
 #include "gbuffer.h"
-#include "surface.h"
+#include "triangle.h"
 
 static inline int window_start(int centre, int radius, int size) {
     int last = size - (2 * radius + 1);

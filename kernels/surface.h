@@ -5,41 +5,8 @@
 #ifndef WEFT_SURFACE_H
 #define WEFT_SURFACE_H
 
+#include "geometry.h"
 #include "texture.h"
-#include "triangle.h"
-
-#define GEOMETRY_ARGS                                                                   \
-    GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list,               \
-        GLOBAL const InstanceRecord *instances, GLOBAL const MaterialRecord *materials, \
-        GLOBAL const float *normals, GLOBAL const float *texture_coordinates,           \
-        GLOBAL const float *vertex_colours, GLOBAL const TextureRecord *textures,       \
-        GLOBAL const uint *texels, GLOBAL const float *srgb_table
-#define GEOMETRY_MAKE(name)                         \
-    Geometry name;                                  \
-    name.positions = positions;                     \
-    name.triangles = triangle_list;                 \
-    name.instances = instances;                     \
-    name.materials = materials;                     \
-    name.normals = normals;                         \
-    name.texture_coordinates = texture_coordinates; \
-    name.vertex_colours = vertex_colours;           \
-    name.textures = textures;                       \
-    name.texels = texels;                           \
-    name.srgb_table = srgb_table
-
-// The scene's buffers. Attributes a scene does not have are never read.
-typedef struct {
-    GLOBAL const float4* positions;
-    GLOBAL const Triangle* triangles;
-    GLOBAL const InstanceRecord* instances;
-    GLOBAL const MaterialRecord* materials;
-    GLOBAL const float* normals;              // 3 a vertex
-    GLOBAL const float* texture_coordinates;  // 2 a vertex
-    GLOBAL const float* vertex_colours;       // 3 a vertex
-    GLOBAL const TextureRecord* textures;
-    GLOBAL const uint* texels;
-    GLOBAL const float* srgb_table;
-} Geometry;
 
 // A surface point seen from a direction; both normals face the viewer.
 typedef struct {
@@ -52,23 +19,8 @@ typedef struct {
     int front;  // 1 where the viewer sees the outside
 } Surface;
 
-/// How far a ray's origin must be moved off a surface so that rounding in the point (from
-/// barycentrics, 8 half-ulps of its coordinates) and in the next ray's plane distance (translation
-/// and three products over at most twice the scene's extent) cannot put it on the wrong side.
-static inline float surface_offset(float3 position, float extent) {
-    return 5.9604645e-8f * (8.0f * max_component(absolute3(position)) + 16.0f * extent);
-}
-
 static inline float3 attribute3(GLOBAL const float* values, uint index) {
     return f3(values[3u * index], values[3u * index + 1u], values[3u * index + 2u]);
-}
-
-static inline float3 triangle_normal(const Geometry* geometry, uint id) {
-    Triangle triangle = geometry->triangles[id];
-    float3 a = xyz(geometry->positions[triangle.v0]);
-    float3 b = xyz(geometry->positions[triangle.v1]);
-    float3 c = xyz(geometry->positions[triangle.v2]);
-    return normalize3(cross3(b - a, c - a));
 }
 
 /// Texture colour at a hit. `footprint` is the square root of the share of the triangle's doubled

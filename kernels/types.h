@@ -24,7 +24,9 @@
 #define FEATURE_DIRECTIONAL_LIGHTS 32u
 #define FEATURE_AREA_LIGHTS 64u
 #define FEATURE_ONE_SIDED 128u
-#define FEATURE_INDIRECT 256u
+#define FEATURE_INDIRECT 256u        // the plan has VPLs
+#define FEATURE_SAMPLED_DIRECT 512u  // and direct light that is filtered
+#define FEATURE_EXACT_DIRECT 1024u   // and direct light that is not
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -134,7 +136,8 @@ typedef struct {
 #define COMPONENT_EMISSION 0
 #define COMPONENT_DIRECT 1
 #define COMPONENT_INDIRECT 2
-#define COMPONENT_COUNT 3
+#define COMPONENT_SURFACE 3  // albedo, normal and depth
+#define COMPONENT_COUNT 4
 
 typedef struct {
     uint count[4];

@@ -5,7 +5,6 @@
 // Serves indirect VPLs, points on area lights and punctual lights alike; the launch says which
 // stretch of the buffer belongs to a set.
 #include "counters.h"
-#include "light.h"
 #include "receivers.h"
 #include "trace.h"
 

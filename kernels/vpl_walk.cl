@@ -1,11 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Virtual point lights by a quasi-random walk (Keller 1997): path i of set k of frame f always has
-// Halton index (f sets + k) paths_per_set + i. Fractional absorption: of a set's paths a fixed
-// number survives to each bounce, whatever they hit, and their flux is scaled up accordingly.
+// Virtual point lights by a quasi-random walk (Keller 1997): set k of frame f always has the Halton
+// indices of block f sets + k, paths_per_set each. Fractional absorption: of a set's paths a fixed
+// number survives to each bounce, whatever they hit, and their flux is scaled up accordingly. Which
+// ones survive starts at a random place of the block: were they always its first, then in every
+// block whose length shares a factor with a base they would come from the same strata.
 #include "counters.h"
 #include "light.h"
+#include "surface.h"
 #include "trace.h"
 
 // A light path under way.
@@ -80,7 +83,9 @@ WEFT_KERNEL(vpl_walk)
     uint item = params.first + GLOBAL_ID;
     uint set = item / params.paths_per_set;
     uint path_in_set = item % params.paths_per_set;
-    uint index = (params.frame * params.sets + set) * params.paths_per_set + path_in_set;
+    uint block = params.frame * params.sets + set;
+    uint turn = hash_pair(params.seed, block) % params.paths_per_set;
+    uint index = block * params.paths_per_set + (path_in_set + turn) % params.paths_per_set;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     LightPath path = emit_path(&params, &geometry, lights, emissive, index);
@@ -106,6 +111,8 @@ WEFT_KERNEL(vpl_walk)
         }
         Surface surface = surface_at(&params, &geometry, hit, path.direction, 0.0f);
         path.flux = path.flux * surface.albedo;
+        // One bad value would reach every pixel that sees this VPL.
+        if (is_finite3(path.flux) == 0) path.flux = f3(0.0f, 0.0f, 0.0f);
         path.origin =
             surface.position + surface.normal * surface_offset(surface.position, params.extent);
         float survival = (float)params.paths_per_set / (float)params.survivors[bounce];

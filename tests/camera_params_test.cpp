@@ -49,8 +49,8 @@ TEST(CameraParams, FieldOfViewAlongEveryAxis) {
     for (const auto& [width, height] : {std::pair{200U, 100U}, {100U, 200U}, {150U, 150U}}) {
         const bool wide = width >= height;
         const double fov = 50.0;
-        const auto angles = [&](FovAxis axis) {
-            return angles_of(params_of(camera_with(axis, fov * degree), width, height));
+        const auto angles = [fov, w = width, h = height](FovAxis axis) {
+            return angles_of(params_of(camera_with(axis, fov * degree), w, h));
         };
         EXPECT_NEAR(angles(FovAxis::x).x, fov, 1e-4);
         EXPECT_NEAR(angles(FovAxis::y).y, fov, 1e-4);

@@ -62,6 +62,30 @@ TEST(DegenerateRender, EmptySceneIsBlack) {
     });
 }
 
+TEST(DegenerateRender, ComponentsThatAreLeftOutAreBlackUnderEveryKindOfLight) {
+    SceneBuilder builder;
+    builder.add(test::quad_mesh({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}),
+                builder.material(glm::vec3(0.5F)));
+    builder.add(test::icosphere(2, false), builder.material(glm::vec3(0.5F), glm::vec3(1.0F)),
+                test::placement(0.5, {0.0, 1.0, 0.0}));
+    builder.light(LightType::point, {1, 2, 1}, glm::vec3(1.0F));
+    builder.light(LightType::directional, {}, glm::vec3(1.0F), {0.2, -1.0, 0.1});
+    builder.scene.environment = Environment{{0.5F, 0.5F, 0.5F}};
+    for (const Backend backend : test::backends())
+        for (const bool direct : {false, true})
+            for (const bool indirect : {false, true}) {
+                RenderSettings settings = test::small_settings(Algorithm::igi, 31, 22);
+                settings.direct = direct;
+                settings.indirect = indirect;
+                const Rendering rendering = test::render(
+                    backend, builder.scene, test::look_at({0, 3, 6}, {0, 0.5, 0}, 0.8), settings);
+                test::expect_clean(rendering);
+                EXPECT_EQ(mean(rendering, "direct") > 0.0, direct);
+                EXPECT_EQ(mean(rendering, "indirect") > 0.0, indirect);
+                EXPECT_GT(mean(rendering, "emission"), 0.0);
+            }
+}
+
 TEST(DegenerateRender, NoLightsAndLightsWithoutPower) {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material(glm::vec3(0.8F)));

@@ -14,9 +14,7 @@ fi
 
 prefix=$(mktemp -d)
 trap 'rm -rf "$prefix"' EXIT
-# cmake --install would also write a list of files into the build tree.
-DESTDIR='' cmake -DCMAKE_INSTALL_PREFIX="$prefix/installed" -DCMAKE_INSTALL_LOCAL_ONLY=0 \
-    -P "$build/cmake_install.cmake" >"$prefix/log" || {
+DESTDIR='' cmake --install "$build" --prefix "$prefix/installed" >"$prefix/log" || {
     cat "$prefix/log" >&2
     exit 1
 }
@@ -32,8 +30,8 @@ mkdir "$prefix/work"
 cd "$prefix/work"
 program="$installed/bin/weft"
 [ -x "$program" ] || fail "bin/weft was not installed"
-"$program" devices >devices || fail "weft devices failed"
-grep -q embree devices || fail "weft devices does not list the Embree backend"
+"$program" devices >device-list || fail "weft devices failed"
+grep -q embree device-list || fail "weft devices does not list the Embree backend"
 scene=$(find "$installed" -name cornell-box.gltf)
 [ -n "$scene" ] || fail "no scenes were installed"
 "$program" render "$scene" -o box.png --size 32x32 --progress none 2>messages || {

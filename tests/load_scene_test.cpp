@@ -35,10 +35,10 @@ TEST(LoadScene, ChoosesTheReaderByExtensionInAnyCase) {
 }
 
 TEST(LoadScene, NamesTheKnownFormats) {
-    for (const char* name : {"a.obj", "a", ".gltf", "a.gltf.bak"})
+    for (const char* name : {"a.stl", "a", ".gltf", "a.gltf.bak"})
         EXPECT_EQ(error_of(name), std::string(name) +
                                       ": is not a known kind of scene file, expected glTF 2.0 "
-                                      "(.gltf, .glb) or Mitsuba 3 (.xml)");
+                                      "(.gltf, .glb), Mitsuba 3 (.xml), OBJ (.obj) or PLY (.ply)");
 }
 
 TEST(LoadScene, SaysThatAFileIsMissing) {

@@ -249,7 +249,7 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
     const std::string shape =
         "<shape type=\"cube\" colour=\"red\">\n<float name=\"gloss\" value=\"1\"/>\n"
         "<teapot/>\nhello<bsdf type=\"diffuse\" id=\"I\"><string name=\"x\" value=\"y\"/></bsdf>"
-        "</shape>\n<shape type=\"obj\"/><shape type=\"serialized\"/><sensor type=\"orthographic\"/>"
+        "</shape>\n<shape type=\"hair\"/><shape type=\"serialized\"/><sensor type=\"orthographic\"/>"
         "<emitter type=\"envmap\"/><emitter type=\"sunsky\"/>\n";
     std::string again = shape;
     again.replace(again.find("\"I\""), 3, "\"J\"");
@@ -261,7 +261,7 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
         "s.xml:2: text between elements is ignored",
         "s.xml:5: property 'x' of bsdf 'diffuse' is not supported and ignored",
         "s.xml:3: property 'gloss' of shape 'cube' is not supported and ignored",
-        "s.xml:6: shape 'obj' is not read yet and left out",
+        "s.xml:6: shape 'hair' is not read yet and left out",
         "s.xml:6: shape 'serialized' is not read yet and left out",
         "s.xml:6: sensor 'orthographic' is not supported and left out",
         "s.xml:6: emitter 'envmap' is not supported and left out",

@@ -8,7 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -73,16 +75,20 @@ class RunningProgram {
 
     void send(int signal) const { ::kill(process_, signal); }
 
-    /// Waits until standard error holds `text`; false where the program ends or hangs before.
-    [[nodiscard]] bool wait_for_message(const std::string& text) {
+    /// Waits until standard error holds that many lines; false where the program ends or hangs
+    /// before.
+    [[nodiscard]] bool wait_for_lines(std::ptrdiff_t count) {
         constexpr int tries = 6000;
+        const auto enough = [&] {
+            const std::string text = err();
+            return std::count(text.begin(), text.end(), '\n') >= count;
+        };
         for (int i = 0; i < tries; ++i) {
-            if (err().find(text) != std::string::npos) return true;
+            if (enough()) return true;
             siginfo_t info{};
-            if (::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) !=
-                    0 ||
-                info.si_pid != 0)
-                return err().find(text) != std::string::npos;
+            const auto id = static_cast<id_t>(process_);
+            if (::waitid(P_PID, id, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0)
+                return enough();
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         return false;

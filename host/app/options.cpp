@@ -45,7 +45,8 @@ void add_flag(CLI::App& command, const std::string& name, const std::string& des
 
 void add_render(CLI::App& app) {
     CLI::App& render = *app.add_subcommand("render", "Renders a scene to an EXR or PNG file");
-    add_value(render, "SCENE", "", "glTF (.gltf, .glb) or Mitsuba XML (.xml) scene");
+    add_value(render, "SCENE", "",
+              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_value(render, "-o,--output", "FILE",
               "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
@@ -76,7 +77,8 @@ void add_commands(CLI::App& app) {
     app.require_subcommand(0, 1);
     add_render(app);
     CLI::App& info = *app.add_subcommand("info", "Says what a scene holds");
-    add_value(info, "SCENE", "", "glTF (.gltf, .glb) or Mitsuba XML (.xml) scene");
+    add_value(info, "SCENE", "",
+              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_flag(info, "--json", "Prints JSON");
     CLI::App& devices = *app.add_subcommand("devices", "Lists what can render");
     add_flag(devices, "--json", "Prints JSON");

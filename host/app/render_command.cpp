@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <thread>
 
@@ -14,6 +13,7 @@
 #include "app/stats_json.h"
 #include "base/file.h"
 #include "base/quote.h"
+#include "base/stopwatch.h"
 #include "frame/camera_params.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -21,24 +21,6 @@
 
 namespace weft {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Milliseconds since the last call.
-class Stopwatch {
-  public:
-    double lap() {
-        const auto now = Clock::now();
-        return std::chrono::duration<double, std::milli>(now - std::exchange(last_, now)).count();
-    }
-    [[nodiscard]] double total() const {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-    }
-
-  private:
-    Clock::time_point start_ = Clock::now();
-    Clock::time_point last_ = start_;
-};
 
 RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     RenderSettings settings;

@@ -10,8 +10,8 @@ namespace weft {
 namespace {
 
 // In the order of COMPONENT_*.
-constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "direct",
-                                                                   "indirect"};
+constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "direct", "indirect",
+                                                                   "surface"};
 
 nlohmann::json stage_json(const StageStats& stage) {
     return {{"name", stage.name},

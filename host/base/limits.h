@@ -10,16 +10,26 @@
 /// check sizes against these before they allocate.
 namespace weft::limits {
 
+/// 2^bits. Fuzzers are after what is wrong rather than what is large, and reach a smaller limit
+/// with a small file in little time.
+[[nodiscard]] constexpr std::size_t power(unsigned bits) {
+#ifdef WEFT_SMALL_LIMITS
+    return std::size_t{1} << (bits - 10);
+#else
+    return std::size_t{1} << bits;
+#endif
+}
+
 inline constexpr std::size_t max_text_file_bytes = std::size_t{256} << 20;   // XML, glTF JSON
 inline constexpr std::size_t max_binary_file_bytes = std::size_t{4} << 30;   // PLY, GLB, .bin
 inline constexpr std::size_t max_data_uri_bytes = std::size_t{256} << 20;    // encoded length
 inline constexpr std::size_t max_image_file_bytes = std::size_t{512} << 20;  // encoded picture
 inline constexpr std::uint32_t max_texture_edge = 16384;                     // pixels
-inline constexpr std::size_t max_texture_bytes = std::size_t{1} << 30;       // all, decoded
-inline constexpr std::size_t max_vertices = std::size_t{1} << 28;            // per mesh, and placed
-inline constexpr std::size_t max_triangles = std::size_t{1} << 27;           // whole scene
+inline constexpr std::size_t max_texture_bytes = power(30);                  // all, decoded
+inline constexpr std::size_t max_vertices = power(28);                       // per mesh, and placed
+inline constexpr std::size_t max_triangles = power(27);                      // whole scene
 inline constexpr std::size_t max_nodes = std::size_t{1} << 20;               // nodes, shapes
-inline constexpr std::size_t max_instances = std::size_t{1} << 22;           // placed meshes
+inline constexpr std::size_t max_instances = power(22);                      // placed meshes
 inline constexpr int max_nesting = 128;                                      // node/XML/JSON depth
 inline constexpr std::size_t max_xml_items = std::size_t{1} << 22;           // tags + attributes
 inline constexpr std::size_t max_xml_expanded_bytes = std::size_t{1} << 26;  // after $parameters
@@ -27,14 +37,18 @@ inline constexpr std::size_t max_xml_includes = 256;                         // 
 inline constexpr std::size_t max_warnings = 200;                             // one scene file
 inline constexpr std::size_t max_ply_header_line = 4096;                     // bytes
 inline constexpr std::size_t max_ply_declarations = 1024;  // elements and properties of a PLY
-inline constexpr std::size_t max_json_values = std::size_t{1} << 24;        // in one glTF file
-inline constexpr std::size_t max_implicit_elements = std::size_t{1} << 24;  // zeros, no bytes
-inline constexpr std::size_t max_name_bytes = 256;                          // longer: cut
-inline constexpr std::uint32_t max_film_edge = 32768;                       // pixels
-inline constexpr std::size_t max_film_pixels = std::size_t{1} << 28;
+inline constexpr std::size_t max_obj_file_bytes = std::size_t{2} << 30;
+inline constexpr std::size_t max_mtl_file_bytes = std::size_t{16} << 20;
+inline constexpr std::size_t max_mtl_files = 256;                     // of one OBJ
+inline constexpr std::size_t max_ear_tests = power(28);               // concave polygons, one OBJ
+inline constexpr std::size_t max_json_values = std::size_t{1} << 24;  // in one glTF file
+inline constexpr std::size_t max_implicit_elements = power(24);       // zeros, no bytes
+inline constexpr std::size_t max_name_bytes = 256;                    // longer: cut
+inline constexpr std::uint32_t max_film_edge = 32768;                 // pixels
+inline constexpr std::size_t max_film_pixels = power(28);
 inline constexpr std::size_t max_exr_header_bytes = std::size_t{1} << 20;  // all attributes
 inline constexpr std::size_t max_exr_channels = 64;                        // all layers
-inline constexpr std::size_t max_exr_values = std::size_t{1} << 32;        // all channels
+inline constexpr std::size_t max_exr_values = power(32);                   // all channels
 inline constexpr std::uint32_t max_samples_per_pixel = 1u << 24;  // a float still counts them
 inline constexpr std::uint32_t max_threads = 4096;
 inline constexpr std::uint32_t max_tile_edge = 4096;  // pixels

@@ -1,6 +1,5 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <string>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "bvh/embree_tree.h"
 #include "bvh/flatten.h"
 #include "bvh/pieces.h"
@@ -77,12 +77,10 @@ WideBvh build_best(std::span<const shared::float4> positions,
 WideBvh build_bvh(std::span<const shared::float4> positions,
                   std::span<const shared::Triangle> triangles, const BvhSettings& settings) {
     check_settings(settings);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     try {
         WideBvh bvh = build_best(positions, triangles, settings);
-        const std::chrono::duration<double, std::milli> time =
-            std::chrono::steady_clock::now() - start;
-        bvh.build_ms = time.count();
+        bvh.build_ms = watch.total();
         return bvh;
     } catch (const std::bad_alloc&) {
         throw Error(ExitCode::out_of_memory, "out of memory while building the BVH");

@@ -80,11 +80,15 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
     frame.film_high = floats(FILM_PLANES * pixels, "film");
     frame.film_low = floats(FILM_PLANES * pixels, "film");
     frame.counters = executor.allocate(counter_slots * sizeof(shared::RayCounter), "counters");
-    shared::NonfiniteCounter nonfinite{};
-    for (auto& first : nonfinite.first_pixel) first = NO_TRIANGLE;
-    frame.nonfinite = upload<shared::NonfiniteCounter>(
-        executor, std::span<const shared::NonfiniteCounter>(&nonfinite, 1), "counters");
+    frame.nonfinite = executor.allocate(sizeof(shared::NonfiniteCounter), "counters");
+    clear_nonfinite(executor, *frame.nonfinite);
     return frame;
+}
+
+void clear_nonfinite(Executor& executor, Buffer& counter) {
+    shared::NonfiniteCounter clear{};
+    for (auto& first : clear.first_pixel) first = NO_TRIANGLE;
+    write_buffer(executor, counter, std::span<const shared::NonfiniteCounter>(&clear, 1));
 }
 
 void FrameContext::run(KernelId kernel, const char* stage, const char* component, bool traces,

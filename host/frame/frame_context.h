@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "device/executor.h"
@@ -48,6 +49,9 @@ struct FrameBuffers {
                                           const WorkList& work, std::uint32_t width,
                                           std::uint32_t height, std::uint32_t features);
 
+/// Sets the counters of values that were not finite to none.
+void clear_nonfinite(Executor& executor, Buffer& counter);
+
 /// What one stage of a frame took.
 struct StageStats {
     std::string name;
@@ -81,9 +85,15 @@ class FrameContext : public FrameInputs {
              const std::vector<Buffer*>& arguments, std::uint32_t items,
              std::uint32_t items_per_launch = 0);
 
+    /// Runs `stages` to their end whatever keep_going says: what later stages must find defined.
+    template <class Stages>
+    void run_whole(const Stages& stages) {
+        const bool before = std::exchange(finishing_, true);
+        stages();
+        finishing_ = before;
+    }
+
     [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
-    /// Lets cheap stages run although the frame ended early, to show what there is.
-    void finish_anyway() { finishing_ = true; }
     [[nodiscard]] const std::vector<StageStats>& stages() const noexcept { return stages_; }
 
     shared::Params params;

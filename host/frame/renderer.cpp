@@ -3,10 +3,10 @@
 #include "frame/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 
+#include "base/stopwatch.h"
 #include "components/component.h"
 #include "frame/camera_params.h"
 #include "frame/film.h"
@@ -40,8 +40,8 @@ std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan) {
                                           FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
                                           FEATURE_ENVIRONMENT;
     std::uint32_t features = scene.features & of_surfaces;
-    if (plan.samples_per_set > 0) features |= FEATURE_AREA_LIGHTS;
-    if (plan.punctual_lights > 0) features |= FEATURE_PUNCTUAL_LIGHTS;
+    if (plan.has_sampled_direct()) features |= FEATURE_SAMPLED_DIRECT;
+    if (plan.has_exact_direct()) features |= FEATURE_EXACT_DIRECT;
     if (plan.directional_lights > 0) features |= FEATURE_DIRECTIONAL_LIGHTS;
     if (plan.has_indirect()) features |= FEATURE_INDIRECT;
     return features;
@@ -129,24 +129,21 @@ void Renderer::compose(FrameContext& frame) {
 }
 
 bool Renderer::render_frame(const KeepGoing& keep_going) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
     const auto number = static_cast<std::uint32_t>(stats_.size());
     FrameContext frame(inputs, params_of_frame(number), keep_going);
-    trace_primary(frame);
+    frame.run_whole([&] { trace_primary(frame); });
     for (const Component& component : components())
         if (component.called_for(plan_)) component.sample(frame);
-    if (frame.ended_early()) {
-        if (number > 0) return false;
-        frame.finish_anyway();
-    }
-    for (const Component& component : components())
-        if (component.called_for(plan_)) component.reconstruct(frame);
-    compose(frame);
+    if (frame.ended_early() && number > 0) return false;
+    frame.run_whole([&] {
+        for (const Component& component : components())
+            if (component.called_for(plan_)) component.reconstruct(frame);
+        compose(frame);
+    });
     ++frames_in_film_;
-    const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    record(frame, ms);
+    record(frame, watch.total());
     return !frame.ended_early();
 }
 
@@ -161,12 +158,9 @@ void Renderer::record(const FrameContext& frame, double ms) {
     }
     const auto counters =
         read_buffer<shared::NonfiniteCounter>(executor_, *buffers_.nonfinite, 1).front();
-    for (std::size_t c = 0; c < stats.nonfinite.size(); ++c) {
-        // The device counts over all frames.
-        stats.nonfinite[c].count = counters.count[c] - nonfinite_so_far_[c].count;
-        stats.nonfinite[c].first_pixel = counters.first_pixel[c];
-        nonfinite_so_far_[c].count = counters.count[c];
-    }
+    for (std::size_t c = 0; c < stats.nonfinite.size(); ++c)
+        stats.nonfinite[c] = {counters.count[c], counters.first_pixel[c]};
+    clear_nonfinite(executor_, *buffers_.nonfinite);
     stats_.push_back(std::move(stats));
 }
 

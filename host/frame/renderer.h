@@ -80,7 +80,6 @@ class Renderer {
     FrameBuffers buffers_;
     shared::Params base_params_{};
     std::vector<FrameStats> stats_;
-    std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite_so_far_{};
     std::uint32_t frames_in_film_ = 0;
 };
 

@@ -3,12 +3,14 @@
 #include "image/exr_header.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "base/quote.h"
 
 namespace weft {
 namespace {
@@ -48,6 +50,8 @@ class Cursor {
         const std::span<const std::byte> text = take(length + 1);
         return {reinterpret_cast<const char*>(text.data()), length};
     }
+
+    [[nodiscard]] std::size_t left() const { return bytes_.size(); }
 
     [[nodiscard]] std::span<const std::byte> take(std::size_t size) {
         if (size > bytes_.size())
@@ -109,6 +113,55 @@ void check_channels(Cursor value, const std::string& place) {
                 place, "has more than " + std::to_string(limits::max_exr_channels) + " channels");
     }
     if (count == 0) throw input_error(place, "has no channels");
+    if (value.left() > 0) throw input_error(place, "has bytes after its list of channels");
+}
+
+struct AttributeSize {
+    std::string_view type;
+    std::size_t bytes;
+};
+
+// Those that OpenEXR reads without a look at the stated size.
+constexpr std::array<AttributeSize, 24> attribute_sizes = {{
+    {"box2i", 16},      {"box2f", 16},    {"chromaticities", 32},
+    {"compression", 1}, {"double", 8},    {"deepImageState", 1},
+    {"envmap", 1},      {"float", 4},     {"int", 4},
+    {"keycode", 28},    {"lineOrder", 1}, {"m33d", 72},
+    {"m33f", 36},       {"m44d", 128},    {"m44f", 64},
+    {"rational", 8},    {"tiledesc", 9},  {"timecode", 8},
+    {"v2i", 8},         {"v2f", 8},       {"v2d", 16},
+    {"v3i", 12},        {"v3f", 12},      {"v3d", 24},
+}};
+
+bool is_string_list(Cursor value) {
+    while (value.left() > 0) {
+        if (value.left() < 4) return false;
+        const std::uint32_t length = value.read_uint();
+        if (length > value.left()) return false;
+        static_cast<void>(value.take(length));
+    }
+    return true;
+}
+
+/// OpenEXR takes the bytes that a type needs, whatever size is stated. The two must agree: else
+/// it goes on to read a header other than the one that is checked here.
+void check_size(std::string_view type, std::size_t size, Cursor value, const std::string& place) {
+    bool good = type != "idmanifest";  // compressed: expands to any size
+    for (const AttributeSize& known : attribute_sizes)
+        if (known.type == type) good = known.bytes == size;
+    if (type == "floatvector") good = size % 4 == 0;
+    if (type == "stringvector") good = is_string_list(value);
+    if (type == "preview") {
+        good = size >= 8;
+        if (good) {
+            const std::uint64_t width = value.read_uint();
+            const std::uint64_t height = value.read_uint();
+            good = width * height <= limits::max_exr_header_bytes && width * height * 4 == size - 8;
+        }
+    }
+    if (!good)
+        throw input_error(place, "has an attribute of type " + quote(type) + " and " +
+                                     std::to_string(size) + " bytes, which cannot be");
 }
 
 }  // namespace
@@ -127,11 +180,12 @@ void check_exr_header(std::span<const std::byte> bytes, const std::string& place
         const std::string_view type = header.read_name();
         const std::uint32_t size = header.read_uint();
         const Cursor value(header.take(size), place);
+        check_size(type, size, value, place);
+        if (type == "chlist") check_channels(value, place);  // each is read up to its end mark
         if (name == "dataWindow" && type == "box2i") {
             check_data_window(value, place);
             has_window = true;
         } else if (name == "channels" && type == "chlist") {
-            check_channels(value, place);
             has_channels = true;
         } else if (name == "compression" && type == "compression") {
             Cursor field = value;

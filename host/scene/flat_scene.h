@@ -49,8 +49,7 @@ struct FlatScene {
     double smallest_light_area = 0.0;
 };
 
-/// Flattens a validated scene. Throws Error (exit code 2) where a transform puts vertices out of
-/// range.
+/// Flattens a validated scene. Throws Error (exit code 2) where instances make too many triangles.
 [[nodiscard]] FlatScene flatten(const Scene& scene);
 
 /// Fills the light table from the flattened geometry; part of `flatten`.

@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/limits.h"
+#include "base/quote.h"
+#include "scene/jpeg_check.h"
 #include "scene/stb_image_configuration.h"
 
 #include <stb/stb_image.h>
@@ -22,17 +24,13 @@ struct StbiFree {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
-/// A progressive JPEG may hold any number of scans of a few bytes, each of which costs a pass over
-/// the whole picture. Real encoders write about ten.
-void check_jpeg_scans(std::span<const std::byte> bytes, const std::string& place) {
-    constexpr std::size_t max_scans = 64;
-    if (bytes.size() < 2 || bytes[0] != std::byte{0xFF} || bytes[1] != std::byte{0xD8}) return;
-    std::size_t scans = 0;
-    for (std::size_t i = 0; i + 1 < bytes.size(); ++i)
-        scans += bytes[i] == std::byte{0xFF} && bytes[i + 1] == std::byte{0xDA} ? 1 : 0;
-    if (scans > max_scans)
-        throw input_error(place, "JPEG picture with " + std::to_string(scans) +
-                                     " scans, expected at most " + std::to_string(max_scans));
+/// More than any decoder needs at once: pixels of 8 bytes, rounded up to blocks of 32, in a buffer
+/// that grows by doubling, or twice the file.
+std::size_t largest_block(std::size_t file_bytes, int width, int height) {
+    const std::size_t pixels =
+        (static_cast<std::size_t>(width) + 64) * (static_cast<std::size_t>(height) + 64);
+    constexpr std::size_t tables = std::size_t{1} << 20;
+    return std::max(2 * file_bytes, 16 * pixels) + tables;
 }
 
 }  // namespace
@@ -43,13 +41,18 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& place)
     if (bytes.size() > max_bytes)
         throw input_error(place, "picture file is longer than the limit of " +
                                      std::to_string(max_bytes) + " bytes");
+    check_jpeg(bytes, place);  // before the decoder sees the first table
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int length = static_cast<int>(bytes.size());
+    stbi_max_block = largest_block(bytes.size(), 0, 0);
     int width = 0;
     int height = 0;
     int channels = 0;
-    if (length == 0 || stbi_info_from_memory(data, length, &width, &height, &channels) == 0 ||
-        width <= 0 || height <= 0)
+    const bool known =
+        length > 0 && stbi_info_from_memory(data, length, &width, &height, &channels) != 0;
+    // A BMP whose rows begin at the top says so by a negative height.
+    if (height < 0 && height > std::numeric_limits<int>::min()) height = -height;
+    if (!known || width <= 0 || height <= 0)
         throw input_error(place, std::string("picture cannot be decoded, ") + expected);
     constexpr int max_edge = static_cast<int>(limits::max_texture_edge);
     const std::size_t decoded =
@@ -58,13 +61,14 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& place)
         throw input_error(place, "picture of " + std::to_string(width) + " x " +
                                      std::to_string(height) + " pixels, expected at most " +
                                      std::to_string(max_edge) + " along each edge");
-    check_jpeg_scans(bytes, place);
+    stbi_max_block = largest_block(bytes.size(), width, height);
     const std::unique_ptr<stbi_uc, StbiFree> pixels(
         stbi_load_from_memory(data, length, &width, &height, &channels, 4));
     if (!pixels) {
         const char* why = stbi_failure_reason();
-        throw input_error(place, std::string("picture is damaged (") +
-                                     (why != nullptr ? why : "unknown reason") + "), " + expected);
+        throw input_error(place, "picture is damaged (" +
+                                     quote(why != nullptr ? why : "unknown reason") + "), " +
+                                     expected);
     }
     const std::size_t size =
         std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height);

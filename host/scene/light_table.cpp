@@ -11,30 +11,21 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Turns weights into probabilities and inclusive sums whose float differences are consistent.
-/// Entries whose probability would vanish in float are removed.
+/// Turns weights into probabilities and inclusive sums whose float differences are consistent. An
+/// entry too faint for a float keeps the probability 0 and is never chosen.
 template <class Entry>
-void normalise(std::vector<Entry>& entries, std::vector<double>& weights) {
+void normalise(std::vector<Entry>& entries, const std::vector<double>& weights) {
     double total = 0.0;
     for (const double weight : weights) total += weight;
-    std::vector<Entry> kept;
     double sum = 0.0;
     float before = 0.0F;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         sum += weights[i];
-        const float cumulative =
+        entries[i].cumulative =
             i + 1 == entries.size() ? 1.0F : static_cast<float>(std::min(1.0, sum / total));
-        if (!(cumulative > before)) continue;
-        entries[i].cumulative = cumulative;
-        entries[i].probability = cumulative - before;
-        before = cumulative;
-        kept.push_back(entries[i]);
+        entries[i].probability = entries[i].cumulative - before;
+        before = entries[i].cumulative;
     }
-    if (!kept.empty()) {
-        kept.back().probability += 1.0F - kept.back().cumulative;
-        kept.back().cumulative = 1.0F;
-    }
-    entries = std::move(kept);
 }
 
 shared::float4 rgb(const glm::vec3& c, double scale) {

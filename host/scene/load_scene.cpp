@@ -6,8 +6,11 @@
 #include <string>
 
 #include "base/error.h"
+#include "scene/default_light.h"
 #include "scene/gltf_reader.h"
 #include "scene/mitsuba_reader.h"
+#include "scene/obj_reader.h"
+#include "scene/ply_scene.h"
 #include "scene/validate_scene.h"
 
 namespace weft {
@@ -24,9 +27,11 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
     const std::string extension = lower_extension(path);
     if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics);
     if (extension == ".xml") return read_mitsuba(path, diagnostics);
+    if (extension == ".obj") return read_obj(path, diagnostics);
+    if (extension == ".ply") return read_ply_scene(path, diagnostics);
     throw input_error(path.string(),
-                      "is not a known kind of scene file, expected glTF 2.0 (.gltf, .glb) or "
-                      "Mitsuba 3 (.xml)");
+                      "is not a known kind of scene file, expected glTF 2.0 (.gltf, .glb), "
+                      "Mitsuba 3 (.xml), OBJ (.obj) or PLY (.ply)");
 }
 
 }  // namespace
@@ -34,6 +39,7 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
 Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
     Scene scene = read_scene(path, diagnostics);
     validate_scene(scene);
+    add_default_light(scene, diagnostics);
     return scene;
 }
 

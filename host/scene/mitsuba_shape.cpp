@@ -16,6 +16,7 @@
 #include "base/limits.h"
 #include "base/quote.h"
 #include "scene/mesh_edit.h"
+#include "scene/obj_reader.h"
 #include "scene/ply_reader.h"
 #include "scene/shapes.h"
 
@@ -24,9 +25,13 @@ namespace weft::mitsuba {
 namespace {
 
 bool is_supported(std::string_view type) {
-    static constexpr std::array<std::string_view, 5> types = {"ply", "rectangle", "cube", "sphere",
-                                                              "disk"};
+    static constexpr std::array<std::string_view, 6> types = {"ply",  "obj",    "rectangle",
+                                                              "cube", "sphere", "disk"};
     return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+bool is_mesh_file(std::string_view type) {
+    return type == "ply" || type == "obj";
 }
 
 /// Refuses transforms without an inverse; returns whether the others change handedness.
@@ -58,9 +63,10 @@ ShapeReader::Source ShapeReader::read_source(Object& object) {
     source.type = object.type();
     source.flip_normals = object.boolean("flip_normals", false);
     source.to_world = object.transform("to_world");
-    if (source.type == "ply") {
+    if (is_mesh_file(source.type)) {
         source.path = object.file().string();
         source.face_normals = object.boolean("face_normals", false);
+        source.flip_v = object.boolean("flip_tex_coords", source.type == "obj");
     } else if (source.type == "sphere") {
         const glm::dvec3 centre = object.vector("center").value_or(glm::dvec3(0.0));
         const double radius = object.number("radius", 1.0);
@@ -100,6 +106,7 @@ void ShapeReader::read(const Element& element) {
         add_boundary(object, source, mesh, surface, boundary);
     if (surface.invisible && emitter != nullptr)
         context_.warnings.once(element, "an emitter with a null bsdf is rendered as opaque");
+    scene_.light_named = scene_.light_named || emitter != nullptr;
     if (!surface.invisible || emitter != nullptr) {
         const std::string& fallback = scene_.meshes[mesh].name;
         scene_.instances.push_back({object.id_or(fallback), mesh,
@@ -130,13 +137,14 @@ void ShapeReader::count_triangles(Object& object, std::uint32_t mesh) {
 }
 
 std::uint32_t ShapeReader::add_mesh(Object& object, const Source& source, const Surface& surface) {
-    const std::string key = fmt::format("{}|{}|{}|{}|{}", source.type, source.path,
-                                        source.face_normals, source.mirrored, surface.texture >= 0);
+    const std::string key =
+        fmt::format("{}|{}|{}|{}|{}|{}", source.type, source.path, source.face_normals,
+                    source.flip_v, source.mirrored, surface.texture >= 0);
     const auto shared = shared_meshes_.find(key);
     const bool plain_uvs = surface.to_uv == glm::dmat4(1.0);
     if (shared != shared_meshes_.end() && plain_uvs) return shared->second;
     Mesh mesh = make_mesh(object, source);
-    const bool smooth = source.type == "ply" && !source.face_normals && mesh.normals.empty();
+    const bool smooth = is_mesh_file(source.type) && !source.face_normals && mesh.normals.empty();
     if (smooth) add_smooth_normals(mesh, glm::dmat3(source.to_world));
     fit_texture(object, surface, mesh);
     const auto index = static_cast<std::uint32_t>(scene_.meshes.size());
@@ -146,15 +154,30 @@ std::uint32_t ShapeReader::add_mesh(Object& object, const Source& source, const 
     return index;
 }
 
-Mesh ShapeReader::make_mesh(Object& object, const Source& source) {
+Mesh ShapeReader::read_mesh_file(Object& object, const Source& source) {
+    Diagnostics& diagnostics = context_.warnings.diagnostics();
     Mesh mesh;
     if (source.type == "ply") {
-        mesh = read_ply(source.path, object.place(), context_.warnings.diagnostics());
+        mesh = read_ply(source.path, object.place(), diagnostics);
+        if (source.flip_v)
+            for (glm::vec2& uv : mesh.uvs) uv.y = 1.0F - uv.y;
         // Mitsuba's surfaces take colours from vertices only where a texture asks for it.
         mesh.colours.clear();
-        if (source.face_normals) mesh.normals.clear();
-        if (mesh.triangles.empty())
-            context_.warnings.once(object.element(), "a PLY file holds no triangles");
+    } else {
+        mesh = read_obj_mesh(source.path, object.place(), source.flip_v, diagnostics);
+    }
+    if (source.face_normals) mesh.normals.clear();
+    if (mesh.triangles.empty())
+        context_.warnings.once(object.element(), source.type == "ply"
+                                                     ? "a PLY file holds no triangles"
+                                                     : "an OBJ file holds no triangles");
+    return mesh;
+}
+
+Mesh ShapeReader::make_mesh(Object& object, const Source& source) {
+    Mesh mesh;
+    if (is_mesh_file(source.type)) {
+        mesh = read_mesh_file(object, source);
     } else if (source.type == "rectangle") {
         mesh = make_rectangle();
     } else if (source.type == "cube") {

@@ -32,8 +32,9 @@ class ShapeReader {
     /// What decides how the mesh of a shape looks.
     struct Source {
         std::string type;
-        std::string path;  ///< of the PLY file
+        std::string path;  ///< of the PLY or OBJ file
         bool face_normals = false;
+        bool flip_v = false;  ///< texture coordinate v runs upwards in the file
         bool flip_normals = false;
         glm::dmat4 to_world{1.0};
         bool mirrored = false;  ///< to_world changes handedness
@@ -42,6 +43,7 @@ class ShapeReader {
     [[nodiscard]] Source read_source(Object& object);
     [[nodiscard]] std::uint32_t add_mesh(Object& object, const Source& source,
                                          const Surface& surface);
+    [[nodiscard]] Mesh read_mesh_file(Object& object, const Source& source);
     [[nodiscard]] Mesh make_mesh(Object& object, const Source& source);
     void fit_texture(Object& object, const Surface& surface, Mesh& mesh);
     void add_boundary(Object& object, const Source& source, std::uint32_t mesh,

@@ -113,7 +113,8 @@ class BodyReader {
   private:
     /// The face that is read, as error messages name it.
     [[nodiscard]] std::string item_place(const PlyElement& element, std::uint64_t index) const {
-        return fmt::format("{}: {} {}", file_, element.name, index);
+        const bool known = element.name == "vertex" || element.name == "face";
+        return fmt::format("{}: {} {}", file_, known ? element.name : quote(element.name), index);
     }
 
     double next(const PlyElement& element, std::uint64_t index, PlyType type) {

@@ -126,6 +126,7 @@ struct Scene {
     std::vector<MediumBoundary> medium_boundaries;
     int camera_medium = -1;  ///< medium around the cameras: index into `media`, or -1
     std::optional<FilmSize> film;
+    bool light_named = false;  ///< the file names an area light, perhaps one without power
 };
 
 }  // namespace weft

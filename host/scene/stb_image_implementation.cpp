@@ -15,9 +15,24 @@
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 
+#include <cstdlib>
 #include <cstring>
 
+namespace weft {
+
+thread_local std::size_t stbi_max_block = 0;
+
+}  // namespace weft
+
 namespace {
+
+void* allocate(std::size_t size) {
+    return size > weft::stbi_max_block ? nullptr : std::malloc(size);
+}
+
+void* reallocate(void* block, std::size_t size) {
+    return size > weft::stbi_max_block ? nullptr : std::realloc(block, size);
+}
 
 /// stb_image copies zero bytes to a null pointer for an empty IDAT chunk, which is undefined.
 void* copy_bytes(void* to, const void* from, std::size_t size) {
@@ -28,5 +43,8 @@ void* copy_bytes(void* to, const void* from, std::size_t size) {
 
 #undef memcpy
 #define memcpy copy_bytes
+#define STBI_MALLOC(size) allocate(size)
+#define STBI_REALLOC(block, size) reallocate(block, size)
+#define STBI_FREE(block) std::free(block)
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb/stb_image.h>

@@ -23,7 +23,8 @@ std::uint32_t vpl_count(std::uint32_t paths, double reflectance, std::uint32_t b
 }
 
 void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflectance) {
-    plan.bounces = std::min<std::uint32_t>(settings.bounces, MAX_BOUNCES);
+    plan.bounces = std::min({settings.bounces, settings.vpls_per_set, std::uint32_t{MAX_BOUNCES}});
+    if (plan.bounces == 0) return;
     // A floor keeps dark scenes from spending everything on the first bounce, a ceiling keeps
     // paths from never ending.
     const double r = std::clamp(reflectance, 0.05, 0.95);

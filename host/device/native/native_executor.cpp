@@ -8,25 +8,19 @@
 #include <tbb/task_arena.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <fstream>
 #include <new>
 #include <thread>
 #include <utility>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
 #include "device/native/native_variants.h"
 
 namespace weft {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 constexpr std::align_val_t buffer_alignment{64};
 
@@ -101,7 +95,7 @@ class NativeExecutor : public Executor {
     }
 
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         auto scene = std::make_unique<NativeTracedScene>();
         scene->view.positions = geometry.positions.data();
         scene->view.triangles = geometry.triangles.data();
@@ -117,7 +111,7 @@ class NativeExecutor : public Executor {
                 scene->view.bvh_triangles = scene->bvh.triangles.data();
             }
         });
-        scene_ms_ = milliseconds_since(start);
+        scene_ms_ = watch.total();
         bvh_ = traversal_ == NativeTraversal::embree ? nullptr : &scene->bvh;
         return scene;
     }
@@ -177,7 +171,7 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
     const std::vector<void*> arguments = bind(kernel, launch, params);
     const std::uint32_t chunk =
         launch.items_per_launch > 0 ? launch.items_per_launch : kernel_chunk(launch.kernel);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     bool complete = true;
     for (std::uint32_t first = 0; first < launch.items; first += chunk) {
         params.first = first;
@@ -197,7 +191,7 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
             break;
         }
     }
-    milliseconds_ += milliseconds_since(start);
+    milliseconds_ += watch.total();
     return complete;
 }
 

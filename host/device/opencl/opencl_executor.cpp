@@ -5,21 +5,16 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
-#include <chrono>
 #include <deque>
 #include <map>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "device/opencl/opencl_program.h"
+#include "device/opencl/program_source.h"
 
 namespace weft {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// Launches that may wait in the queue: enough to keep the device busy, few enough that an
 /// interrupted run ends soon.
@@ -162,7 +157,7 @@ void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
 }
 
 std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& geometry) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     auto scene = std::make_unique<OpenClTracedScene>();
     BvhSettings settings;
     settings.padding = geometry.box_padding;
@@ -170,7 +165,7 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
         [&] { scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
     scene->nodes = upload<shared::BvhNode>(*this, scene->bvh.nodes, "BVH nodes");
     scene->triangles = upload<shared::BvhTriangle>(*this, scene->bvh.triangles, "BVH triangles");
-    scene_ms_ = milliseconds_since(start);
+    scene_ms_ = watch.total();
     bvh_ = &scene->bvh;
     return scene;
 }
@@ -178,8 +173,9 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
 void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t features) {
     for (const KernelId kernel : kernels) {
         try {
-            programs_.try_emplace({kernel, features}, context_, device_, cache_, kernel, settings_,
-                                  features);
+            if (programs_.contains({kernel, features})) continue;
+            programs_.try_emplace({kernel, features}, context_, device_, cache_, kernel,
+                                  program_source(kernel_name(kernel)), settings_, features);
         } catch (const cl::Error& error) {
             rethrow(error, fmt::format("building kernel {}", kernel_name(kernel)));
         }
@@ -217,10 +213,10 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
     if (launch.items_per_launch > 0) chunk = std::min(chunk, launch.items_per_launch);
     try {
         if (!program.kept()) {
-            const auto start = Clock::now();
+            const Stopwatch watch;
             params.count = 0;
             enqueue(program, launch, params).wait();
-            program.keep(cache_, milliseconds_since(start));
+            program.keep(cache_, watch.total());
         }
         for (std::uint32_t first = 0; first < launch.items;) {
             params.first = first;

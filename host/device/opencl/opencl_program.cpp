@@ -5,32 +5,25 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <utility>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "device/native/native_variants.h"
-#include "device/opencl/program_source.h"
 
 namespace weft {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 constexpr std::array<std::pair<std::string_view, std::uint32_t>, 9> feature_names{{
     {"FEATURE_TEXTURES", FEATURE_TEXTURES},
     {"FEATURE_VERTEX_COLOURS", FEATURE_VERTEX_COLOURS},
     {"FEATURE_SMOOTH_NORMALS", FEATURE_SMOOTH_NORMALS},
     {"FEATURE_ENVIRONMENT", FEATURE_ENVIRONMENT},
-    {"FEATURE_PUNCTUAL_LIGHTS", FEATURE_PUNCTUAL_LIGHTS},
     {"FEATURE_DIRECTIONAL_LIGHTS", FEATURE_DIRECTIONAL_LIGHTS},
-    {"FEATURE_AREA_LIGHTS", FEATURE_AREA_LIGHTS},
     {"FEATURE_ONE_SIDED", FEATURE_ONE_SIDED},
     {"FEATURE_INDIRECT", FEATURE_INDIRECT},
+    {"FEATURE_SAMPLED_DIRECT", FEATURE_SAMPLED_DIRECT},
+    {"FEATURE_EXACT_DIRECT", FEATURE_EXACT_DIRECT},
 }};
 
 /// The features that `source` asks about, beyond their definitions.
@@ -68,11 +61,10 @@ void check_arguments(const cl::Kernel& kernel, KernelId id) {
 }  // namespace
 
 OpenClProgram::OpenClProgram(const cl::Context& context, const cl::Device& device,
-                             const ProgramCache& cache, KernelId kernel,
+                             const ProgramCache& cache, KernelId kernel, const std::string& source,
                              const ProgramSettings& settings, std::uint32_t features) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     build_.name = kernel_name(kernel);
-    const std::string source = program_source(build_.name);
     build_.flags = build_options(device, settings, features & asked_features(source));
     const std::string name = device.getInfo<CL_DEVICE_NAME>();
     const std::string vendor = device.getInfo<CL_DEVICE_VENDOR>();
@@ -85,7 +77,7 @@ OpenClProgram::OpenClProgram(const cl::Context& context, const cl::Device& devic
     if (!build_.from_cache) compile(context, device, source);
     kernel_ = cl::Kernel(program_, build_.name.c_str());
     check_arguments(kernel_, kernel);
-    build_.build_ms = milliseconds_since(start);
+    build_.build_ms = watch.total();
 }
 
 bool OpenClProgram::load(const cl::Context& context, const cl::Device& device,
@@ -124,14 +116,14 @@ void OpenClProgram::keep(const ProgramCache& cache, double launch_ms) {
     kept_ = true;
     build_.build_ms += launch_ms;
     if (build_.from_cache) return;
-    const auto start = Clock::now();
+    const Stopwatch watch;
     try {
         const auto binaries = program_.getInfo<CL_PROGRAM_BINARIES>();
         if (!binaries.empty()) cache.store(key_, binaries.front());
     } catch (const cl::Error&) {
         return;  // a driver without binaries compiles again next time
     }
-    build_.build_ms += milliseconds_since(start);
+    build_.build_ms += watch.total();
 }
 
 }  // namespace weft

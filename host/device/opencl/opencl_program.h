@@ -21,10 +21,11 @@ struct ProgramSettings {
 /// One kernel, built and ready to launch.
 class OpenClProgram {
   public:
-    /// Loads the kernel from `cache` or compiles it. `features` the kernel does not ask about do
-    /// not make another variant. Throws Error (exit code 3) with the build log.
+    /// Loads the kernel from `cache` or compiles `source`. `features` the kernel does not ask about
+    /// do not make another variant. Throws Error (exit code 3) with the build log.
     OpenClProgram(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
-                  KernelId kernel, const ProgramSettings& settings, std::uint32_t features);
+                  KernelId kernel, const std::string& source, const ProgramSettings& settings,
+                  std::uint32_t features);
 
     [[nodiscard]] cl::Kernel& kernel() noexcept { return kernel_; }
     [[nodiscard]] const KernelBuild& build() const noexcept { return build_; }

@@ -1,0 +1,89 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/common/frame_recorder.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "frame/renderer.h"
+
+namespace weft::bench {
+namespace {
+
+/// Passes everything on to another executor, keeping inputs of the launches of interest.
+class FrameRecorder : public Executor {
+  public:
+    explicit FrameRecorder(Executor& inner) : inner_(inner) {}
+
+    [[nodiscard]] const DeviceInfo& device() const override { return inner_.device(); }
+    [[nodiscard]] std::uint32_t lanes() const override { return inner_.lanes(); }
+    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
+                                                   std::string_view what) override {
+        return inner_.allocate(bytes, what);
+    }
+    void with_mapped(Buffer& buffer, Access access,
+                     const std::function<void(std::span<std::byte>)>& use) override {
+        inner_.with_mapped(buffer, access, use);
+    }
+    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
+        frame_.box_padding = geometry.box_padding;
+        frame_.scene = inner_.make_scene(geometry);
+        return std::make_unique<Placeholder>();
+    }
+    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
+        inner_.build(kernels, features);
+    }
+    bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override {
+        if (launch.kernel == KernelId::gbuffer) frame_.primary = launch.params;
+        if (launch.kernel == KernelId::vpl_gather) keep_gather(launch);
+        const Launch passed{
+            launch.kernel,  launch.params, launch.scene == nullptr ? nullptr : frame_.scene.get(),
+            launch.buffers, launch.items,  launch.items_per_launch};
+        return inner_.run(passed, keep_going);
+    }
+    double take_milliseconds() override { return inner_.take_milliseconds(); }
+    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
+        return inner_.builds();
+    }
+    [[nodiscard]] const WideBvh* bvh() const override { return inner_.bvh(); }
+    [[nodiscard]] double scene_ms() const override { return inner_.scene_ms(); }
+    [[nodiscard]] std::size_t allocated_bytes() const override { return inner_.allocated_bytes(); }
+
+    [[nodiscard]] RecordedFrame take() { return std::move(frame_); }
+
+  private:
+    /// What the renderer holds in place of the scene, which outlives the renderer.
+    class Placeholder : public TracedScene {};
+
+    template <class T>
+    std::vector<T> contents(Buffer& buffer) {
+        return read_buffer<T>(inner_, buffer, buffer.bytes() / sizeof(T));
+    }
+
+    /// Lights are gathered by the same kernel, before the indirect VPLs: the last launch counts.
+    void keep_gather(const Launch& launch) {
+        frame_.gather = launch.params;
+        frame_.receivers = contents<float>(*launch.buffers[0]);
+        frame_.block_sets = contents<std::uint32_t>(*launch.buffers[1]);
+        frame_.vpls = contents<shared::Vpl>(*launch.buffers[2]);
+    }
+
+    Executor& inner_;
+    RecordedFrame frame_;
+};
+
+}  // namespace
+
+RecordedFrame record_frame(Executor& executor, const FlatScene& scene, const Camera& camera) {
+    RenderSettings settings;
+    settings.sampling.interleave = 3;
+    settings.sampling.vpls_per_set = 64;
+    if (!plan_for(scene, settings).has_indirect())
+        throw Error(ExitCode::bad_input, "the scene calls for no indirect light, expected some");
+    FrameRecorder recorder(executor);
+    Renderer renderer(recorder, scene, camera, settings);
+    renderer.render_frame({});
+    return recorder.take();
+}
+
+}  // namespace weft::bench

@@ -1,0 +1,49 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BENCH_COMMON_OWN_QUERIES_H
+#define WEFT_BENCH_COMMON_OWN_QUERIES_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/common/contender.h"
+#include "bench/common/ray_sets.h"
+#include "device/executor.h"
+
+namespace weft::bench {
+
+/// Ray queries by the kernels query_closest, query_any and query_packet.
+class OwnQueries {
+  public:
+    /// Builds the kernels. Executor and scene must outlive this object and its contenders.
+    OwnQueries(std::string name, Executor& executor, const TracedScene& scene);
+
+    /// Contenders for one ray set, which may be gone when they run.
+    [[nodiscard]] Contender closest(const RaySet& rays) const;
+    [[nodiscard]] Contender any(const RaySet& rays) const;
+    [[nodiscard]] Contender packets(const PacketSet& packets) const;
+
+    /// Closest hits at once.
+    [[nodiscard]] std::vector<QueryHit> trace(const RaySet& rays) const;
+
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+
+  private:
+    struct Query;
+    [[nodiscard]] std::shared_ptr<Query> single(KernelId kernel, const RaySet& rays,
+                                                std::size_t answer_bytes) const;
+
+    std::string name_;
+    Executor& executor_;
+    const TracedScene& scene_;
+};
+
+/// The OpenCL device to measure: the one `wanted` names as `--device` of the program does; where
+/// that is empty, the first processor. Null where there is none or Weft was built without OpenCL.
+/// `threads` is 0 for all; to be called before any other use of OpenCL.
+[[nodiscard]] std::unique_ptr<Executor> open_opencl(const std::string& wanted, int threads);
+
+}  // namespace weft::bench
+
+#endif

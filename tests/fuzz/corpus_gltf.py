@@ -1,0 +1,198 @@
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Seeds of the target gltf, which reads .gltf and .glb."""
+import base64
+import json
+import struct
+
+from corpus_pictures import jpeg, png
+
+BYTE, UBYTE, SHORT, USHORT, UINT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
+FORMATS = {BYTE: "b", UBYTE: "B", SHORT: "h", USHORT: "H", UINT: "I", FLOAT: "f"}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+CORNERS = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]
+
+
+class Builder:
+    def __init__(self):
+        self.binary = b""
+        self.json = {"asset": {"version": "2.0"}, "accessors": [], "bufferViews": []}
+
+    def view(self, data, **extra):
+        self.binary += bytes(-len(self.binary) % 4)
+        self.json["bufferViews"].append(
+            {"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(data), **extra})
+        self.binary += data
+        return len(self.json["bufferViews"]) - 1
+
+    def accessor(self, numbers, component, kind, **extra):
+        data = struct.pack(f"<{len(numbers)}{FORMATS[component]}", *numbers)
+        self.json["accessors"].append(
+            {"bufferView": self.view(data), "componentType": component, "type": kind,
+             "count": len(numbers) // WIDTHS[kind], **extra})
+        return len(self.json["accessors"]) - 1
+
+    def mesh(self, **primitive):
+        """One node with one mesh; the positions of a square unless attributes are given."""
+        if "attributes" not in primitive:
+            primitive["attributes"] = {"POSITION": self.accessor(CORNERS, FLOAT, "VEC3")}
+        if "indices" not in primitive and "mode" not in primitive:
+            primitive["indices"] = self.accessor([0, 1, 2, 2, 1, 3], USHORT, "SCALAR")
+        meshes = self.json.setdefault("meshes", [])
+        meshes.append({"primitives": [primitive]})
+        self.node(mesh=len(meshes) - 1)
+        return primitive
+
+    def node(self, **node):
+        nodes = self.json.setdefault("nodes", [])
+        nodes.append(node)
+        roots = self.json.setdefault("scenes", [{"nodes": []}])[0]["nodes"]
+        roots.append(len(nodes) - 1)
+        return len(nodes) - 1
+
+    def complete(self, uri=None):
+        made = {key: value for key, value in self.json.items() if value != []}
+        if self.binary:
+            made["buffers"] = [{"byteLength": len(self.binary)}]
+            if uri:
+                made["buffers"][0]["uri"] = uri
+        return made
+
+    def gltf(self):
+        uri = "data:application/octet-stream;base64," + base64.b64encode(self.binary).decode()
+        return json.dumps(self.complete(uri), separators=(",", ":"))
+
+    def glb(self):
+        def chunk(kind, data, fill):
+            data += fill * (-len(data) % 4)
+            return struct.pack("<I4s", len(data), kind) + data
+
+        text = json.dumps(self.complete(), separators=(",", ":")).encode()
+        body = chunk(b"JSON", text, b" ") + chunk(b"BIN\0", self.binary, b"\0")
+        return b"glTF" + struct.pack("<II", 2, 12 + len(body)) + body
+
+
+def attributes():
+    b = Builder()
+    b.mesh(attributes={
+        "POSITION": b.accessor(CORNERS, FLOAT, "VEC3"),
+        "NORMAL": b.accessor([0, 0, 1] * 4, FLOAT, "VEC3"),
+        "TEXCOORD_0": b.accessor([0, 0, 1, 0, 0, 1, 1, 1], FLOAT, "VEC2"),
+        "COLOR_0": b.accessor([255, 0, 0, 255] * 4, UBYTE, "VEC4", normalized=True),
+    }, material=0)
+    picture = b.view(png(2, 2))
+    b.json.update(
+        materials=[{"name": "m", "doubleSided": True, "emissiveFactor": [1, 0.5, 0],
+                    "pbrMetallicRoughness": {
+                        "baseColorFactor": [0.5, 0.5, 0.5, 1], "metallicFactor": 0,
+                        "baseColorTexture": {"index": 0, "texCoord": 0, "extensions": {
+                            "KHR_texture_transform": {"offset": [0.1, 0], "rotation": 1,
+                                                      "scale": [2, 2]}}}},
+                    "emissiveTexture": {"index": 0},
+                    "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 5}}}],
+        textures=[{"source": 0, "sampler": 0}],
+        samplers=[{"magFilter": 9728, "wrapS": 33071, "wrapT": 33648}],
+        images=[{"bufferView": picture, "mimeType": "image/png"}],
+        extensionsUsed=["KHR_texture_transform", "KHR_materials_emissive_strength"])
+    return b
+
+
+def quantized():
+    b = Builder()
+    view = b.view(struct.pack("<12h", 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0), byteStride=8)
+    b.json["accessors"].append({"bufferView": view, "componentType": SHORT, "type": "VEC3",
+                                "count": 3, "normalized": True})
+    b.mesh(attributes={"POSITION": 0,
+                       "NORMAL": b.accessor([0, 0, 127] * 3, BYTE, "VEC3", normalized=True),
+                       "COLOR_0": b.accessor([65535, 0, 0] * 3, USHORT, "VEC3",
+                                             normalized=True)},
+           indices=b.accessor([0, 1, 2], UBYTE, "SCALAR"))
+    b.json["extensionsRequired"] = b.json["extensionsUsed"] = ["KHR_mesh_quantization"]
+    return b
+
+
+def sparse():
+    b = Builder()
+    indices = b.view(struct.pack("<2H", 1, 2))
+    values = b.view(struct.pack("<6f", 1, 0, 0, 0, 1, 0))
+    b.json["accessors"].append(
+        {"componentType": FLOAT, "type": "VEC3", "count": 3,
+         "sparse": {"count": 2, "indices": {"bufferView": indices, "componentType": USHORT},
+                    "values": {"bufferView": values}}})
+    b.mesh(attributes={"POSITION": 0}, mode=4)
+    return b
+
+
+def modes():
+    b = Builder()
+    b.mesh(mode=5)
+    b.mesh(mode=6, indices=b.accessor([0, 1, 3, 2], UINT, "SCALAR"))
+    b.mesh(mode=1)
+    b.mesh(targets=[{"POSITION": 0}])
+    return b
+
+
+def nodes():
+    b = Builder()
+    b.mesh()
+    b.json["nodes"][0].update(name="leaf", translation=[1, 2, 3], rotation=[0, 0, 0.6, 0.8],
+                              scale=[1, -2, 1])
+    b.json["nodes"] += [
+        {"children": [0, 2], "matrix": [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 5, 6, 7, 1]},
+        {"camera": 0, "translation": [0, 0, 4], "name": "eye"},
+        {"extensions": {"KHR_lights_punctual": {"light": 0}}},
+        {"extensions": {"KHR_lights_punctual": {"light": 1}}, "mesh": 0},
+        {"extensions": {"KHR_lights_punctual": {"light": 2}}, "camera": 1, "skin": 0}]
+    b.json.update(
+        scene=0, scenes=[{"nodes": [1, 3, 4, 5], "name": "s"}],
+        cameras=[{"type": "perspective", "name": "c",
+                  "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.1, "zfar": 100}},
+                 {"type": "orthographic",
+                  "orthographic": {"xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9}}],
+        extensionsUsed=["KHR_lights_punctual", "EXT_other"],
+        animations=[{"channels": [], "samplers": []}],
+        extensions={"KHR_lights_punctual": {"lights": [
+            {"type": "point", "color": [1, 0.5, 0.2], "intensity": 20, "range": 5},
+            {"type": "spot", "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.6}},
+            {"type": "directional", "intensity": 3, "name": "sun"}]}})
+    return b
+
+
+def materials():
+    b = Builder()
+    names = ["unlit", "transmission", "volume", "clearcoat", "sheen", "specular", "ior",
+             "pbrSpecularGlossiness"]
+    b.json["materials"] = [
+        {"alphaMode": "BLEND", "normalTexture": {"index": 0}, "occlusionTexture": {"index": 0},
+         "extensions": {"KHR_materials_" + name: {} for name in names}},
+        {"pbrMetallicRoughness": {"roughnessFactor": 0.5, "baseColorFactor": [2, -1, 0.5, 1],
+                                  "baseColorTexture": {"index": 1}}}]
+    b.mesh(material=0)
+    b.mesh(material=1)
+    picture = "data:image/jpeg;base64," + base64.b64encode(jpeg(8, 8, 1)).decode()
+    b.json.update(images=[{"uri": "pixel.tga"}, {"uri": picture}],
+                  textures=[{"source": 0}, {"source": 1}, {"name": "none"}])
+    return b
+
+
+def outside():
+    b = Builder()
+    b.json.update(buffers=[{"uri": "data.bin", "byteLength": 36}],
+                  bufferViews=[{"buffer": 0, "byteLength": 36}],
+                  accessors=[{"bufferView": 0, "componentType": FLOAT, "type": "VEC3",
+                              "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}])
+    b.mesh(attributes={"POSITION": 0}, mode=4)
+    return b
+
+
+def files():
+    ring = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+            "nodes": [{"children": [1]}, {"children": [2]}, {"children": [1]}]}
+    made = {"attributes": attributes(), "quantized": quantized(), "sparse": sparse(),
+            "modes": modes(), "nodes": nodes(), "materials": materials(), "outside": outside()}
+    out = {name + ".gltf": builder.gltf() for name, builder in made.items()}
+    out.update({name + ".glb": made[name].glb() for name in ("attributes", "sparse", "nodes")})
+    out["outside.gltf"] = json.dumps(made["outside"].json)
+    out["badring.gltf"] = json.dumps(ring, indent=1)
+    out["badversion.gltf"] = '{"asset": {"version": "1.0"}}'
+    return out

@@ -1,0 +1,245 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/readers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/options.h"
+#include "base/diagnostics.h"
+#include "base/error.h"
+#include "bvh/wide_bvh.h"
+#include "image/exr.h"
+#include "scene/flat_scene.h"
+#include "scene/image_file.h"
+#include "scene/load_scene.h"
+#include "scene/ply_reader.h"
+#include "scene/validate_scene.h"
+#include "tests/temporary_folder.h"
+
+#if __has_include("scene/obj_reader.h")
+#include "scene/obj_reader.h"
+#define WEFT_HAS_OBJ 1
+#else
+#define WEFT_HAS_OBJ 0
+#endif
+
+namespace weft::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What scenes may refer to.
+constexpr std::string_view triangle_ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+constexpr std::string_view pixel_tga("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0\x40\x80\xC0", 21);
+constexpr std::string_view part_xml =
+    "<scene version=\"3.0.0\"><shape type=\"rectangle\" id=\"part\"/></scene>\n";
+constexpr std::string_view square_obj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n";
+constexpr std::string_view material_mtl = "newmtl red\nKd 0.8 0.1 0.1\nmap_Kd pixel.tga\n";
+
+std::string_view as_text(Bytes bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// One folder for the whole process, since making it costs more than most inputs.
+const TemporaryFolder& folder() {
+    static const TemporaryFolder made;
+    [[maybe_unused]] static const bool filled = [] {
+        write_companions(made);
+        return true;
+    }();
+    return made;
+}
+
+void require(bool condition, const char* what) {
+    if (!condition) throw std::logic_error(what);
+}
+
+/// A message goes to a terminal, and is one line there.
+void require_one_line(std::string_view text) {
+    require(!text.empty(), "an empty message");
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        require(code >= 0x20 && code != 0x7F, "a message with a control character");
+    }
+}
+
+void require_one_line(const Diagnostics& diagnostics) {
+    for (const std::string& warning : diagnostics.warnings()) require_one_line(warning);
+}
+
+/// Runs `read`, which may end with an Error of this code alone.
+template <typename Read>
+void expect_error(ExitCode code, const Read& read) {
+    try {
+        read();
+    } catch (const Error& error) {
+        if (error.code() != code) throw;
+        require_one_line(error.what());
+    }
+}
+
+/// What a rendering does with a scene before the first kernel runs.
+void use_scene(const Scene& scene) {
+    const FlatScene flat = flatten(scene);
+    for (const shared::float4& p : flat.positions)
+        require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
+                "a position that is not finite");
+    for (const shared::LightRecord& light : flat.lights)
+        require(std::isfinite(light.probability) && light.probability >= 0.0F,
+                "a light with an impossible probability");
+    constexpr std::size_t few = 1000;
+    if (flat.triangles.size() > few) return;
+    const BvhSettings settings;
+    const WideBvh bvh = build_bvh(flat.positions, flat.triangles, settings);
+    const std::string broken = check_bvh(bvh, flat.positions, flat.triangles, settings);
+    require(broken.empty(), broken.c_str());
+}
+
+void read_scene(const std::string& name, Bytes bytes) {
+    const fs::path path = folder().write(name, as_text(bytes));
+    Diagnostics diagnostics;
+    expect_error(ExitCode::bad_input, [&] { use_scene(load_scene(path, diagnostics)); });
+    require_one_line(diagnostics);
+}
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// A scene of this mesh alone.
+Scene scene_of(Mesh mesh) {
+    Scene scene;
+    scene.materials.emplace_back();
+    scene.meshes.push_back(std::move(mesh));
+    scene.instances.emplace_back();
+    return scene;
+}
+
+}  // namespace
+
+void read_gltf_bytes(Bytes bytes) {
+    read_scene(as_text(bytes).starts_with("glTF") ? "scene.glb" : "scene.gltf", bytes);
+}
+
+void read_mitsuba_bytes(Bytes bytes) {
+    read_scene("scene.xml", bytes);
+}
+
+void read_ply_bytes(Bytes bytes) {
+    const fs::path path = folder().write("input.ply", as_text(bytes));
+    Diagnostics diagnostics;
+    expect_error(ExitCode::bad_input, [&] {
+        Mesh mesh = read_ply(path, "scene.xml:1", diagnostics);
+        const std::size_t vertices = mesh.positions.size();
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t corner : triangle)
+                require(corner < vertices && is_finite(mesh.positions[corner]),
+                        "a corner that is nowhere");
+        use_scene([&] {
+            Scene scene = scene_of(std::move(mesh));
+            validate_scene(scene);
+            return scene;
+        }());
+    });
+    require_one_line(diagnostics);
+}
+
+void read_obj_bytes([[maybe_unused]] Bytes bytes) {
+#if WEFT_HAS_OBJ
+    constexpr std::string_view mark = "#mtl\n";
+    std::string_view text = as_text(bytes);
+    const std::size_t cut = text.find(mark);
+    folder().write("material.mtl",
+                   cut == std::string_view::npos ? material_mtl : text.substr(cut + mark.size()));
+    const fs::path path = folder().write("scene.obj", text.substr(0, cut));
+    Diagnostics diagnostics;
+    expect_error(ExitCode::bad_input, [&] {
+        const Scene scene = read_obj(path, diagnostics);
+        validate_scene(scene);
+        use_scene(scene);
+    });
+    require_one_line(diagnostics);
+#endif
+}
+
+void read_image_bytes(Bytes bytes) {
+    expect_error(ExitCode::bad_input, [&] {
+        const Texture texture = decode_image(bytes, "picture");
+        require(texture.width > 0 && texture.height > 0 &&
+                    texture.rgba.size() == std::size_t{4} * texture.width * texture.height,
+                "a picture of the wrong size");
+    });
+}
+
+void read_exr_bytes(Bytes bytes) {
+    const fs::path path = folder().write("picture.exr", as_text(bytes));
+    expect_error(ExitCode::bad_input, [&] {
+        const Image image = read_exr(path);
+        const std::size_t pixels = std::size_t{image.width} * image.height;
+        require(pixels > 0 && !image.layers.empty(), "an empty picture");
+        for (const Layer& layer : image.layers)
+            require(
+                !layer.channels.empty() && layer.values.size() == pixels * layer.channels.size(),
+                "a layer of the wrong size");
+    });
+}
+
+void read_options_bytes(Bytes bytes) {
+    // As the system gives it: no argument holds a NUL.
+    std::string text(as_text(bytes));
+    std::replace(text.begin(), text.end(), '\0', '\n');
+    std::vector<const char*> arguments = {"weft"};
+    constexpr std::size_t most = 64;
+    for (std::size_t begin = 0; begin < text.size() && arguments.size() < most;) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        arguments.push_back(text.data() + begin);
+        if (end < text.size()) text[end] = '\0';
+        begin = end + 1;
+    }
+    expect_error(ExitCode::usage, [&] {
+        const ParsedCommand command =
+            parse_command_line(static_cast<int>(arguments.size()), arguments.data());
+        if (const auto* render = std::get_if<RenderOptions>(&command))
+            require(!options_json(*render).dump().empty(), "options without JSON");
+    });
+}
+
+void write_companions(const TemporaryFolder& folder) {
+    folder.write("triangle.ply", triangle_ply);
+    folder.write("square.obj", square_obj);
+    folder.write("material.mtl", material_mtl);
+    folder.write("pixel.tga", pixel_tga);
+    folder.write("data.bin", std::string(36, '\0'));
+    folder.write("part.xml", part_xml);
+}
+
+std::span<const Reader> readers() {
+    static constexpr std::array all = {
+        Reader{"gltf", read_gltf_bytes},
+        Reader{"mitsuba", read_mitsuba_bytes},
+        Reader{"ply", read_ply_bytes},
+#if WEFT_HAS_OBJ
+        Reader{"obj", read_obj_bytes},
+#endif
+        Reader{"image", read_image_bytes},
+        Reader{"exr", read_exr_bytes},
+        Reader{"options", read_options_bytes},
+    };
+    return all;
+}
+
+}  // namespace weft::fuzz

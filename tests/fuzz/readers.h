@@ -1,0 +1,43 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TESTS_FUZZ_READERS_H
+#define WEFT_TESTS_FUZZ_READERS_H
+
+#include <cstddef>
+#include <span>
+
+#include "tests/temporary_folder.h"
+
+namespace weft::fuzz {
+
+using Bytes = std::span<const std::byte>;
+
+// Each of these gives any bytes to one reader, as a file or whatever it reads. It returns when the
+// reader took them and what it made of them is sound, or when it refused them as it should: with
+// an Error of the right exit code and one line of text. Everything else is thrown, std::logic_error
+// for what is unsound.
+
+void read_gltf_bytes(Bytes bytes);  ///< binary glTF where the bytes begin with `glTF`
+void read_mitsuba_bytes(Bytes bytes);
+void read_ply_bytes(Bytes bytes);
+void read_obj_bytes(Bytes bytes);  ///< what follows a line `#mtl` is material.mtl
+void read_image_bytes(Bytes bytes);
+void read_exr_bytes(Bytes bytes);
+void read_options_bytes(Bytes bytes);  ///< one argument a line
+
+/// A reader and the folder of its inputs, tests/fuzz/corpus/`name`.
+struct Reader {
+    const char* name;
+    void (*read)(Bytes);
+};
+
+/// Writes what inputs may refer to: triangle.ply, square.obj, material.mtl, pixel.tga, data.bin
+/// and part.xml.
+void write_companions(const TemporaryFolder& folder);
+
+/// Every reader of this build.
+[[nodiscard]] std::span<const Reader> readers();
+
+}  // namespace weft::fuzz
+
+#endif
