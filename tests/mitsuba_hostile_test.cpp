@@ -249,7 +249,8 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
     const std::string shape =
         "<shape type=\"cube\" colour=\"red\">\n<float name=\"gloss\" value=\"1\"/>\n"
         "<teapot/>\nhello<bsdf type=\"diffuse\" id=\"I\"><string name=\"x\" value=\"y\"/></bsdf>"
-        "</shape>\n<shape type=\"hair\"/><shape type=\"serialized\"/><sensor type=\"orthographic\"/>"
+        "</shape>\n<shape type=\"hair\"/><shape type=\"serialized\"/><sensor "
+        "type=\"orthographic\"/>"
         "<emitter type=\"envmap\"/><emitter type=\"sunsky\"/>\n";
     std::string again = shape;
     again.replace(again.find("\"I\""), 3, "\"J\"");
