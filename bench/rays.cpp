@@ -164,7 +164,7 @@ SceneResult run_scene(const Settings& settings, const BenchScene& source, Execut
     SceneResult result;
     result.name = source.name;
     result.triangles = flat.triangles.size();
-    result.bvh_nodes = native.bvh()->nodes.size();
+    result.bvh_nodes = native.bvh()->nodes;
     result.bvh_ms = native.bvh()->build_ms;
     result.sah_cost = native.bvh()->sah_cost;
     print(table_heading(result));

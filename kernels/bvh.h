@@ -30,6 +30,25 @@ static inline uint intersect_node(GLOBAL const BvhNode* node, const Ray* ray, fl
     return node_mask_bits(first <= last * SLAB_PADDING);
 }
 
+/// The triangles of a leaf; replaces `best` by the rule above.
+static inline void intersect_leaf(GLOBAL const BvhTriangle* triangles, uint reference,
+                                  const Ray* ray, Hit* best) {
+    uint first = reference & BVH_FIRST_MASK;
+    uint end = first + ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK);
+    for (uint i = first; i < end; ++i) {
+        GLOBAL const BvhTriangle* triangle = triangles + i;
+        Hit hit;
+        if (intersect_triangle(ray, coordinates(&triangle->v0), coordinates(&triangle->v1),
+                               coordinates(&triangle->v2), best->t, &hit) == 0)
+            continue;
+        uint id = as_bits(triangle->v0.w);
+        if (hit.t < best->t || id < best->triangle) {
+            *best = hit;
+            best->triangle = id;
+        }
+    }
+}
+
 /// Closest hit of the ray within (0, t_max].
 static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const BvhTriangle* triangles,
                               float3 origin, float3 direction, float t_max) {
@@ -42,13 +61,9 @@ static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const BvhTrian
     best.t = t_max;
     best.u = 0.0f;
     best.v = 0.0f;
-    uint size = 1u;
-    stack[0] = 0u;
-    stack_entry[0] = 0.0f;
-    while (size > 0u) {
-        --size;
-        if (stack_entry[size] > best.t * SLAB_PADDING) continue;
-        uint reference = stack[size];
+    uint size = 0u;
+    uint reference = 0u;
+    for (;;) {
         if ((reference & BVH_LEAF) == 0u) {
             GLOBAL const BvhNode* node = nodes + reference;
             NFloat entry;
@@ -70,24 +85,19 @@ static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const BvhTrian
                 stack_entry[place] = distance;
                 ++size;
             }
-            continue;
-        }
-        uint first = reference & BVH_FIRST_MASK;
-        uint end = first + ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK);
-        for (uint i = first; i < end; ++i) {
-            float4 v0 = triangles[i].v0;
-            Hit hit;
-            if (intersect_triangle(&ray, xyz(v0), xyz(triangles[i].v1), xyz(triangles[i].v2),
-                                   best.t, &hit) == 0)
+            if (size > base) {
+                reference = stack[--size];
                 continue;
-            uint id = as_bits(v0.w);
-            if (hit.t < best.t || id < best.triangle) {
-                best = hit;
-                best.triangle = id;
             }
+        } else {
+            intersect_leaf(triangles, reference, &ray, &best);
         }
+        do {
+            if (size == 0u) return best;
+            --size;
+        } while (stack_entry[size] > best.t * SLAB_PADDING);
+        reference = stack[size];
     }
-    return best;
 }
 
 /// 1 where anything lies within (0, t_max) of the ray, else 0.
@@ -98,25 +108,26 @@ static inline int bvh_any(GLOBAL const BvhNode* nodes, GLOBAL const BvhTriangle*
     uint size = 1u;
     stack[0] = 0u;
     while (size > 0u) {
-        uint reference = stack[--size];
-        if ((reference & BVH_LEAF) == 0u) {
-            GLOBAL const BvhNode* node = nodes + reference;
-            NFloat entry;
-            uint bits = intersect_node(node, &ray, t_max, &entry);
-            while (bits != 0u) {
-                stack[size++] = node->child[lowest_bit(bits)];
-                bits &= bits - 1u;
+        GLOBAL const BvhNode* node = nodes + stack[--size];
+        NFloat entry;
+        uint bits = intersect_node(node, &ray, t_max, &entry);
+        while (bits != 0u) {
+            uint reference = node->child[lowest_bit(bits)];
+            bits &= bits - 1u;
+            if ((reference & BVH_LEAF) == 0u) {
+                stack[size++] = reference;
+                continue;
             }
-            continue;
-        }
-        uint first = reference & BVH_FIRST_MASK;
-        uint end = first + ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK);
-        for (uint i = first; i < end; ++i) {
-            Hit hit;
-            if (intersect_triangle(&ray, xyz(triangles[i].v0), xyz(triangles[i].v1),
-                                   xyz(triangles[i].v2), t_max, &hit) != 0 &&
-                hit.t < t_max)
-                return 1;
+            uint first = reference & BVH_FIRST_MASK;
+            uint end = first + ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK);
+            for (uint i = first; i < end; ++i) {
+                GLOBAL const BvhTriangle* triangle = triangles + i;
+                Hit hit;
+                if (intersect_triangle(&ray, coordinates(&triangle->v0), coordinates(&triangle->v1),
+                                       coordinates(&triangle->v2), t_max, &hit) != 0 &&
+                    hit.t < t_max)
+                    return 1;
+            }
         }
     }
     return 0;

@@ -28,8 +28,9 @@ static inline void retest(Scene scene, const Ray* ray, uint id, Hit* best) {
     const float4* positions = static_cast<const float4*>(scene.positions);
     const Triangle triangle = static_cast<const Triangle*>(scene.triangles)[id];
     Hit hit;
-    if (intersect_triangle(ray, xyz(positions[triangle.v0]), xyz(positions[triangle.v1]),
-                           xyz(positions[triangle.v2]), best->t, &hit) == 0)
+    if (intersect_triangle(ray, coordinates(positions + triangle.v0),
+                           coordinates(positions + triangle.v1),
+                           coordinates(positions + triangle.v2), best->t, &hit) == 0)
         return;
     if (hit.t < best->t || id < best->triangle) {
         *best = hit;

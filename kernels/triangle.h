@@ -13,6 +13,11 @@
 // Largest finite distance; rays "to infinity" end here.
 #define RAY_INFINITY 3.0e38f
 
+/// The coordinates of a vertex one by one.
+static inline GLOBAL const float* coordinates(GLOBAL const float4* vertex) {
+    return (GLOBAL const float*)vertex;
+}
+
 // A closest hit: p = (1 - u - v) v0 + u v1 + v v2. `triangle` is NO_TRIANGLE for a miss.
 typedef struct {
     uint triangle;
@@ -22,9 +27,10 @@ typedef struct {
 // A ray with what the slab and triangle tests need of its direction.
 typedef struct {
     float3 origin, direction, inverse;
-    uint far_x, far_y, far_z;  // 0 where the upper plane of the axis is the far one, else 1
-    uint axis_x, axis_y, axis_z;
+    uint far_x, far_y, far_z;     // 0 where the upper plane of the axis is the far one, else 1
+    uint axis_x, axis_y, axis_z;  // the shear's axes; z is the direction's largest component
     float shear_x, shear_y, shear_z;
+    float start_x, start_y, start_z;  // origin along them
 } Ray;
 
 static inline float3 xyz(float4 v) {
@@ -68,36 +74,41 @@ static inline Ray make_ray(float3 origin, float3 direction) {
     ray.shear_x = component(direction, ray.axis_x) / along;
     ray.shear_y = component(direction, ray.axis_y) / along;
     ray.shear_z = 1.0f / along;
+    ray.start_x = component(origin, ray.axis_x);
+    ray.start_y = component(origin, ray.axis_y);
+    ray.start_z = component(origin, ray.axis_z);
     return ray;
 }
 
-/// Tests one triangle. Edges and vertices belong to every triangle that has them, so nothing slips
-/// between neighbours. On a hit with 0 < t <= t_max fills t, u, v and returns 1.
-static inline int intersect_triangle(const Ray* ray, float3 v0, float3 v1, float3 v2, float t_max,
-                                     Hit* hit) {
-    float3 a = v0 - ray->origin;
-    float3 b = v1 - ray->origin;
-    float3 c = v2 - ray->origin;
-    float az = component(a, ray->axis_z);
-    float bz = component(b, ray->axis_z);
-    float cz = component(c, ray->axis_z);
-    float ax = component(a, ray->axis_x) - ray->shear_x * az;
-    float ay = component(a, ray->axis_y) - ray->shear_y * az;
-    float bx = component(b, ray->axis_x) - ray->shear_x * bz;
-    float by = component(b, ray->axis_y) - ray->shear_y * bz;
-    float cx = component(c, ray->axis_x) - ray->shear_x * cz;
-    float cy = component(c, ray->axis_y) - ray->shear_y * cz;
+/// Tests one triangle, given by its vertices' coordinates. Edges and vertices belong to every
+/// triangle that has them, so nothing slips between neighbours. On a hit with 0 < t <= t_max fills
+/// t, u, v and returns 1.
+static inline int intersect_triangle(const Ray* ray, GLOBAL const float* v0, GLOBAL const float* v1,
+                                     GLOBAL const float* v2, float t_max, Hit* hit) {
+    float az = v0[ray->axis_z] - ray->start_z;
+    float bz = v1[ray->axis_z] - ray->start_z;
+    float cz = v2[ray->axis_z] - ray->start_z;
+    float ax = v0[ray->axis_x] - ray->start_x - ray->shear_x * az;
+    float ay = v0[ray->axis_y] - ray->start_y - ray->shear_y * az;
+    float bx = v1[ray->axis_x] - ray->start_x - ray->shear_x * bz;
+    float by = v1[ray->axis_y] - ray->start_y - ray->shear_y * bz;
+    float cx = v2[ray->axis_x] - ray->start_x - ray->shear_x * cz;
+    float cy = v2[ray->axis_y] - ray->start_y - ray->shear_y * cz;
     float u = cx * by - cy * bx;
     float v = ax * cy - ay * cx;
     float w = bx * ay - by * ax;
     if ((u < 0.0f || v < 0.0f || w < 0.0f) && (u > 0.0f || v > 0.0f || w > 0.0f)) return 0;
     float determinant = u + v + w;
     if (determinant == 0.0f) return 0;
-    float t = ray->shear_z * (u * az + v * bz + w * cz) / determinant;
+    // Weights first: the products of tiny triangles would underflow.
+    float weight_a = u / determinant;
+    float weight_b = v / determinant;
+    float weight_c = w / determinant;
+    float t = ray->shear_z * (weight_a * az + weight_b * bz + weight_c * cz);
     if (!(t > 0.0f && t <= t_max)) return 0;
     hit->t = t;
-    hit->u = v / determinant;
-    hit->v = w / determinant;
+    hit->u = weight_b;
+    hit->v = weight_c;
     return 1;
 }
 

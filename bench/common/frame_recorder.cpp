@@ -45,7 +45,7 @@ class FrameRecorder : public Executor {
     [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
         return inner_.builds();
     }
-    [[nodiscard]] const WideBvh* bvh() const override { return inner_.bvh(); }
+    [[nodiscard]] const BvhStats* bvh() const override { return inner_.bvh(); }
     [[nodiscard]] double scene_ms() const override { return inner_.scene_ms(); }
     [[nodiscard]] std::size_t allocated_bytes() const override { return inner_.allocated_bytes(); }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/stats_json.h"
 
+#include <sys/resource.h>
+
 #include <array>
 
 #include "device/native/embree_scene.h"
@@ -29,15 +31,33 @@ nlohmann::json frame_json(const FrameStats& frame) {
     return {{"ms", frame.ms}, {"rays", frame.rays}, {"stages", stages}, {"nonfinite", nonfinite}};
 }
 
+/// Bytes that the vertices, triangles and acceleration structure take on the device.
+std::size_t geometry_bytes(const FlatScene& scene, const Executor& executor) {
+    const auto bytes = [](const auto& values) { return std::as_bytes(std::span(values)).size(); };
+    const BvhStats* bvh = executor.bvh();
+    return bytes(scene.positions) + bytes(scene.triangles) + bytes(scene.normals) +
+           bytes(scene.texture_coordinates) + bytes(scene.vertex_colours) +
+           (bvh != nullptr ? bvh->bytes : 0);
+}
+
+/// Largest resident set of the process so far, bytes.
+std::size_t peak_memory() {
+    rusage usage{};
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::size_t>(usage.ru_maxrss) * 1024
+                                               : 0;
+}
+
 nlohmann::json scene_json(const FlatScene& scene, const Executor& executor) {
     nlohmann::json json{{"triangles", scene.triangles.size()},
                         {"instances", scene.instances.size()},
                         {"lights", scene.lights.size()},
+                        {"geometry_bytes", geometry_bytes(scene, executor)},
                         {"mean_reflectance", scene.mean_reflectance}};
-    if (const WideBvh* bvh = executor.bvh())
-        json["bvh"] = {{"nodes", bvh->nodes.size()}, {"triangles", bvh->triangles.size()},
-                       {"depth", bvh->depth},        {"spatial_splits", bvh->has_spatial_splits},
-                       {"sah_cost", bvh->sah_cost},  {"build_ms", bvh->build_ms}};
+    if (const BvhStats* bvh = executor.bvh())
+        json["bvh"] = {{"nodes", bvh->nodes},      {"triangles", bvh->triangles},
+                       {"depth", bvh->depth},      {"spatial_splits", bvh->has_spatial_splits},
+                       {"bytes", bvh->bytes},      {"sah_cost", bvh->sah_cost},
+                       {"build_ms", bvh->build_ms}};
     return json;
 }
 
@@ -122,6 +142,7 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
               {"write_ms", times.write_ms},
               {"total_ms", times.total_ms}}},
             {"bytes", executor.allocated_bytes()},
+            {"peak_memory", peak_memory()},
             {"nonfinite", nonfinite},
             {"frames", frames}};
 }

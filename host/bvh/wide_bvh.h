@@ -3,6 +3,7 @@
 #ifndef WEFT_BVH_WIDE_BVH_H
 #define WEFT_BVH_WIDE_BVH_H
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -30,6 +31,28 @@ struct WideBvh {
     double sah_cost = 0.0;
     double build_ms = 0.0;
 };
+
+/// What remains to be said of a BVH once it is on a device.
+struct BvhStats {
+    std::size_t nodes = 0;
+    std::size_t triangles = 0;  ///< leaf entries; spatial splits repeat some
+    std::size_t bytes = 0;
+    std::uint32_t depth = 0;
+    bool has_spatial_splits = false;
+    double sah_cost = 0.0;
+    double build_ms = 0.0;
+};
+
+[[nodiscard]] inline BvhStats stats_of(const WideBvh& bvh) {
+    return {bvh.nodes.size(),
+            bvh.triangles.size(),
+            bvh.nodes.size() * sizeof(shared::BvhNode) +
+                bvh.triangles.size() * sizeof(shared::BvhTriangle),
+            bvh.depth,
+            bvh.has_spatial_splits,
+            bvh.sah_cost,
+            bvh.build_ms};
+}
 
 /// Builds with Embree's `rtcBuildBVH`. Triangles whose area is exactly zero or whose vertices are
 /// not finite are left out, since no ray can hit them. Throws Error (exit code 4 when memory runs

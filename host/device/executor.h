@@ -124,7 +124,7 @@ class Executor {
 
     [[nodiscard]] virtual const std::vector<KernelBuild>& builds() const = 0;
     /// The BVH of the scene made last, or null where the backend has its own (Embree).
-    [[nodiscard]] virtual const WideBvh* bvh() const { return nullptr; }
+    [[nodiscard]] virtual const BvhStats* bvh() const { return nullptr; }
     /// Milliseconds that acceleration structures took.
     [[nodiscard]] virtual double scene_ms() const = 0;
     /// Bytes of device memory allocated now.

@@ -10,7 +10,7 @@
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
-#include "scene/jpeg_check.h"
+#include "scene/jpeg.h"
 #include "scene/stb_image_configuration.h"
 
 #include <stb/stb_image.h>
@@ -33,6 +33,16 @@ std::size_t largest_block(std::size_t file_bytes, int width, int height) {
     return std::max(2 * file_bytes, 16 * pixels) + tables;
 }
 
+/// Refuses pictures that are too large, before they are decoded.
+void check_size(std::uint32_t width, std::uint32_t height, const std::string& place) {
+    const std::size_t decoded = std::size_t{4} * width * height;
+    if (width > limits::max_texture_edge || height > limits::max_texture_edge ||
+        decoded > limits::max_texture_bytes)
+        throw input_error(place, "picture of " + std::to_string(width) + " x " +
+                                     std::to_string(height) + " pixels, expected at most " +
+                                     std::to_string(limits::max_texture_edge) + " along each edge");
+}
+
 }  // namespace
 
 Texture decode_image(std::span<const std::byte> bytes, const std::string& place) {
@@ -41,7 +51,7 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& place)
     if (bytes.size() > max_bytes)
         throw input_error(place, "picture file is longer than the limit of " +
                                      std::to_string(max_bytes) + " bytes");
-    check_jpeg(bytes, place);  // before the decoder sees the first table
+    if (is_jpeg(bytes)) return decode_jpeg(bytes, place, check_size);
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int length = static_cast<int>(bytes.size());
     stbi_max_block = largest_block(bytes.size(), 0, 0);
@@ -54,13 +64,7 @@ Texture decode_image(std::span<const std::byte> bytes, const std::string& place)
     if (height < 0 && height > std::numeric_limits<int>::min()) height = -height;
     if (!known || width <= 0 || height <= 0)
         throw input_error(place, std::string("picture cannot be decoded, ") + expected);
-    constexpr int max_edge = static_cast<int>(limits::max_texture_edge);
-    const std::size_t decoded =
-        std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
-    if (width > max_edge || height > max_edge || decoded > limits::max_texture_bytes)
-        throw input_error(place, "picture of " + std::to_string(width) + " x " +
-                                     std::to_string(height) + " pixels, expected at most " +
-                                     std::to_string(max_edge) + " along each edge");
+    check_size(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), place);
     stbi_max_block = largest_block(bytes.size(), width, height);
     const std::unique_ptr<stbi_uc, StbiFree> pixels(
         stbi_load_from_memory(data, length, &width, &height, &channels, 4));

@@ -17,7 +17,6 @@ extern thread_local std::size_t stbi_max_block;
 
 // stb_image is configured by macros that must agree wherever its header is included.
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO

@@ -10,6 +10,7 @@
 
 #include <fstream>
 #include <new>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -112,7 +113,8 @@ class NativeExecutor : public Executor {
             }
         });
         scene_ms_ = watch.total();
-        bvh_ = traversal_ == NativeTraversal::embree ? nullptr : &scene->bvh;
+        bvh_.reset();
+        if (traversal_ == NativeTraversal::own_bvh) bvh_ = stats_of(scene->bvh);
         return scene;
     }
 
@@ -127,7 +129,7 @@ class NativeExecutor : public Executor {
 
     double take_milliseconds() override { return std::exchange(milliseconds_, 0.0); }
     [[nodiscard]] const std::vector<KernelBuild>& builds() const override { return builds_; }
-    [[nodiscard]] const WideBvh* bvh() const override { return bvh_; }
+    [[nodiscard]] const BvhStats* bvh() const override { return bvh_ ? &*bvh_ : nullptr; }
     [[nodiscard]] double scene_ms() const override { return scene_ms_; }
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
@@ -142,7 +144,7 @@ class NativeExecutor : public Executor {
     tbb::task_arena arena_;
     std::size_t allocated_ = 0;
     std::vector<KernelBuild> builds_;
-    const WideBvh* bvh_ = nullptr;
+    std::optional<BvhStats> bvh_;
     double milliseconds_ = 0.0;
     double scene_ms_ = 0.0;
 };

@@ -7,6 +7,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -51,7 +52,6 @@ class OpenClBuffer : public Buffer {
 
 class OpenClTracedScene : public TracedScene {
   public:
-    WideBvh bvh;
     std::unique_ptr<Buffer> nodes;
     std::unique_ptr<Buffer> triangles;
 };
@@ -107,7 +107,7 @@ class OpenClExecutor : public Executor {
         for (const auto& [key, program] : programs_) builds_.push_back(program.build());
         return builds_;
     }
-    [[nodiscard]] const WideBvh* bvh() const override { return bvh_; }
+    [[nodiscard]] const BvhStats* bvh() const override { return bvh_ ? &*bvh_ : nullptr; }
     [[nodiscard]] double scene_ms() const override { return scene_ms_; }
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
@@ -129,7 +129,7 @@ class OpenClExecutor : public Executor {
     std::map<std::pair<KernelId, std::uint32_t>, OpenClProgram> programs_;
     mutable std::vector<KernelBuild> builds_;
     std::deque<cl::Event> in_flight_;
-    const WideBvh* bvh_ = nullptr;
+    std::optional<BvhStats> bvh_;
     double milliseconds_ = 0.0;
     double scene_ms_ = 0.0;
     std::size_t allocated_ = 0;
@@ -161,12 +161,12 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     auto scene = std::make_unique<OpenClTracedScene>();
     BvhSettings settings;
     settings.padding = geometry.box_padding;
-    arena_.execute(
-        [&] { scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
-    scene->nodes = upload<shared::BvhNode>(*this, scene->bvh.nodes, "BVH nodes");
-    scene->triangles = upload<shared::BvhTriangle>(*this, scene->bvh.triangles, "BVH triangles");
+    WideBvh bvh;
+    arena_.execute([&] { bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
+    scene->nodes = upload<shared::BvhNode>(*this, bvh.nodes, "BVH nodes");
+    scene->triangles = upload<shared::BvhTriangle>(*this, bvh.triangles, "BVH triangles");
     scene_ms_ = watch.total();
-    bvh_ = &scene->bvh;
+    bvh_ = stats_of(bvh);
     return scene;
 }
 
