@@ -4,6 +4,7 @@
 // Which way cameras look and surfaces face. The expected numbers were read off Mitsuba 3.9.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

@@ -3,6 +3,7 @@
 #ifndef WEFT_TESTS_SCENE_BUILDER_H
 #define WEFT_TESTS_SCENE_BUILDER_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

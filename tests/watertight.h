@@ -4,7 +4,10 @@
 #define WEFT_TESTS_WATERTIGHT_H
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iostream>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <optional>

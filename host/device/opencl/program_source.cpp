@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/opencl/program_source.h"
 
+#include <algorithm>
 #include <set>
 
 #include "base/error.h"
