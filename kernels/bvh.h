@@ -12,7 +12,7 @@
 #define SLAB_PADDING 1.0000005f
 
 /// Which children the ray meets within (0, t_max]; `entry` receives their entry distances.
-static inline uint intersect_node(GLOBAL const BvhNode* node, const Ray* ray, float t_max,
+static inline uint intersect_node(GLOBAL const BvhNode* node, const SlabRay* ray, float t_max,
                                   NFloat* entry) {
     NFloat near_x = (node_load(node->bounds[ray->far_x]) - ray->origin.x) * ray->inverse.x;
     NFloat near_y = (node_load(node->bounds[2u + ray->far_y]) - ray->origin.y) * ray->inverse.y;
@@ -30,27 +30,45 @@ static inline uint intersect_node(GLOBAL const BvhNode* node, const Ray* ray, fl
     return node_mask_bits(first <= last * SLAB_PADDING);
 }
 
+/// How many triangles a leaf holds, given its reference, and their rows.
+static inline uint leaf_triangles(GLOBAL const float* leaves, uint reference,
+                                  GLOBAL const float** rows) {
+    *rows = leaves + LEAF_ROWS * (reference & BVH_FIRST_MASK);
+    return (reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK;
+}
+
+/// Id of triangle `i` of a leaf.
+static inline uint leaf_id(GLOBAL const float* rows, uint count, uint i) {
+    return as_bits(rows[LEAF_ID_ROW * count + i]) & LEAF_ID_MASK;
+}
+
 /// The triangles of a leaf; replaces `best` by the rule above.
-static inline void intersect_leaf(GLOBAL const BvhTriangle* triangles, uint reference,
-                                  const Ray* ray, Hit* best) {
-    uint first = reference & BVH_FIRST_MASK;
-    uint end = first + ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK);
-    for (uint i = first; i < end; ++i) {
-        GLOBAL const BvhTriangle* triangle = triangles + i;
-        Hit hit;
-        if (intersect_triangle(ray, coordinates(&triangle->v0), coordinates(&triangle->v1),
-                               coordinates(&triangle->v2), best->t, &hit) == 0)
-            continue;
-        uint id = as_bits(triangle->v0.w);
-        if (hit.t < best->t || id < best->triangle) {
-            *best = hit;
-            best->triangle = id;
-        }
+static inline void closest_in_leaf(GLOBAL const float* leaves, uint reference, const Ray* ray,
+                                   Hit* best) {
+    GLOBAL const float* rows;
+    uint count = leaf_triangles(leaves, reference, &rows);
+    LeafHits hits;
+    uint bits = intersect_triangles(ray, rows, count, best->t, &hits);
+    if (bits == 0u) return;
+    float t[NODE_WIDTH], v[NODE_WIDTH], w[NODE_WIDTH];
+    node_store(hits.t, t);
+    node_store(hits.v, v);
+    node_store(hits.w, w);
+    while (bits != 0u) {
+        uint i = lowest_bit(bits);
+        bits &= bits - 1u;
+        if (t[i] > best->t) continue;
+        uint id = leaf_id(rows, count, i);
+        if (t[i] == best->t && id >= best->triangle) continue;
+        best->triangle = id;
+        best->t = t[i];
+        best->u = v[i];
+        best->v = w[i];
     }
 }
 
 /// Closest hit of the ray within (0, t_max].
-static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const BvhTriangle* triangles,
+static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves,
                               float3 origin, float3 direction, float t_max) {
     uint stack[BVH_STACK];
     float stack_entry[BVH_STACK];
@@ -67,30 +85,42 @@ static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const BvhTrian
         if ((reference & BVH_LEAF) == 0u) {
             GLOBAL const BvhNode* node = nodes + reference;
             NFloat entry;
-            uint bits = intersect_node(node, &ray, best.t, &entry);
-            node_store(entry, entries);
-            uint base = size;
-            while (bits != 0u) {
+            uint bits = intersect_node(node, &ray.slabs, best.t, &entry);
+            if (bits != 0u) {
                 uint child = lowest_bit(bits);
                 bits &= bits - 1u;
-                float distance = entries[child];
-                uint place = size;
-                // Insertion keeps the nearest child on top of the stack.
-                while (place > base && stack_entry[place - 1u] < distance) {
-                    stack[place] = stack[place - 1u];
-                    stack_entry[place] = stack_entry[place - 1u];
-                    --place;
+                reference = node->child[child];
+                if (bits == 0u) continue;
+                // The nearest child stays in `reference`; the others wait, the nearer on top.
+                node_store(entry, entries);
+                float nearest = entries[child];
+                uint base = size;
+                while (bits != 0u) {
+                    child = lowest_bit(bits);
+                    bits &= bits - 1u;
+                    uint later = node->child[child];
+                    float distance = entries[child];
+                    if (distance < nearest) {
+                        uint swap = reference;
+                        reference = later;
+                        later = swap;
+                        float swap_distance = nearest;
+                        nearest = distance;
+                        distance = swap_distance;
+                    }
+                    uint place = size++;
+                    while (place > base && stack_entry[place - 1u] < distance) {
+                        stack[place] = stack[place - 1u];
+                        stack_entry[place] = stack_entry[place - 1u];
+                        --place;
+                    }
+                    stack[place] = later;
+                    stack_entry[place] = distance;
                 }
-                stack[place] = node->child[child];
-                stack_entry[place] = distance;
-                ++size;
-            }
-            if (size > base) {
-                reference = stack[--size];
                 continue;
             }
         } else {
-            intersect_leaf(triangles, reference, &ray, &best);
+            closest_in_leaf(leaves, reference, &ray, &best);
         }
         do {
             if (size == 0u) return best;
@@ -101,16 +131,17 @@ static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const BvhTrian
 }
 
 /// 1 where anything lies within (0, t_max) of the ray, else 0.
-static inline int bvh_any(GLOBAL const BvhNode* nodes, GLOBAL const BvhTriangle* triangles,
-                          float3 origin, float3 direction, float t_max) {
+static inline int bvh_any(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves, float3 origin,
+                          float3 direction, float t_max) {
     uint stack[BVH_STACK];
     Ray ray = make_ray(origin, direction);
+    float last = from_bits(as_bits(t_max) - 1u);  // the largest distance before t_max
     uint size = 1u;
     stack[0] = 0u;
     while (size > 0u) {
         GLOBAL const BvhNode* node = nodes + stack[--size];
         NFloat entry;
-        uint bits = intersect_node(node, &ray, t_max, &entry);
+        uint bits = intersect_node(node, &ray.slabs, t_max, &entry);
         while (bits != 0u) {
             uint reference = node->child[lowest_bit(bits)];
             bits &= bits - 1u;
@@ -118,16 +149,10 @@ static inline int bvh_any(GLOBAL const BvhNode* nodes, GLOBAL const BvhTriangle*
                 stack[size++] = reference;
                 continue;
             }
-            uint first = reference & BVH_FIRST_MASK;
-            uint end = first + ((reference >> BVH_COUNT_SHIFT) & BVH_COUNT_MASK);
-            for (uint i = first; i < end; ++i) {
-                GLOBAL const BvhTriangle* triangle = triangles + i;
-                Hit hit;
-                if (intersect_triangle(&ray, coordinates(&triangle->v0), coordinates(&triangle->v1),
-                                       coordinates(&triangle->v2), t_max, &hit) != 0 &&
-                    hit.t < t_max)
-                    return 1;
-            }
+            GLOBAL const float* rows;
+            uint count = leaf_triangles(leaves, reference, &rows);
+            LeafHits hits;
+            if (intersect_triangles(&ray, rows, count, last, &hits) != 0u) return 1;
         }
     }
     return 0;

@@ -16,7 +16,21 @@ typedef struct {
     float3 position, normal;
 } LightPoint;
 
-/// Light that `*u` falls into by power; stretches `*u` over the chosen entry for reuse.
+/// Area light that `u` falls into by power.
+static inline uint choose_area_light(GLOBAL const LightRecord* lights, uint count, float u) {
+    uint low = 0u;
+    uint high = count - 1u;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        if (lights[middle].area_cumulative > u)
+            high = middle;
+        else
+            low = middle + 1u;
+    }
+    return low;
+}
+
+/// Light of any kind that `*u` falls into by power; stretches `*u` over the chosen entry for reuse.
 static inline uint choose_light(GLOBAL const LightRecord* lights, uint count, float* u) {
     uint low = 0u;
     uint high = count - 1u;

@@ -19,10 +19,9 @@ static inline void store_area_sample(const Params* params, const Geometry* geome
     } else {
         count = params->samples_per_set;
         index = (params->frame * params->sets + set) * count + item;
-        float choice = radical_inverse(PRIME_LIGHT, index, params->seed) *
-                       lights[params->sampled_lights - 1u].cumulative;
-        chosen = choose_light(lights, params->sampled_lights, &choice);
-        probability = lights[chosen].probability / lights[params->sampled_lights - 1u].cumulative;
+        float choice = radical_inverse(PRIME_LIGHT, index, params->seed);
+        chosen = choose_area_light(lights, params->sampled_lights, choice);
+        probability = lights[chosen].area_probability;
     }
     LightRecord light = lights[chosen];
     uint key = hash_pair(params->seed, chosen + 1u);

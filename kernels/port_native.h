@@ -115,6 +115,12 @@ static inline WFloat wide_load(const float* p, uint i) {
 static inline void wide_store(WFloat v, float* p, uint i) {
     p[i] = v;
 }
+static inline uint mask_bits(WMask m) {
+    return static_cast<uint>(m);
+}
+static inline WMask mask_of(uint bits) {
+    return static_cast<WMask>(bits);
+}
 static inline bool mask_any(WMask m) {
     return m != 0;
 }
@@ -149,17 +155,25 @@ static inline WFloat wide_load(const float* p, uint i) {
 static inline void wide_store(WFloat v, float* p, uint i) {
     *reinterpret_cast<WideOf<LANES>::Unaligned*>(p + i) = v;
 }
+static inline uint mask_bits(WMask m) {
+    return vector_mask_bits<LANES>(m);
+}
+static inline WMask mask_of(uint bits) {
+    WMask bit;
+    for (int i = 0; i < LANES; ++i) bit[i] = 1 << i;
+    return (bit & static_cast<int>(bits)) != 0;
+}
 static inline bool mask_any(WMask m) {
-    return vector_mask_bits<LANES>(m) != 0u;
+    return mask_bits(m) != 0u;
 }
 static inline bool mask_all(WMask m) {
-    return vector_mask_bits<LANES>(m) == (1u << LANES) - 1u;
+    return mask_bits(m) == (1u << LANES) - 1u;
 }
 static inline WMask mask_not(WMask m) {
     return ~m;
 }
 static inline uint mask_count(WMask m) {
-    return static_cast<uint>(__builtin_popcount(vector_mask_bits<LANES>(m)));
+    return static_cast<uint>(__builtin_popcount(mask_bits(m)));
 }
 static inline float wide_lowest(WFloat v) {
     float r = v[0];
@@ -195,6 +209,10 @@ static inline uint node_mask_bits(NMask m) {
 }
 static inline uint lowest_bit(uint x) {
     return static_cast<uint>(__builtin_ctz(x));
+}
+
+static inline uint bit_count(uint x) {
+    return static_cast<uint>(__builtin_popcount(x));
 }
 
 static inline uint atomic_add_uint(uint* p, uint x) {

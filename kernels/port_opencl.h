@@ -39,6 +39,8 @@ typedef int WMask;
 #define mask_none_set 0
 #define wide_lowest(v) (v)
 #define wide_highest(v) (v)
+#define mask_bits(m) ((uint)(m))
+#define mask_of(bits) ((int)(bits))
 #define mask_count(m) ((uint)(m))
 #elif LANES == 4
 typedef float4 WFloat;
@@ -65,10 +67,39 @@ typedef int16 WMask;
 #error "LANES must be 1, 4, 8 or 16"
 #endif
 
+// Processors tell which lanes are set in one instruction, yet OpenCL C has no name for it: compilers
+// based on clang offer that of the instruction set.
+#if defined(__clang__) && defined(__AVX__)
+#define bits_of_8(m) ((uint)__builtin_ia32_movmskps256(as_float8(m)))
+#else
+static inline uint bits_of_8(int8 m) {
+    int8 bit = m & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
+    int4 a = bit.lo | bit.hi;
+    int2 b = a.lo | a.hi;
+    return (uint)(b.x | b.y);
+}
+#endif
+
 #if LANES > 1
-#define mask_any(m) any(m)
-#define mask_all(m) all(m)
 #define mask_not(m) (~(m))
+#define mask_any(m) (mask_bits(m) != 0u)
+#define mask_all(m) (mask_bits(m) == (1u << LANES) - 1u)
+#define mask_count(m) popcount(mask_bits(m))
+
+/// One bit per lane, lane 0 in bit 0.
+static inline uint mask_bits(WMask m) {
+#if LANES == 4
+    int4 bit = m & (int4)(1, 2, 4, 8);
+    int2 b = bit.lo | bit.hi;
+    return (uint)(b.x | b.y);
+#elif LANES == 8
+    return bits_of_8(m);
+#elif defined(__clang__) && defined(__AVX512DQ__)
+    return (uint)__builtin_ia32_cvtd2mask512(m) & 0xFFFFu;
+#else
+    return bits_of_8(m.lo) | bits_of_8(m.hi) << 8;
+#endif
+}
 
 static inline float lowest_of_4(float4 v) {
     float2 h = select(v.hi, v.lo, v.lo < v.hi);
@@ -78,9 +109,17 @@ static inline float highest_of_4(float4 v) {
     float2 h = select(v.hi, v.lo, v.lo > v.hi);
     return h.x > h.y ? h.x : h.y;
 }
-static inline uint sum_of_4(int4 v) {
-    int2 h = v.lo + v.hi;
-    return (uint)(h.x + h.y);
+
+/// The mask with these lanes set; see mask_bits.
+static inline WMask mask_of(uint bits) {
+#if LANES == 4
+    return ((int4)((int)bits) & (int4)(1, 2, 4, 8)) != 0;
+#elif LANES == 8
+    return ((int8)((int)bits) & (int8)(1, 2, 4, 8, 16, 32, 64, 128)) != 0;
+#else
+    return ((int16)((int)bits) & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096,
+                                         8192, 16384, 32768)) != 0;
+#endif
 }
 
 /// Smallest lane.
@@ -106,20 +145,9 @@ static inline float wide_highest(WFloat v) {
     return highest_of_4(v);
 #endif
 }
-
-/// Number of lanes that are set.
-static inline uint mask_count(WMask m) {
-#if LANES == 16
-    int8 a = (m & 1).lo + (m & 1).hi;
-    return sum_of_4(a.lo + a.hi);
-#elif LANES == 8
-    return sum_of_4((m & 1).lo + (m & 1).hi);
-#else
-    return sum_of_4(m & 1);
-#endif
-}
 #endif
 
+#define bit_count(x) popcount(x)
 #define wide_square_root(v) sqrt(v)
 
 typedef float8 NFloat;
@@ -129,16 +157,15 @@ typedef int8 NMask;
 #define node_store(v, p) vstore8((v), 0, (p))
 
 /// One bit per child, child 0 in bit 0.
-static inline uint node_mask_bits(NMask m) {
-    int8 bit = m & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
-    int4 a = bit.lo | bit.hi;
-    int2 b = a.lo | a.hi;
-    return (uint)(b.x | b.y);
-}
+#define node_mask_bits(m) bits_of_8(m)
 
 /// Index of the lowest set bit; `x` is not 0.
 static inline uint lowest_bit(uint x) {
+#ifdef __clang__
+    return (uint)__builtin_ctz(x);
+#else
     return 31u - clz(x & (0u - x));
+#endif
 }
 
 #define atomic_add_uint(p, x) atomic_add((p), (x))

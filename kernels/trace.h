@@ -13,30 +13,30 @@
 #include "trace_native.h"
 #else
 
-#define SCENE_ARGS GLOBAL const BvhNode *bvh_nodes, GLOBAL const BvhTriangle *bvh_triangles
+#define SCENE_ARGS GLOBAL const BvhNode *bvh_nodes, GLOBAL const float *bvh_leaves
 #define SCENE_MAKE(name)    \
     Scene name;             \
     name.nodes = bvh_nodes; \
-    name.triangles = bvh_triangles
+    name.leaves = bvh_leaves
 
 typedef struct {
     GLOBAL const BvhNode* nodes;
-    GLOBAL const BvhTriangle* triangles;
+    GLOBAL const float* leaves;
 } Scene;
 
 /// Closest hit within (0, t_max]; of equally distant triangles the smallest id.
 static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {
-    return bvh_closest(scene.nodes, scene.triangles, origin, direction, t_max);
+    return bvh_closest(scene.nodes, scene.leaves, origin, direction, t_max);
 }
 
 /// 1 where anything lies within (0, t_max), else 0.
 static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {
-    return bvh_any(scene.nodes, scene.triangles, origin, direction, t_max);
+    return bvh_any(scene.nodes, scene.leaves, origin, direction, t_max);
 }
 
 /// Lanes of `active` whose segment from `origin` to `origin + d` is blocked before SHADOW_END.
 static inline WMask trace_any_packet(Scene scene, float3 origin, WFloat3 d, WMask active) {
-    return bvh_any_packet(scene.nodes, scene.triangles, origin, d, active);
+    return bvh_any_packet(scene.nodes, scene.leaves, origin, d, active);
 }
 
 #endif

@@ -16,8 +16,8 @@ static inline const BvhNode* own_nodes(Scene scene) {
     return static_cast<const BvhNode*>(scene.bvh_nodes);
 }
 
-static inline const BvhTriangle* own_triangles(Scene scene) {
-    return static_cast<const BvhTriangle*>(scene.bvh_triangles);
+static inline const float* own_leaves(Scene scene) {
+    return static_cast<const float*>(scene.bvh_leaves);
 }
 
 // Equally distant triangles that one ray is asked about.
@@ -27,15 +27,15 @@ static inline const BvhTriangle* own_triangles(Scene scene) {
 static inline void retest(Scene scene, const Ray* ray, uint id, Hit* best) {
     const float4* positions = static_cast<const float4*>(scene.positions);
     const Triangle triangle = static_cast<const Triangle*>(scene.triangles)[id];
-    Hit hit;
-    if (intersect_triangle(ray, coordinates(positions + triangle.v0),
-                           coordinates(positions + triangle.v1),
-                           coordinates(positions + triangle.v2), best->t, &hit) == 0)
-        return;
-    if (hit.t < best->t || id < best->triangle) {
-        *best = hit;
-        best->triangle = id;
+    const uint vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
+    float leaf[LEAF_ROWS + NODE_WIDTH] = {};
+    for (uint i = 0; i < 3u; ++i) {
+        leaf[3u * i] = positions[vertices[i]].x;
+        leaf[3u * i + 1u] = positions[vertices[i]].y;
+        leaf[3u * i + 2u] = positions[vertices[i]].z;
     }
+    leaf[LEAF_ID_ROW] = from_bits(id | LEAF_ID_FLAG);
+    closest_in_leaf(leaf, BVH_LEAF | 1u << BVH_COUNT_SHIFT, ray, best);
 }
 
 /// Closest hit by Embree. Coincident faces and shared edges would be decided by the shape of its
@@ -61,19 +61,19 @@ static inline Hit embree_closest_by_id(Scene scene, float3 origin, float3 direct
 
 static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {
     if (scene.embree == nullptr)
-        return bvh_closest(own_nodes(scene), own_triangles(scene), origin, direction, t_max);
+        return bvh_closest(own_nodes(scene), own_leaves(scene), origin, direction, t_max);
     return embree_closest_by_id(scene, origin, direction, t_max);
 }
 
 static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {
     if (scene.embree == nullptr)
-        return bvh_any(own_nodes(scene), own_triangles(scene), origin, direction, t_max);
+        return bvh_any(own_nodes(scene), own_leaves(scene), origin, direction, t_max);
     return ::weft::embree_any(scene.embree, &origin.x, &direction.x, t_max) ? 1 : 0;
 }
 
 static inline WMask trace_any_packet(Scene scene, float3 origin, WFloat3 d, WMask active) {
     if (scene.embree == nullptr)
-        return bvh_any_packet(own_nodes(scene), own_triangles(scene), origin, d, active);
+        return bvh_any_packet(own_nodes(scene), own_leaves(scene), origin, d, active);
     alignas(64) float directions[3 * LANES];
     alignas(64) int lanes[LANES];
     wide_store(d.x, directions, 0);

@@ -42,10 +42,15 @@ typedef struct {
     uint pad[8];
 } BvhNode;
 
-// A triangle as traversal reads it; v0.w holds the bits of the triangle's id.
-typedef struct {
-    float4 v0, v1, v2;
-} BvhTriangle;
+// Triangles as traversal reads them. A leaf of n triangles, the first of which is entry f of all
+// leaves, owns the floats [f LEAF_ROWS, (f + n) LEAF_ROWS): rows of n values each, one row for each
+// coordinate (x, y, z of v0, of v1, of v2) and one for ids. Whole vectors are loaded from a row, so
+// what follows is read and dropped; ids therefore are bits of ordinary floats, and NODE_WIDTH
+// floats follow the last leaf.
+#define LEAF_ROWS 10
+#define LEAF_ID_ROW 9
+#define LEAF_ID_FLAG 0x40000000u
+#define LEAF_ID_MASK 0x07FFFFFFu
 
 typedef struct {
     uint v0, v1, v2;  // vertex indices, counter-clockwise seen from outside
@@ -55,8 +60,7 @@ typedef struct {
 typedef struct {
     uint material;
     uint first_triangle;  // id of the instance's first triangle
-    uint source_mesh;
-    uint pad;
+    uint pad0, pad1;
 } InstanceRecord;
 
 #define MATERIAL_TWO_SIDED 1u
@@ -102,7 +106,9 @@ typedef struct {
     float probability;
     float cos_inner, cos_outer;
     uint both_sides;
-    uint pad0, pad1, pad2;
+    float area_cumulative;  // the same among the area lights alone; 0 for other lights
+    float area_probability;
+    uint pad;
 } LightRecord;
 
 // An emissive triangle; `cumulative` is relative to its light, by area.
@@ -177,9 +183,8 @@ typedef struct {
     uint frame;
     uint first, count;  // work-items of this launch: [first, first + count)
     uint slots;         // length of the work list
-    uint interleave;    // n: pixels (x, y) use set (x mod n) + n (y mod n)
     uint sets;          // sample sets made per frame
-    uint gather_sets;   // sets the work list chooses from: n * n
+    uint gather_sets;   // sets the work list chooses from
     uint set_rotation;
     uint lights;               // entries of the light table
     uint sampled_lights;       // area lights among them, the first entries
@@ -196,7 +201,7 @@ typedef struct {
     uint counter;                           // which RayCounter this launch adds to
     uint delta_lights_first, delta_lights;  // point and spot lights
     uint directional_lights_first, directional_lights;  // in the light table
-    uint pad0, pad1, pad2;
+    uint pad0, pad1, pad2, pad3;
     uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
 } Params;
 

@@ -83,12 +83,11 @@ Hit traverse(const WideBvh& bvh, const Ray& ray) {
         stack.pop_back();
         if (is_leaf(reference)) {
             for (std::uint32_t i = 0; i < leaf_count(reference); ++i) {
-                const auto& triangle = bvh.triangles[leaf_first(reference) + i];
+                const LeafTriangle triangle = leaf_triangle(bvh.leaves, reference, i);
                 // A triangle that was split counts once.
-                const auto id = std::bit_cast<std::uint32_t>(triangle.v0.w);
-                if (std::find(seen.begin(), seen.end(), id) != seen.end()) continue;
-                seen.push_back(id);
-                intersect(ray, {triangle.v0, triangle.v1, triangle.v2}, hit);
+                if (std::find(seen.begin(), seen.end(), triangle.id) != seen.end()) continue;
+                seen.push_back(triangle.id);
+                intersect(ray, triangle.corners, hit);
             }
             continue;
         }

@@ -2,17 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bvh/flatten.h"
+#include "bvh/leaves.h"
 #include "bvh/wide_bvh.h"
 #include "bvh_meshes.h"
 
 namespace weft {
 namespace {
+
+void append_one(std::vector<float>& leaves, const LeafTriangle& triangle) {
+    append_leaf(leaves, {&triangle, 1});
+}
+
+void write_entry(WideBvh& bvh, std::uint32_t leaf, std::size_t i, const LeafTriangle& triangle) {
+    std::vector<float> alone = empty_leaves();
+    append_one(alone, triangle);
+    for (std::size_t row = 0; row < LEAF_ROWS; ++row)
+        bvh.leaves[leaf_first(leaf) * LEAF_ROWS + row * leaf_count(leaf) + i] = alone[row];
+}
 
 // Breaks a sound BVH in one way and expects the check to name it.
 class CheckBvh : public testing::TestWithParam<bool> {
@@ -84,7 +97,7 @@ TEST_P(CheckBvh, ReportsBrokenReferences) {
     });
     expect("behind the last triangle", [&](WideBvh& b) {
         b.nodes[at.node].child[at.slot] =
-            (leaf & ~BVH_FIRST_MASK) | std::uint32_t(b.triangles.size() - 1);
+            (leaf & ~BVH_FIRST_MASK) | std::uint32_t(leaf_entries(b.leaves) - 1);
     });
     expect("is in two leaves", [&](WideBvh& b) {
         const std::uint32_t other = leaf_first(leaf) == 0 ? 1 : leaf_first(leaf) - 1;
@@ -123,10 +136,18 @@ TEST_P(CheckBvh, ReportsLeafBoxesThatAreTooSmall) {
 }
 
 TEST_P(CheckBvh, ReportsWrongTriangles) {
-    expect("id out of range", [](WideBvh& b) { b.triangles[3].v0.w = std::bit_cast<float>(300U); });
-    expect("differs from", [](WideBvh& b) { b.triangles[3].v1.y += 1.0F; });
-    expect("differs from", [](WideBvh& b) { std::swap(b.triangles[3].v0, b.triangles[3].v1); });
-    expect("is in no leaf", [](WideBvh& b) { b.triangles.push_back(b.triangles.back()); });
+    const Slot at = find_leaf(1);
+    const std::uint32_t leaf = sound_.nodes[at.node].child[at.slot];
+    const auto change = [&](const char* problem, auto&& corrupt) {
+        LeafTriangle triangle = leaf_triangle(sound_.leaves, leaf, 0);
+        corrupt(triangle);
+        expect(problem, [&](WideBvh& b) { write_entry(b, leaf, 0, triangle); });
+    };
+    change("id out of range", [](LeafTriangle& t) { t.id = 300; });
+    change("differs from", [](LeafTriangle& t) { t.corners[1].y += 1.0F; });
+    change("differs from", [](LeafTriangle& t) { std::swap(t.corners[0], t.corners[1]); });
+    expect("is in no leaf", [](WideBvh& b) { append_one(b.leaves, {}); });
+    expect("wrong length", [](WideBvh& b) { b.leaves.pop_back(); });
     expect("split is not as stated",
            [](WideBvh& b) { b.has_spatial_splits = !b.has_spatial_splits; });
 }
@@ -147,9 +168,15 @@ TEST_P(CheckBvh, ReportsAMissingTriangleAndOneTooMany) {
     test::BvhMesh flat = mesh_;
     WideBvh bvh = sound_;
     flat.positions[7] = flat.positions[6];
-    for (shared::BvhTriangle& t : bvh.triangles) {
-        if (std::bit_cast<std::uint32_t>(t.v0.w) != 2) continue;
-        t.v1 = flat.positions[7];
+    for (const shared::BvhNode& node : bvh.nodes) {
+        for (const std::uint32_t child : node.child) {
+            for (std::uint32_t i = 0; is_leaf(child) && i < leaf_count(child); ++i) {
+                LeafTriangle triangle = leaf_triangle(bvh.leaves, child, i);
+                if (triangle.id != 2) continue;
+                triangle.corners[1] = flat.positions[7];
+                write_entry(bvh, child, i, triangle);
+            }
+        }
     }
     EXPECT_EQ(check_bvh(bvh, flat.positions, flat.triangles, settings_),
               "triangle 2 should have been left out");
@@ -172,8 +199,7 @@ TEST(CheckBvhStack, RefusesMoreThanTheKernelsHold) {
     const std::uint32_t levels = 23;
     for (std::uint32_t i = 0; i <= 7 * levels; ++i) {
         mesh.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-        bvh.triangles.push_back({mesh.positions[0], mesh.positions[1], mesh.positions[2]});
-        bvh.triangles.back().v0.w = std::bit_cast<float>(i);
+        append_one(bvh.leaves, {{mesh.positions[0], mesh.positions[1], mesh.positions[2]}, i});
     }
     box.extend({{0, 0, 0}, {1, 1, 0}});
     box = box.grown(0.0F);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "closed_forms.h"
 #include "render_fixture.h"
 #include "scene/shapes.h"
 
@@ -21,26 +22,13 @@ namespace weft {
 namespace {
 
 using test::Backend;
+using test::polygon_irradiance;
 using test::SceneBuilder;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t seeds = 16;
 const glm::vec3 receiver_albedo{0.8F, 0.5F, 0.25F};
 const glm::vec3 radiance{1.0F, 2.0F, 0.5F};
-
-/// Lambert's formula for a polygon of radiance 1 above the receiver's horizon.
-double polygon_irradiance(const std::vector<glm::dvec3>& corners, const glm::dvec3& point,
-                          const glm::dvec3& normal) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3 a = glm::normalize(corners[i] - point);
-        const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - point);
-        const glm::dvec3 c = glm::cross(a, b);
-        const double sine = glm::length(c);
-        sum += std::atan2(sine, glm::dot(a, b)) * glm::dot(c / sine, normal);
-    }
-    return 0.5 * std::abs(sum);
-}
 
 /// A white floor z = 0 of edge 6, without its interreflection.
 SceneBuilder floor_scene() {
@@ -89,11 +77,9 @@ void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point
     for (std::uint32_t seed = 0; seed < seeds; ++seed)
         values.push_back(irradiance_at(backend, flat, point, point + eye, seed));
     for (int c = 0; c < 3; ++c) {
-        double mean = 0.0;
-        for (const glm::dvec3& value : values) mean += value[c] / seeds;
-        double square = 0.0;
-        for (const glm::dvec3& value : values) square += (value[c] - mean) * (value[c] - mean);
-        const double error = std::sqrt(square / (seeds * (seeds - 1.0)));
+        std::vector<double> channel;
+        for (const glm::dvec3& value : values) channel.push_back(value[c]);
+        const auto [mean, error] = test::estimate(channel);
         EXPECT_LE(error, 1e-3 * expected[c]);
         EXPECT_NEAR(mean, expected[c], 5.0 * error + (bias + 2e-6) * expected[c])
             << test::backend_name(backend) << " channel " << c;
@@ -139,6 +125,25 @@ TEST(DirectLight, TiltedParallelogramsGiveLambertsIrradiance) {
                 Backend::own_bvh, builder.scene, point,
                 polygon_irradiance(corners_of(quad), point, {0, 0, 1}) * glm::dvec3(radiance));
     }
+}
+
+TEST(DirectLight, FaintLampsBesideASunAreSampledByTheirOwnPowers) {
+    // Too many lights for samples of each; the sun shines from below and outshines them by 2^40.
+    SceneBuilder builder = floor_scene();
+    const std::uint32_t material = builder.material(glm::vec3(0.0F), radiance);
+    const std::uint32_t bright = builder.material(glm::vec3(0.0F), 3.0F * radiance);
+    glm::dvec3 expected(0.0);
+    for (int i = 0; i < 70; ++i) {
+        const Mesh lamp = test::quad_mesh(
+            {-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
+            {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
+        builder.add(lamp, i % 3 == 0 ? bright : material);
+        expected += polygon_irradiance(corners_of(lamp), {0, 0, 0}, {0, 0, 1}) *
+                    (i % 3 == 0 ? 3.0 : 1.0) * glm::dvec3(radiance);
+    }
+    builder.light(LightType::directional, {}, glm::vec3(0x1p40F)).direction = {0.0, 0.0, 1.0};
+    for (const Backend backend : test::backends())
+        expect_sampled(backend, builder.scene, {0, 0, 0}, expected);
 }
 
 TEST(DirectLight, AnOccluderClipsTheLight) {

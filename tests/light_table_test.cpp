@@ -172,6 +172,28 @@ TEST(LightTable, ManyLightsKeepTheirShares) {
         EXPECT_NEAR(flat.lights[i].probability, powers[i] / total, 0x1.1p-24) << i;
 }
 
+TEST(LightTable, AreaLightsHaveATableOfTheirOwn) {
+    // Together the lamps have 2^-30 of the power, too little for the table of all lights.
+    SceneBuilder builder = unit_scene();
+    for (int i = 1; i <= 65; ++i)
+        builder.add(square(0.01), builder.material(glm::vec3(0.0F), glm::vec3(float(i))));
+    builder.light(LightType::directional, {}, glm::vec3(1e9F));
+    const FlatScene flat = flatten(builder.scene);
+    ASSERT_EQ(flat.area_lights, 65u);
+    double sum = 0.0;
+    float before = 0.0F;
+    for (std::size_t i = 0; i < 65; ++i) {
+        const shared::LightRecord& light = flat.lights[i];
+        EXPECT_EQ(light.area_probability, light.area_cumulative - before);
+        EXPECT_NEAR(light.area_probability, double(i + 1) / (65.0 * 66.0 / 2.0), 0x1.1p-24);
+        before = light.area_cumulative;
+        sum += static_cast<double>(light.area_probability);
+    }
+    EXPECT_EQ(before, 1.0F);
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+    EXPECT_EQ(flat.lights[65].area_probability, 0.0F);
+}
+
 TEST(LightTable, OneLightIsCertain) {
     SceneBuilder builder = unit_scene();
     builder.light(LightType::spot, {}, glm::vec3(1e-20F)).cos_outer = 0.99F;

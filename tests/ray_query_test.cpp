@@ -54,16 +54,22 @@ OracleCount compare_with_oracle(const RayGeometry& geometry, const RayBatch& ray
     return count;
 }
 
-/// Rays cut off where they hit: the end still is a closest hit, but does not block.
-void expect_ends_not_to_block(const test::RayQueries& queries, RayBatch rays,
-                              const std::vector<RayHit>& hits, const std::string& where) {
+/// Rays cut off where they hit: the end still is a closest hit, but does not block. Where the
+/// distance is not certain (needles seen along their length), it may lie before their boxes, which
+/// such a short ray does not reach.
+void expect_ends_not_to_block(const test::RayQueries& queries, const RayGeometry& geometry,
+                              RayBatch rays, const std::vector<RayHit>& hits,
+                              const std::string& where) {
     for (std::size_t i = 0; i < rays.size(); ++i) rays.origins[i].w = hits[i].t;
     const std::vector<RayHit> again = queries.closest(rays);
     const std::vector<int> any = queries.any(rays);
     std::size_t different = 0, blocked = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (hits[i].triangle == NO_TRIANGLE) continue;
-        different += again[i] == hits[i] ? 0 : 1;
+        const test::Verdict verdict = test::judge(rays.origin(i), rays.direction(i), INFINITY,
+                                                  geometry, hits[i].triangle);
+        const bool certain = verdict.high - verdict.low <= 1e-3 * verdict.high;
+        different += again[i] == hits[i] || !certain ? 0 : 1;
         blocked += any[i] == 0 ? 0 : 1;
     }
     EXPECT_EQ(different, 0U) << where << ": hits at the end of rays";
@@ -97,7 +103,7 @@ void compare(const std::string& name, const RayGeometry& geometry, const RayBatc
             EXPECT_EQ(different_any, 0U) << where << ": blocked rays of " << rays.size();
         }
         const OracleCount oracle = compare_with_oracle(geometry, rays, hits, any);
-        if (backend != Backend::embree) expect_ends_not_to_block(queries, rays, hits, where);
+        if (backend != Backend::embree) expect_ends_not_to_block(queries, geometry, rays, hits, where);
         // Embree's own arithmetic finds some hits that are none, right at origins.
         const std::size_t allowed = backend == Backend::embree ? rays.size() / 1000 : 0;
         EXPECT_LE(oracle.wrong, allowed) << where << ": against the oracle";

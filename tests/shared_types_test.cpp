@@ -83,7 +83,6 @@ std::map<std::string, Layout> unpadded_layouts(const std::string& source) {
 std::map<std::string, std::size_t> host_sizes() {
     using namespace shared;
     return {{"BvhNode", sizeof(BvhNode)},
-            {"BvhTriangle", sizeof(BvhTriangle)},
             {"Triangle", sizeof(Triangle)},
             {"InstanceRecord", sizeof(InstanceRecord)},
             {"MaterialRecord", sizeof(MaterialRecord)},

@@ -42,10 +42,10 @@ bool fits_embree(const std::vector<Piece>& pieces) noexcept {
 }
 
 void check_settings(const BvhSettings& settings) {
-    if (settings.max_leaf_triangles < 1 || settings.max_leaf_triangles > BVH_COUNT_MASK)
+    if (settings.max_leaf_triangles < 1 || settings.max_leaf_triangles > node_width)
         throw Error(ExitCode::usage, "leaves of the BVH may hold " +
                                          std::to_string(settings.max_leaf_triangles) +
-                                         " triangles, expected 1 to 15");
+                                         " triangles, expected 1 to 8");
     if (!std::isfinite(settings.padding) || settings.padding < 0.0F)
         throw Error(ExitCode::usage, "the padding of the BVH is not finite or negative");
 }

@@ -1,7 +1,6 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "bvh/coverage.h"
 #include "bvh/flatten.h"
+#include "bvh/leaves.h"
 #include "bvh/pieces.h"
 #include "bvh/wide_bvh.h"
 
@@ -67,8 +67,10 @@ class Checker {
         if (bvh_.nodes.empty()) return "there is no root";
         if (bvh_.nodes.size() > BVH_LEAF) return "there are more nodes than references can name";
         parent_.assign(bvh_.nodes.size(), BVH_EMPTY);
-        leaf_box_.assign(bvh_.triangles.size(), Box{});
-        leaf_listed_.assign(bvh_.triangles.size(), false);
+        if (bvh_.leaves.size() != LEAF_ROWS * leaf_entries(bvh_.leaves) + node_width)
+            return "the rows of the leaves have a wrong length";
+        leaf_box_.assign(leaf_entries(bvh_.leaves), Box{});
+        leaf_of_.assign(leaf_entries(bvh_.leaves), BVH_EMPTY);
         const float all = INFINITY;
         std::vector<Visit> open{{0, 0, {{-all, -all, -all}, {all, all, all}}}};
         while (!open.empty()) {
@@ -121,11 +123,11 @@ class Checker {
         const std::size_t count = leaf_count(child);
         if (count < 1 || count > settings_.max_leaf_triangles)
             return text("the leaf at triangle", first, "has a count out of range");
-        if (first + count > bvh_.triangles.size())
+        if (first + count > leaf_of_.size())
             return text("the leaf at triangle", first, "ends behind the last triangle");
         for (std::size_t i = first; i < first + count; ++i) {
-            if (leaf_listed_[i]) return text("leaf triangle", i, "is in two leaves");
-            leaf_listed_[i] = true;
+            if (leaf_of_[i] != BVH_EMPTY) return text("leaf triangle", i, "is in two leaves");
+            leaf_of_[i] = child;
             leaf_box_[i] = box;
         }
         return {};
@@ -155,14 +157,15 @@ class Checker {
     std::string check_leaf_triangles() {
         boxes_.resize(triangles_.size());
         bool repeated = false;
-        for (std::size_t i = 0; i < bvh_.triangles.size(); ++i) {
-            if (!leaf_listed_[i]) return text("leaf triangle", i, "is in no leaf");
-            const shared::BvhTriangle& triangle = bvh_.triangles[i];
-            const auto id = std::bit_cast<std::uint32_t>(triangle.v0.w);
+        for (std::size_t i = 0; i < leaf_of_.size(); ++i)
+            if (leaf_of_[i] == BVH_EMPTY) return text("leaf triangle", i, "is in no leaf");
+        for (std::size_t i = 0; i < leaf_of_.size(); ++i) {
+            const auto [found, id] =
+                leaf_triangle(bvh_.leaves, leaf_of_[i], i - leaf_first(leaf_of_[i]));
             if (id >= triangles_.size()) return text("leaf triangle", i, "has an id out of range");
             const Corners corners = corners_of(positions_, triangles_[id]);
-            if (!same(triangle.v0, corners[0]) || !same(triangle.v1, corners[1]) ||
-                !same(triangle.v2, corners[2]))
+            if (!same(found[0], corners[0]) || !same(found[1], corners[1]) ||
+                !same(found[2], corners[2]))
                 return text("leaf triangle", i, "differs from the triangle it stands for");
             repeated |= !boxes_[id].empty();
             boxes_[id].push_back(leaf_box_[i]);
@@ -205,7 +208,7 @@ class Checker {
     std::vector<std::uint32_t> parent_;
     std::vector<std::uint32_t> order_;
     std::vector<Box> leaf_box_;
-    std::vector<bool> leaf_listed_;
+    std::vector<std::uint32_t> leaf_of_;  // reference of the leaf that holds an entry
     std::vector<std::vector<Box>> boxes_;
 };
 

@@ -22,6 +22,10 @@ namespace {
 // 1.0 (no splits), 1.3, 1.6 and 2.0: 17.8, 15.1, 14.6, 14.2 and 21.6, 19.8, 19.4, 19.2.
 constexpr double split_capacity = 2.0;
 
+// A leaf is tested as a whole: its cost against that of a node, for each block of triangles.
+const unsigned leaf_block = getenv("LB") ? atoi(getenv("LB")) : 8;
+const float leaf_cost = getenv("LC") ? atof(getenv("LC")) : 1.0F;
+
 // The first error that Embree reports, from whichever thread.
 class ErrorLog {
   public:
@@ -188,6 +192,9 @@ BuildTree build_embree_tree(std::span<const Piece> pieces,
     arguments.maxBranchingFactor = static_cast<unsigned>(node_width);
     arguments.maxDepth = request.max_depth;
     arguments.maxLeafSize = request.max_leaf;
+    arguments.sahBlockSize = leaf_block;
+    arguments.traversalCost = 1.0F;
+    arguments.intersectionCost = leaf_cost;
     arguments.bvh = session->bvh.get();
     arguments.primitives = array.data();
     arguments.primitiveCount = pieces.size();

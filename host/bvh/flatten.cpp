@@ -3,13 +3,13 @@
 #include "bvh/flatten.h"
 
 #include <algorithm>
-#include <bit>
 #include <cfloat>
 #include <memory_resource>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "bvh/leaves.h"
 
 namespace weft {
 namespace {
@@ -24,12 +24,6 @@ shared::BvhNode empty_node() noexcept {
         node.child[slot] = BVH_EMPTY;
     }
     return node;
-}
-
-shared::BvhTriangle leaf_triangle(const Corners& corners, std::uint32_t id) noexcept {
-    const auto& [a, b, c] = corners;
-    return {
-        {a.x, a.y, a.z, std::bit_cast<float>(id)}, {b.x, b.y, b.z, 0.0F}, {c.x, c.y, c.z, 0.0F}};
 }
 
 class Flattener {
@@ -105,7 +99,7 @@ class Flattener {
     }
 
     Subtree add_leaf(std::span<const Piece> pieces) {
-        const std::size_t first = bvh_.triangles.size();
+        const std::size_t first = leaf_entries(bvh_.leaves);
         Subtree result;
         ids_.clear();
         for (const Piece& piece : pieces) {
@@ -118,11 +112,13 @@ class Flattener {
         if (first + ids_.size() > std::size_t{BVH_FIRST_MASK} + 1)
             throw Error(ExitCode::bad_input, "the leaves of the BVH hold more than " +
                                                  std::to_string(BVH_FIRST_MASK) + " entries");
+        leaf_.clear();
         for (const std::uint32_t id : ids_) {
             bvh_.has_spatial_splits |= listed_[id];
             listed_[id] = true;
-            bvh_.triangles.push_back(leaf_triangle(corners_of(positions_, triangles_[id]), id));
+            leaf_.push_back({corners_of(positions_, triangles_[id]), id});
         }
+        append_leaf(bvh_.leaves, leaf_);
         result.box = result.box.grown(settings_.padding);
         result.reference = BVH_LEAF | static_cast<std::uint32_t>(ids_.size()) << BVH_COUNT_SHIFT |
                            static_cast<std::uint32_t>(first);
@@ -142,6 +138,7 @@ class Flattener {
     const BvhSettings& settings_;
     std::vector<bool> listed_;
     std::vector<std::uint32_t> ids_;
+    std::vector<LeafTriangle> leaf_;
     WideBvh bvh_;
 };
 
@@ -157,7 +154,7 @@ Box child_box(const shared::BvhNode& node, std::size_t slot) noexcept {
 }
 
 double sah_cost(const WideBvh& bvh) noexcept {
-    if (bvh.triangles.empty()) return 0.0;
+    if (leaf_entries(bvh.leaves) == 0) return 0.0;
     Box whole;
     for (std::size_t slot = 0; slot < node_width; ++slot)
         whole.extend(child_box(bvh.nodes[0], slot));
@@ -166,8 +163,7 @@ double sah_cost(const WideBvh& bvh) noexcept {
         for (std::size_t slot = 0; slot < node_width; ++slot) {
             const std::uint32_t child = node.child[slot];
             if (child == BVH_EMPTY) continue;
-            const double tests = is_leaf(child) ? static_cast<double>(leaf_count(child)) : 1.0;
-            sum += tests * child_box(node, slot).half_area();
+            sum += child_box(node, slot).half_area();
         }
     }
     return 1.0 + sum / whole.half_area();

@@ -6,29 +6,17 @@
 #include <cstdint>
 #include <span>
 
+#include "bvh/box.h"
 #include "bvh/build_tree.h"
 #include "bvh/wide_bvh.h"
 
 namespace weft {
 
-/// Whether a child reference is a leaf (an empty one is not).
-[[nodiscard]] constexpr bool is_leaf(std::uint32_t child) noexcept {
-    return child != BVH_EMPTY && (child & BVH_LEAF) != 0;
-}
-/// How many triangles a leaf reference holds.
-[[nodiscard]] constexpr std::uint32_t leaf_count(std::uint32_t child) noexcept {
-    return child >> BVH_COUNT_SHIFT & BVH_COUNT_MASK;
-}
-/// The first triangle of a leaf reference.
-[[nodiscard]] constexpr std::uint32_t leaf_first(std::uint32_t child) noexcept {
-    return child & BVH_FIRST_MASK;
-}
-
 /// The box of child `slot` of a node.
 [[nodiscard]] Box child_box(const shared::BvhNode& node, std::size_t slot) noexcept;
 
-/// Cost of a BVH by the surface area heuristic: node and triangle tests that a random ray through
-/// the root's box needs on average, both counted as 1. 0 without triangles.
+/// Cost of a BVH by the surface area heuristic: node and leaf tests that a random ray through the
+/// root's box needs on average, both counted as 1. 0 without triangles.
 [[nodiscard]] double sah_cost(const WideBvh& bvh) noexcept;
 
 /// Lays the tree out depth first, a node right before the subtree of its first child, so that

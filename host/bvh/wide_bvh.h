@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bvh/leaves.h"
 #include "device/shared_types.h"
 
 namespace weft {
@@ -16,7 +17,7 @@ namespace weft {
 /// How a BVH is built.
 struct BvhSettings {
     bool spatial_splits = true;            ///< tried; kept where they lower the SAH cost enough
-    std::uint32_t max_leaf_triangles = 8;  ///< at most 15
+    std::uint32_t max_leaf_triangles = 8;  ///< at most NODE_WIDTH, which are tested at once
     float padding = 0.0F;  ///< outward growth of every box, kernel units, on top of rounding
 };
 
@@ -24,7 +25,7 @@ struct BvhSettings {
 /// triangles has a root of empty children.
 struct WideBvh {
     std::vector<shared::BvhNode> nodes;
-    std::vector<shared::BvhTriangle> triangles;  ///< in leaf order; spatial splits repeat some
+    std::vector<float> leaves = empty_leaves();  ///< LEAF_ROWS; spatial splits repeat triangles
     std::uint32_t depth = 0;                     ///< nodes on the longest path
     std::uint32_t stack_need = 0;  ///< entries the deepest traversal can push, <= BVH_STACK
     bool has_spatial_splits = false;
@@ -45,9 +46,9 @@ struct BvhStats {
 
 [[nodiscard]] inline BvhStats stats_of(const WideBvh& bvh) {
     return {bvh.nodes.size(),
-            bvh.triangles.size(),
+            leaf_entries(bvh.leaves),
             bvh.nodes.size() * sizeof(shared::BvhNode) +
-                bvh.triangles.size() * sizeof(shared::BvhTriangle),
+                bvh.leaves.size() * sizeof(float),
             bvh.depth,
             bvh.has_spatial_splits,
             bvh.sah_cost,

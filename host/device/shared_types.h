@@ -16,7 +16,6 @@ struct alignas(16) float4 {
 #include "../../kernels/types.h"
 
 static_assert(sizeof(BvhNode) == 256);
-static_assert(sizeof(BvhTriangle) == 48);
 static_assert(sizeof(Triangle) == 16);
 static_assert(sizeof(InstanceRecord) == 16);
 static_assert(sizeof(MaterialRecord) == 48);

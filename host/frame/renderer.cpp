@@ -74,7 +74,6 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     params.features = features;
     params.seed = settings.seed;
     params.slots = buffers_.slots;
-    params.interleave = plan_.interleave;
     params.sets = plan_.sets;
     params.gather_sets = plan_.gather_sets;
     params.lights = static_cast<std::uint32_t>(scene.lights.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "scene/flat_scene.h"
 
@@ -14,17 +15,18 @@ constexpr double pi = std::numbers::pi;
 /// Turns weights into probabilities and inclusive sums whose float differences are consistent. An
 /// entry too faint for a float keeps the probability 0 and is never chosen.
 template <class Entry>
-void normalise(std::vector<Entry>& entries, const std::vector<double>& weights) {
+void normalise(std::span<Entry> entries, std::span<const double> weights, float Entry::*cumulative,
+               float Entry::*probability) {
     double total = 0.0;
     for (const double weight : weights) total += weight;
     double sum = 0.0;
     float before = 0.0F;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         sum += weights[i];
-        entries[i].cumulative =
+        entries[i].*cumulative =
             i + 1 == entries.size() ? 1.0F : static_cast<float>(std::min(1.0, sum / total));
-        entries[i].probability = entries[i].cumulative - before;
-        before = entries[i].cumulative;
+        entries[i].*probability = entries[i].*cumulative - before;
+        before = entries[i].*cumulative;
     }
 }
 
@@ -60,7 +62,8 @@ struct Collector {
             total += area;
         }
         if (entries.empty()) return;
-        normalise(entries, areas);
+        normalise<shared::EmissiveTriangle>(entries, areas, &shared::EmissiveTriangle::cumulative,
+                                            &shared::EmissiveTriangle::probability);
         shared::LightRecord light{};
         light.kind = EMITTER_AREA;
         light.power = rgb(material.emission, 1.0);
@@ -132,13 +135,18 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
         flat.features |= FEATURE_ENVIRONMENT;
     }
     flat.lights = std::move(collector.lights);
-    normalise(flat.lights, collector.powers);
+    using Light = shared::LightRecord;
+    normalise<Light>(flat.lights, collector.powers, &Light::cumulative, &Light::probability);
     const auto count = [&](auto... kinds) {
         return static_cast<std::uint32_t>(std::count_if(
             flat.lights.begin(), flat.lights.end(),
             [&](const shared::LightRecord& l) { return ((l.kind == kinds) || ...); }));
     };
     flat.area_lights = count(EMITTER_AREA);
+    // Beside a sun the lamps of a room are too faint for the table of all lights.
+    normalise<Light>(std::span(flat.lights).first(flat.area_lights),
+                     std::span(collector.powers).first(flat.area_lights), &Light::area_cumulative,
+                     &Light::area_probability);
     flat.punctual_lights = count(EMITTER_POINT, EMITTER_SPOT);
     flat.directional_lights = count(EMITTER_DIRECTIONAL);
     flat.features |= (flat.area_lights > 0 ? FEATURE_AREA_LIGHTS : 0U) |

@@ -110,7 +110,7 @@ class NativeExecutor : public Executor {
                 settings.padding = geometry.box_padding;
                 scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings);
                 scene->view.bvh_nodes = scene->bvh.nodes.data();
-                scene->view.bvh_triangles = scene->bvh.triangles.data();
+                scene->view.bvh_leaves = scene->bvh.leaves.data();
             }
         });
         scene_ms_ = watch.total();

@@ -54,7 +54,7 @@ class OpenClBuffer : public Buffer {
 class OpenClTracedScene : public TracedScene {
   public:
     std::unique_ptr<Buffer> nodes;
-    std::unique_ptr<Buffer> triangles;
+    std::unique_ptr<Buffer> leaves;
 };
 
 const cl::Buffer& memory_of(const Buffer& buffer) {
@@ -165,7 +165,7 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     WideBvh bvh;
     arena_.execute([&] { bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
     scene->nodes = upload<shared::BvhNode>(*this, bvh.nodes, "BVH nodes");
-    scene->triangles = upload<shared::BvhTriangle>(*this, bvh.triangles, "BVH triangles");
+    scene->leaves = upload<float>(*this, bvh.leaves, "BVH leaves");
     scene_ms_ = watch.total();
     bvh_ = stats_of(bvh);
     return scene;
@@ -191,7 +191,7 @@ cl::Event OpenClExecutor::enqueue(OpenClProgram& program, const Launch& launch,
     if (launch.scene != nullptr) {
         const auto& scene = dynamic_cast<const OpenClTracedScene&>(*launch.scene);
         kernel.setArg(index++, memory_of(*scene.nodes));
-        kernel.setArg(index++, memory_of(*scene.triangles));
+        kernel.setArg(index++, memory_of(*scene.leaves));
     }
     for (const Buffer* buffer : launch.buffers) kernel.setArg(index++, memory_of(*buffer));
     const std::size_t local = settings_.local_size;
