@@ -67,6 +67,23 @@ static inline void closest_in_leaf(GLOBAL const float* leaves, uint reference, c
     }
 }
 
+/// Asks for the memory of a child ahead of its test.
+static inline void prefetch_child(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves,
+                                  uint reference) {
+    if ((reference & BVH_LEAF) == 0u) {
+        GLOBAL const BvhNode* node = nodes + reference;
+        PREFETCH(node->bounds[0]);
+        PREFETCH(node->bounds[2]);
+        PREFETCH(node->bounds[4]);
+        PREFETCH(node->child);
+    } else {
+        GLOBAL const float* rows = leaves + LEAF_ROWS * (reference & BVH_FIRST_MASK);
+        PREFETCH(rows);
+        PREFETCH(rows + 16);
+        PREFETCH(rows + 32);
+    }
+}
+
 /// Closest hit of the ray within (0, t_max].
 static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves,
                               float3 origin, float3 direction, float t_max) {
@@ -116,6 +133,7 @@ static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const float* l
                     }
                     stack[place] = later;
                     stack_entry[place] = distance;
+                    prefetch_child(nodes, leaves, later);
                 }
                 continue;
             }
@@ -147,6 +165,7 @@ static inline int bvh_any(GLOBAL const BvhNode* nodes, GLOBAL const float* leave
             bits &= bits - 1u;
             if ((reference & BVH_LEAF) == 0u) {
                 stack[size++] = reference;
+                prefetch_child(nodes, leaves, reference);
                 continue;
             }
             GLOBAL const float* rows;

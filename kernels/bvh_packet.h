@@ -219,12 +219,12 @@ static inline int blocked_lane(const LeafTerms* terms, uint count, float dx, flo
 static inline WMask blocked_lanes(const float* terms, WFloat3 d) {
     WFloat zero = WIDE(0.0f);
     WFloat u = d.x * terms[0] + d.y * terms[NODE_WIDTH] + d.z * terms[2 * NODE_WIDTH];
-    WFloat v = d.x * terms[3 * NODE_WIDTH] + d.y * terms[4 * NODE_WIDTH] +
-               d.z * terms[5 * NODE_WIDTH];
-    WFloat w = d.x * terms[6 * NODE_WIDTH] + d.y * terms[7 * NODE_WIDTH] +
-               d.z * terms[8 * NODE_WIDTH];
-    WFloat along = d.x * terms[9 * NODE_WIDTH] + d.y * terms[10 * NODE_WIDTH] +
-                   d.z * terms[11 * NODE_WIDTH];
+    WFloat v =
+        d.x * terms[3 * NODE_WIDTH] + d.y * terms[4 * NODE_WIDTH] + d.z * terms[5 * NODE_WIDTH];
+    WFloat w =
+        d.x * terms[6 * NODE_WIDTH] + d.y * terms[7 * NODE_WIDTH] + d.z * terms[8 * NODE_WIDTH];
+    WFloat along =
+        d.x * terms[9 * NODE_WIDTH] + d.y * terms[10 * NODE_WIDTH] + d.z * terms[11 * NODE_WIDTH];
     WFloat uv_lowest = VMIN(u, v);
     WFloat uv_highest = VMAX(u, v);
     WFloat lowest = VMIN(uv_lowest, w);
@@ -237,8 +237,8 @@ static inline WMask blocked_lanes(const float* terms, WFloat3 d) {
 }
 
 /// One bit for each lane of `lanes` that a triangle of the leaf blocks.
-static inline uint blocked_by_leaf(GLOBAL const float* leaves, uint reference,
-                                   const Packet* packet, uint lanes) {
+static inline uint blocked_by_leaf(GLOBAL const float* leaves, uint reference, const Packet* packet,
+                                   uint lanes) {
     GLOBAL const float* rows;
     uint count = leaf_triangles(leaves, reference, &rows);
     LeafTerms terms = leaf_terms(packet->origin, rows, count);
@@ -272,12 +272,11 @@ static inline uint blocked_by_leaf(GLOBAL const float* leaves, uint reference,
 }
 
 /// Whether a lane's segment is blocked below node `root`. Uses the stack from `base` on.
-static inline int blocked_alone(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves,
-                                uint root, const Packet* packet, uint lane, uint* stack,
-                                uint base) {
-    SlabRay ray = make_slab_ray(
-        packet->origin, f3(packet->lane_inverse[0][lane], packet->lane_inverse[1][lane],
-                           packet->lane_inverse[2][lane]));
+static inline int blocked_alone(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves, uint root,
+                                const Packet* packet, uint lane, uint* stack, uint base) {
+    SlabRay ray = make_slab_ray(packet->origin,
+                                f3(packet->lane_inverse[0][lane], packet->lane_inverse[1][lane],
+                                   packet->lane_inverse[2][lane]));
     uint size = base;
     stack[size++] = root;
     while (size > base) {
@@ -289,6 +288,7 @@ static inline int blocked_alone(GLOBAL const BvhNode* nodes, GLOBAL const float*
             bits &= bits - 1u;
             if ((reference & BVH_LEAF) == 0u) {
                 stack[size++] = reference;
+                prefetch_child(nodes, leaves, reference);
                 continue;
             }
             GLOBAL const float* rows;
@@ -304,7 +304,7 @@ static inline int blocked_alone(GLOBAL const BvhNode* nodes, GLOBAL const float*
 
 /// Lanes of `active` whose segment from `origin` to `origin + d` is blocked before SHADOW_END.
 static inline WMask bvh_any_packet(GLOBAL const BvhNode* nodes, GLOBAL const float* leaves,
-                                  float3 origin, WFloat3 d, WMask active) {
+                                   float3 origin, WFloat3 d, WMask active) {
     uint stack[BVH_STACK];
     Packet packet;
     make_packet(origin, d, active, &packet);
@@ -327,6 +327,7 @@ static inline WMask bvh_any_packet(GLOBAL const BvhNode* nodes, GLOBAL const flo
                 blocked = blocked_by_leaf(leaves, reference, &packet, inside);
             } else if (bit_count(inside) > LONE_LANES) {
                 stack[size++] = reference;
+                prefetch_child(nodes, leaves, reference);
             } else {
                 while (inside != 0u) {
                     uint lane = lowest_bit(inside);

@@ -9,6 +9,7 @@
 //   as_bits(f) from_bits(u) square_root(f) absolute(f)            scalar built-ins
 //   WFloat WMask (LANES rays), NFloat NMask (NODE_WIDTH children) wide values, touched only through
 //   WIDE NODE SELECT VMIN VMAX mask_* wide_* node_*               these names
+//   PREFETCH(p) lowest_bit(u) bit_count(u)                        hints and bits
 //
 // A mask is what a comparison of wide values yields: all bits set per true lane, but 1 for a
 // scalar (LANES = 1). Only the mask_* functions and SELECT may interpret it.

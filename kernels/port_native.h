@@ -211,6 +211,8 @@ static inline uint lowest_bit(uint x) {
     return static_cast<uint>(__builtin_ctz(x));
 }
 
+#define PREFETCH(p) __builtin_prefetch(p)
+
 static inline uint bit_count(uint x) {
     return static_cast<uint>(__builtin_popcount(x));
 }

@@ -67,9 +67,13 @@ typedef int16 WMask;
 #error "LANES must be 1, 4, 8 or 16"
 #endif
 
-// Processors tell which lanes are set in one instruction, yet OpenCL C has no name for it: compilers
-// based on clang offer that of the instruction set.
+// Compilers based on clang offer what x86 processors can do and OpenCL C has no name for: telling
+// which lanes are set, and asking for memory ahead.
 #if defined(__clang__) && defined(__AVX__)
+#define X86_BUILTINS
+#endif
+
+#ifdef X86_BUILTINS
 #define bits_of_8(m) ((uint)__builtin_ia32_movmskps256(as_float8(m)))
 #else
 static inline uint bits_of_8(int8 m) {
@@ -94,7 +98,7 @@ static inline uint mask_bits(WMask m) {
     return (uint)(b.x | b.y);
 #elif LANES == 8
     return bits_of_8(m);
-#elif defined(__clang__) && defined(__AVX512DQ__)
+#elif defined(X86_BUILTINS) && defined(__AVX512DQ__)
     return (uint)__builtin_ia32_cvtd2mask512(m) & 0xFFFFu;
 #else
     return bits_of_8(m.lo) | bits_of_8(m.hi) << 8;
@@ -147,6 +151,12 @@ static inline float wide_highest(WFloat v) {
 }
 #endif
 
+#ifdef X86_BUILTINS
+#define PREFETCH(p) __builtin_prefetch((const void*)(size_t)(p))
+#else
+#define PREFETCH(p)
+#endif
+
 #define bit_count(x) popcount(x)
 #define wide_square_root(v) sqrt(v)
 
@@ -161,7 +171,7 @@ typedef int8 NMask;
 
 /// Index of the lowest set bit; `x` is not 0.
 static inline uint lowest_bit(uint x) {
-#ifdef __clang__
+#ifdef X86_BUILTINS
     return (uint)__builtin_ctz(x);
 #else
     return 31u - clz(x & (0u - x));

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rays, and the watertight ray/triangle test of Woop, Benthin and Wald (JCGT 2013) for all triangles
-// of a leaf at once.
+// Rays, and the watertight ray/triangle test of Woop, Benthin and Wald (JCGT 2013) for all
+// triangles of a leaf at once.
 #ifndef WEFT_TRIANGLE_H
 #define WEFT_TRIANGLE_H
 

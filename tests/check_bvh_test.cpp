@@ -16,12 +16,12 @@
 namespace weft {
 namespace {
 
-void append_one(std::vector<float>& leaves, const LeafTriangle& triangle) {
+void append_one(LargeVector<float>& leaves, const LeafTriangle& triangle) {
     append_leaf(leaves, {&triangle, 1});
 }
 
 void write_entry(WideBvh& bvh, std::uint32_t leaf, std::size_t i, const LeafTriangle& triangle) {
-    std::vector<float> alone = empty_leaves();
+    LargeVector<float> alone = empty_leaves();
     append_one(alone, triangle);
     for (std::size_t row = 0; row < LEAF_ROWS; ++row)
         bvh.leaves[leaf_first(leaf) * LEAF_ROWS + row * leaf_count(leaf) + i] = alone[row];

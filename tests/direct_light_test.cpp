@@ -134,9 +134,9 @@ TEST(DirectLight, FaintLampsBesideASunAreSampledByTheirOwnPowers) {
     const std::uint32_t bright = builder.material(glm::vec3(0.0F), 3.0F * radiance);
     glm::dvec3 expected(0.0);
     for (int i = 0; i < 70; ++i) {
-        const Mesh lamp = test::quad_mesh(
-            {-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
-            {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
+        const Mesh lamp =
+            test::quad_mesh({-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
+                            {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
         builder.add(lamp, i % 3 == 0 ? bright : material);
         expected += polygon_irradiance(corners_of(lamp), {0, 0, 0}, {0, 0, 1}) *
                     (i % 3 == 0 ? 3.0 : 1.0) * glm::dvec3(radiance);

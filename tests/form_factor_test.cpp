@@ -56,14 +56,13 @@ double grid_form_factor(const Setup& setup, std::uint32_t count) {
     double sum = 0.0;
     for (std::uint32_t y = 0; y < count; ++y)
         for (std::uint32_t x = 0; x < count; ++x)
-            sum += test::polygon_irradiance(setup.corners,
-                                            {centre(x, count), centre(y, count), 0}, {0, 0, 1});
+            sum += test::polygon_irradiance(setup.corners, {centre(x, count), centre(y, count), 0},
+                                            {0, 0, 1});
     return sum / (pi * count * count);
 }
 
 double rendered_form_factor(Executor& executor, const FlatScene& flat, std::uint32_t seed) {
-    RenderSettings settings =
-        test::unbounded(test::small_settings(Algorithm::ir, pixels, pixels));
+    RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, pixels, pixels));
     settings.sampling.samples_per_light = 1024;
     settings.sampling.max_samples_per_set = 1024;
     settings.indirect = false;

@@ -105,6 +105,36 @@ inline ClosestVerdict judge_closest(const RayGeometry& geometry, const glm::dvec
     return closest;
 }
 
+/// What compare_with_oracle found.
+struct OracleCount {
+    std::size_t clear = 0;
+    std::size_t wrong = 0;
+    std::size_t hits = 0;
+};
+
+/// Counts the rays on which the oracle is certain, and answers that contradict it.
+inline OracleCount compare_with_oracle(const RayGeometry& geometry, const RayBatch& rays,
+                                       const std::vector<RayHit>& hits,
+                                       const std::vector<int>& any) {
+    OracleCount count;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const ClosestVerdict v = judge_closest(geometry, rays.origin(i), rays.direction(i),
+                                               static_cast<double>(rays.origins[i].w));
+        if (v.must_hit_any) count.wrong += any[i] == 1 ? 0 : 1;
+        if (!v.may_hit_any) count.wrong += any[i] == 0 ? 0 : 1;
+        if (!v.triangle) continue;
+        ++count.clear;
+        if (*v.triangle == NO_TRIANGLE) {
+            count.wrong += hits[i].triangle == NO_TRIANGLE ? 0 : 1;
+            continue;
+        }
+        ++count.hits;
+        const double t = static_cast<double>(hits[i].t);
+        count.wrong += hits[i].triangle == *v.triangle && t >= v.low && t <= v.high ? 0 : 1;
+    }
+    return count;
+}
+
 }  // namespace weft::test
 
 #endif

@@ -26,34 +26,6 @@ using test::RayGeometry;
 using test::RayHit;
 using test::Uniform;
 
-/// What the oracle said of a set of rays.
-struct OracleCount {
-    std::size_t clear = 0;
-    std::size_t wrong = 0;
-    std::size_t hits = 0;
-};
-
-OracleCount compare_with_oracle(const RayGeometry& geometry, const RayBatch& rays,
-                                const std::vector<RayHit>& hits, const std::vector<int>& any) {
-    OracleCount count;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const test::ClosestVerdict v = test::judge_closest(
-            geometry, rays.origin(i), rays.direction(i), static_cast<double>(rays.origins[i].w));
-        if (v.must_hit_any) count.wrong += any[i] == 1 ? 0 : 1;
-        if (!v.may_hit_any) count.wrong += any[i] == 0 ? 0 : 1;
-        if (!v.triangle) continue;
-        ++count.clear;
-        if (*v.triangle == NO_TRIANGLE) {
-            count.wrong += hits[i].triangle == NO_TRIANGLE ? 0 : 1;
-            continue;
-        }
-        ++count.hits;
-        const double t = static_cast<double>(hits[i].t);
-        count.wrong += hits[i].triangle == *v.triangle && t >= v.low && t <= v.high ? 0 : 1;
-    }
-    return count;
-}
-
 /// Rays cut off where they hit: the end still is a closest hit, but does not block. Where the
 /// distance is not certain (needles seen along their length), it may lie before their boxes, which
 /// such a short ray does not reach.
@@ -66,8 +38,8 @@ void expect_ends_not_to_block(const test::RayQueries& queries, const RayGeometry
     std::size_t different = 0, blocked = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (hits[i].triangle == NO_TRIANGLE) continue;
-        const test::Verdict verdict = test::judge(rays.origin(i), rays.direction(i), INFINITY,
-                                                  geometry, hits[i].triangle);
+        const test::Verdict verdict =
+            test::judge(rays.origin(i), rays.direction(i), INFINITY, geometry, hits[i].triangle);
         const bool certain = verdict.high - verdict.low <= 1e-3 * verdict.high;
         different += again[i] == hits[i] || !certain ? 0 : 1;
         blocked += any[i] == 0 ? 0 : 1;
@@ -102,8 +74,9 @@ void compare(const std::string& name, const RayGeometry& geometry, const RayBatc
             EXPECT_EQ(different, 0U) << where << ": closest hits of " << rays.size();
             EXPECT_EQ(different_any, 0U) << where << ": blocked rays of " << rays.size();
         }
-        const OracleCount oracle = compare_with_oracle(geometry, rays, hits, any);
-        if (backend != Backend::embree) expect_ends_not_to_block(queries, geometry, rays, hits, where);
+        const test::OracleCount oracle = test::compare_with_oracle(geometry, rays, hits, any);
+        if (backend != Backend::embree)
+            expect_ends_not_to_block(queries, geometry, rays, hits, where);
         // Embree's own arithmetic finds some hits that are none, right at origins.
         const std::size_t allowed = backend == Backend::embree ? rays.size() / 1000 : 0;
         EXPECT_LE(oracle.wrong, allowed) << where << ": against the oracle";

@@ -130,8 +130,11 @@ struct Mode {
     const char* name;
     RTCScene scene;
     bool coherent;
-    bool is_yardstick;
+    int yardstick_widths;  // calls up to this width are yardsticks
 };
+
+constexpr int single = 1;
+constexpr int all_widths = 16;
 
 /// `one(options, valid, packet)` makes one call.
 template <int Width, class Packet, class One>
@@ -175,7 +178,7 @@ Contender closest_contender(SharedBatch<Width, typename EmbreeWidth<Width>::RayH
     const auto answer = [](const Packet& packet, std::size_t lane) {
         return get<Width, std::uint32_t>(packet, field_triangle, lane);
     };
-    return {fmt::format("{} {}", mode.name, Width), mode.is_yardstick,
+    return {fmt::format("{} {}", mode.name, Width), (Width <= mode.yardstick_widths),
             [batch] { batch->packets = batch->pristine; },
             [=] { return run_batch(*batch, *arena, mode.coherent, one); },
             [=] { return read_answers(*batch, NO_TRIANGLE, answer); }};
@@ -192,23 +195,24 @@ Contender any_contender(SharedBatch<Width, typename EmbreeWidth<Width>::Ray> bat
     const auto answer = [](const Packet& packet, std::size_t lane) {
         return get<Width, float>(packet, field_t_far, lane) < 0.0F ? 1U : 0U;
     };
-    return {fmt::format("{} {}", mode.name, Width), mode.is_yardstick,
+    return {fmt::format("{} {}", mode.name, Width), (Width <= mode.yardstick_widths),
             [batch] { batch->packets = batch->pristine; },
             [=] { return run_batch(*batch, *arena, mode.coherent, one); },
             [=] { return read_answers(*batch, 0, answer); }};
 }
 
-/// Calls `add.template operator()<Width>(mode)` for every variant that is measured.
+/// Calls `add.template operator()<Width>(mode)` for every variant that is measured; those in robust
+/// mode up to `yardstick_widths` wide are what ratios refer to.
 template <class Add>
-void for_all_variants(const EmbreeScenes& scenes, const Add& add) {
-    for (const Mode& mode : {Mode{"robust", scenes.robust(), false, true},
-                             Mode{"default", scenes.fast(), false, false}}) {
+void for_all_variants(const EmbreeScenes& scenes, int yardstick_widths, const Add& add) {
+    for (const Mode& mode : {Mode{"robust", scenes.robust(), false, yardstick_widths},
+                             Mode{"default", scenes.fast(), false, 0}}) {
         add.template operator()<1>(mode);
         add.template operator()<8>(mode);
         add.template operator()<16>(mode);
     }
-    for (const Mode& mode : {Mode{"robust coherent", scenes.robust(), true, false},
-                             Mode{"default coherent", scenes.fast(), true, false}}) {
+    for (const Mode& mode : {Mode{"robust coherent", scenes.robust(), true, 0},
+                             Mode{"default coherent", scenes.fast(), true, 0}}) {
         add.template operator()<8>(mode);
         add.template operator()<16>(mode);
     }
@@ -227,7 +231,8 @@ std::vector<Contender> any_contenders(const EmbreeScenes& scenes, const Arena& a
         std::tuple(make(std::integral_constant<int, 1>{}), make(std::integral_constant<int, 8>{}),
                    make(std::integral_constant<int, 16>{}));
     std::vector<Contender> contenders;
-    for_all_variants(scenes, [&]<int Width>(const Mode& mode) {
+    const int yardsticks = std::is_same_v<Input, RaySet> ? single : all_widths;
+    for_all_variants(scenes, yardsticks, [&]<int Width>(const Mode& mode) {
         constexpr std::size_t index = Width == 1 ? 0 : Width == 8 ? 1 : 2;
         contenders.push_back(any_contender<Width>(std::get<index>(batches), arena, mode));
     });
@@ -235,41 +240,6 @@ std::vector<Contender> any_contenders(const EmbreeScenes& scenes, const Arena& a
 }
 
 }  // namespace
-
-EmbreeScenes::EmbreeScenes(const TracedGeometry& geometry, int threads)
-    : device_(rtcNewDevice(threads > 0 ? fmt::format("threads={}", threads).c_str() : nullptr)) {
-    if (device_ == nullptr) throw Error(ExitCode::device, "Embree could not start");
-    robust_ = build(geometry, RTC_SCENE_FLAG_ROBUST);
-    fast_ = build(geometry, RTC_SCENE_FLAG_NONE);
-    if (const RTCError code = rtcGetDeviceError(device_); code != RTC_ERROR_NONE)
-        throw Error(
-            code == RTC_ERROR_OUT_OF_MEMORY ? ExitCode::out_of_memory : ExitCode::device,
-            fmt::format("Embree could not build the scene (error {})", static_cast<int>(code)));
-}
-
-EmbreeScenes::~EmbreeScenes() {
-    rtcReleaseScene(robust_);
-    rtcReleaseScene(fast_);
-    rtcReleaseDevice(device_);
-}
-
-RTCScene EmbreeScenes::build(const TracedGeometry& geometry, RTCSceneFlags flags) const {
-    RTCScene scene = rtcNewScene(device_);
-    rtcSetSceneFlags(scene, flags);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-    RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               geometry.positions.data(), 0, sizeof(shared::float4),
-                               geometry.positions.size());
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               geometry.triangles.data(), 0, sizeof(shared::Triangle),
-                               geometry.triangles.size());
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometryByID(scene, mesh, 0);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
-    return scene;
-}
 
 EmbreeQueries::EmbreeQueries(const EmbreeScenes& scenes, int threads)
     : scenes_(scenes),
@@ -280,7 +250,7 @@ std::vector<Contender> EmbreeQueries::closest(const RaySet& rays) const {
     const auto batches = std::tuple(make_batch<1, RTCRayHit>(rays), make_batch<8, RTCRayHit8>(rays),
                                     make_batch<16, RTCRayHit16>(rays));
     std::vector<Contender> contenders;
-    for_all_variants(scenes_, [&]<int Width>(const Mode& mode) {
+    for_all_variants(scenes_, single, [&]<int Width>(const Mode& mode) {
         constexpr std::size_t index = Width == 1 ? 0 : Width == 8 ? 1 : 2;
         contenders.push_back(closest_contender<Width>(std::get<index>(batches), arena_, mode));
     });

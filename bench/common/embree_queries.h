@@ -11,7 +11,7 @@
 #include "bench/common/contender.h"
 #include "bench/common/ray_sets.h"
 #include "device/executor.h"
-#include "device/native/embree.h"
+#include "device/native/embree_scene.h"
 
 namespace weft::bench {
 
@@ -20,24 +20,21 @@ namespace weft::bench {
 class EmbreeScenes {
   public:
     /// Uses the geometry's memory. `threads` is 0 for all.
-    EmbreeScenes(const TracedGeometry& geometry, int threads);
-    ~EmbreeScenes();
-    EmbreeScenes(const EmbreeScenes&) = delete;
-    EmbreeScenes& operator=(const EmbreeScenes&) = delete;
+    EmbreeScenes(const TracedGeometry& geometry, int threads)
+        : robust_(geometry, threads, RTC_SCENE_FLAG_ROBUST),
+          fast_(geometry, threads, RTC_SCENE_FLAG_NONE) {}
 
-    [[nodiscard]] RTCScene robust() const noexcept { return robust_; }
-    [[nodiscard]] RTCScene fast() const noexcept { return fast_; }
+    [[nodiscard]] RTCScene robust() const noexcept { return robust_.handle(); }
+    [[nodiscard]] RTCScene fast() const noexcept { return fast_.handle(); }
 
   private:
-    [[nodiscard]] RTCScene build(const TracedGeometry& geometry, RTCSceneFlags flags) const;
-
-    RTCDevice device_;
-    RTCScene robust_ = nullptr;
-    RTCScene fast_ = nullptr;
+    EmbreeScene robust_;
+    EmbreeScene fast_;
 };
 
-/// Embree's calls 1, 8 and 16 rays wide over blocks of rays in parallel. The yardsticks are those
-/// in robust mode without the COHERENT flag; default mode and COHERENT packets come along.
+/// Embree's calls 1, 8 and 16 rays wide over blocks of rays in parallel. The yardsticks are in
+/// robust mode without the COHERENT flag: for single rays the calls 1 wide, for packets those of
+/// all three widths. Default mode and COHERENT packets come along.
 class EmbreeQueries {
   public:
     /// `scenes` must outlive the contenders. `threads` is 0 for all.

@@ -97,12 +97,12 @@ const Figures* SetResult::find(const std::string& contender) const {
 std::string table_legend() {
     return "Million rays per second, medians of interleaved runs. opencl and native: Weft's own\n"
            "traversal (opencl: event times; wall: as the host sees it). Embree 1, 8 and 16 wide:\n"
-           "rob robust mode (the yardstick), def default mode, rc and dc the same with COHERENT.\n"
-           "o/best and n/best: opencl and native against the fastest of the three rob columns, "
-           "o/cpu and\n"
-           "n/cpu the same by processor time, which matters where the machine is busy otherwise.\n"
-           "differ: answers other than native's, of opencl and of the rob column that differs "
-           "most.\n";
+           "rob robust mode, def default mode, rc and dc the same with COHERENT. The yardstick is\n"
+           "rob 1 for single rays, and the fastest of the three rob columns for packets.\n"
+           "o/yard and n/yard: opencl and native against it, o/cpu and n/cpu the same by "
+           "processor\n"
+           "time, which matters where the machine is busy otherwise.\n"
+           "differ: answers other than native's, of opencl and of the yardstick.\n";
 }
 
 std::string table_heading(const SceneResult& scene) {
@@ -111,7 +111,7 @@ std::string table_heading(const SceneResult& scene) {
                     scene.triangles, scene.bvh_nodes, scene.bvh_ms, scene.sah_cost);
     text += fmt::format("{:8}{:>9}", "set", "rays");
     for (const Column& column : columns) text += fmt::format("{:>8}", column.title);
-    return text + fmt::format("{:>8}{:>8}{:>8}{:>8}{:>8}{:>15}\n", "wall", "o/best", "n/best",
+    return text + fmt::format("{:>8}{:>8}{:>8}{:>8}{:>8}{:>15}\n", "wall", "o/yard", "n/yard",
                               "o/cpu", "n/cpu", "differ");
 }
 

@@ -15,15 +15,15 @@ constexpr std::size_t vertex_rows = 3;
 
 }  // namespace
 
-std::vector<float> empty_leaves() {
-    return std::vector<float>(node_width);
+LargeVector<float> empty_leaves() {
+    return LargeVector<float>(node_width);
 }
 
 std::size_t leaf_entries(std::span<const float> leaves) noexcept {
     return leaves.size() < node_width ? 0 : (leaves.size() - node_width) / rows;
 }
 
-void append_leaf(std::vector<float>& leaves, std::span<const LeafTriangle> triangles) {
+void append_leaf(LargeVector<float>& leaves, std::span<const LeafTriangle> triangles) {
     const std::size_t count = triangles.size();
     const std::size_t first = leaf_entries(leaves) * rows;
     leaves.resize(leaves.size() + rows * count);

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "base/large_memory.h"
 #include "bvh/convex_polygon.h"
 #include "device/shared_types.h"
 
@@ -33,13 +33,13 @@ struct LeafTriangle {
 };
 
 /// The rows of no leaf: the room that whole vectors may read behind the last one.
-[[nodiscard]] std::vector<float> empty_leaves();
+[[nodiscard]] LargeVector<float> empty_leaves();
 
 /// How many triangles the leaves hold together; 0 where the rows are too short to be sound.
 [[nodiscard]] std::size_t leaf_entries(std::span<const float> leaves) noexcept;
 
 /// Appends a leaf in the layout of LEAF_ROWS.
-void append_leaf(std::vector<float>& leaves, std::span<const LeafTriangle> triangles);
+void append_leaf(LargeVector<float>& leaves, std::span<const LeafTriangle> triangles);
 
 /// Triangle `i` of a leaf whose reference lies within the rows.
 [[nodiscard]] LeafTriangle leaf_triangle(std::span<const float> leaves, std::uint32_t reference,

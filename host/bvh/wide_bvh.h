@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
+#include "base/large_memory.h"
 #include "bvh/leaves.h"
 #include "device/shared_types.h"
 
@@ -24,8 +24,8 @@ struct BvhSettings {
 /// A BVH of width NODE_WIDTH in the layout kernels traverse. Node 0 is the root; a scene without
 /// triangles has a root of empty children.
 struct WideBvh {
-    std::vector<shared::BvhNode> nodes;
-    std::vector<float> leaves = empty_leaves();  ///< LEAF_ROWS; spatial splits repeat triangles
+    LargeVector<shared::BvhNode> nodes;
+    LargeVector<float> leaves = empty_leaves();  ///< LEAF_ROWS; spatial splits repeat triangles
     std::uint32_t depth = 0;                     ///< nodes on the longest path
     std::uint32_t stack_need = 0;  ///< entries the deepest traversal can push, <= BVH_STACK
     bool has_spatial_splits = false;
@@ -47,8 +47,7 @@ struct BvhStats {
 [[nodiscard]] inline BvhStats stats_of(const WideBvh& bvh) {
     return {bvh.nodes.size(),
             leaf_entries(bvh.leaves),
-            bvh.nodes.size() * sizeof(shared::BvhNode) +
-                bvh.leaves.size() * sizeof(float),
+            bvh.nodes.size() * sizeof(shared::BvhNode) + bvh.leaves.size() * sizeof(float),
             bvh.depth,
             bvh.has_spatial_splits,
             bvh.sah_cost,

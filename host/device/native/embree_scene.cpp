@@ -9,13 +9,6 @@
 namespace weft {
 namespace {
 
-/// Lets single queries bring a filter of their own (embree_candidates).
-#if WEFT_EMBREE_MAJOR >= 4
-constexpr int query_filter_flag = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
-#else
-constexpr int query_filter_flag = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
-#endif
-
 void throw_embree_error(RTCDevice device, const char* action) {
     const RTCError code = rtcGetDeviceError(device);
     if (code == RTC_ERROR_NONE) return;
@@ -26,12 +19,12 @@ void throw_embree_error(RTCDevice device, const char* action) {
 
 }  // namespace
 
-EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads) {
+EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads, int flags) {
     const std::string config = threads > 0 ? fmt::format("threads={}", threads) : std::string();
     device_ = rtcNewDevice(config.c_str());
     if (device_ == nullptr) throw_embree_error(nullptr, "start");
     scene_ = rtcNewScene(device_);
-    rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | query_filter_flag));
+    rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
     if (!geometry.triangles.empty()) {
         RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);

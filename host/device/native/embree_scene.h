@@ -11,12 +11,24 @@
 
 namespace weft {
 
-/// An Embree scene of one triangle mesh whose primitive ids are the triangle ids. Robust mode and
-/// never COHERENT: a ray's result must not depend on its packet.
+/// What pictures are traced with: Embree's robust mode, and queries may bring a filter of their own
+/// (embree_candidates).
+#if WEFT_EMBREE_MAJOR >= 4
+inline const int embree_render_flags =
+    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+#else
+inline const int embree_render_flags =
+    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+#endif
+
+/// An Embree scene of one triangle mesh whose primitive ids are the triangle ids, of the highest
+/// build quality. Queries for pictures are never COHERENT: a ray's result must not depend on its
+/// packet.
 class EmbreeScene {
   public:
     /// Uses the geometry's memory; it must outlive this object. `threads` is 0 for all.
-    EmbreeScene(const TracedGeometry& geometry, int threads);
+    /// Throws Error (exit code 3 or 4).
+    EmbreeScene(const TracedGeometry& geometry, int threads, int flags = embree_render_flags);
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;

@@ -10,12 +10,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <new>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "base/error.h"
+#include "base/large_memory.h"
 #include "base/stopwatch.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
@@ -24,25 +24,20 @@
 namespace weft {
 namespace {
 
-constexpr std::align_val_t buffer_alignment{64};
-
 class NativeBuffer : public Buffer {
   public:
     NativeBuffer(std::size_t bytes, std::size_t& total)
-        : Buffer(bytes), data_(::operator new(bytes, buffer_alignment)), total_(total) {
+        : Buffer(bytes), memory_(bytes), total_(total) {
         total_ += bytes;
     }
-    ~NativeBuffer() override {
-        ::operator delete(data_, buffer_alignment);
-        total_ -= bytes();
-    }
+    ~NativeBuffer() override { total_ -= bytes(); }
     NativeBuffer(const NativeBuffer&) = delete;
     NativeBuffer& operator=(const NativeBuffer&) = delete;
 
-    [[nodiscard]] void* data() const noexcept { return data_; }
+    [[nodiscard]] void* data() const noexcept { return memory_.data(); }
 
   private:
-    void* data_;
+    LargeMemory memory_;
     std::size_t& total_;
 };
 

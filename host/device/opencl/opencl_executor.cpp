@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <new>
 #include <optional>
 
 #include "base/error.h"
+#include "base/large_memory.h"
 #include "base/stopwatch.h"
 #include "device/opencl/opencl_program.h"
 #include "device/opencl/program_source.h"
@@ -32,12 +34,15 @@ constexpr std::uint32_t gpu_chunk_factor = 16;
         fmt::format("OpenCL: {} failed in {} (error {})", action, error.what(), error.err()));
 }
 
+/// On a processor the memory is the host's own.
 class OpenClBuffer : public Buffer {
   public:
-    OpenClBuffer(const cl::Context& context, std::size_t bytes, std::size_t& total)
-        : Buffer(bytes),
-          memory_(context, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes),
-          total_(total) {
+    OpenClBuffer(const cl::Context& context, bool on_host, std::size_t bytes, std::size_t& total)
+        : Buffer(bytes), total_(total) {
+        if (on_host) host_.emplace(bytes);
+        memory_ = cl::Buffer(
+            context, CL_MEM_READ_WRITE | (on_host ? CL_MEM_USE_HOST_PTR : CL_MEM_ALLOC_HOST_PTR),
+            bytes, on_host ? host_->data() : nullptr);
         total_ += bytes;
     }
     ~OpenClBuffer() override { total_ -= bytes(); }
@@ -47,6 +52,7 @@ class OpenClBuffer : public Buffer {
     [[nodiscard]] const cl::Buffer& memory() const noexcept { return memory_; }
 
   private:
+    std::optional<LargeMemory> host_;  // outlives what refers to it
     cl::Buffer memory_;
     std::size_t& total_;
 };
@@ -90,9 +96,12 @@ class OpenClExecutor : public Executor {
                         fmt::format("{} needs {} bytes, {} allows {} in one buffer", what, bytes,
                                     info_.name, info_.max_allocation));
         try {
-            return std::make_unique<OpenClBuffer>(context_, bytes, allocated_);
+            return std::make_unique<OpenClBuffer>(context_, info_.is_cpu, bytes, allocated_);
         } catch (const cl::Error& error) {
             rethrow(error, fmt::format("allocating {} ({} bytes)", what, bytes));
+        } catch (const std::bad_alloc&) {
+            throw Error(ExitCode::out_of_memory,
+                        fmt::format("no memory is left for {} ({} bytes)", what, bytes));
         }
     }
 
