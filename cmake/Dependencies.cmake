@@ -41,6 +41,7 @@ weft_require_package(nlohmann-json3-dev nlohmann_json nlohmann_json::nlohmann_js
 weft_require_package(libpugixml-dev pugixml pugixml::pugixml CONFIG)
 weft_require_package(libpng-dev PNG PNG::PNG)
 weft_require_package(libjpeg-dev JPEG JPEG::JPEG)
+weft_require_header(libkissfft-dev kissfft/kissfft.hh)
 weft_require_header(libglm-dev glm/glm.hpp)
 weft_require_header(libcli11-dev CLI/CLI.hpp)
 weft_require_header(libstb-dev stb/stb_image.h) # compiled into Weft with its own settings

@@ -4,19 +4,8 @@
 // Components to radiance, and radiance into the film. What is not finite or negative is counted,
 // set to 0 and never reaches the film. The film sums samples in compensated float pairs.
 #include "gbuffer.h"
+#include "guard.h"
 #include "triangle.h"
-
-static inline int is_good(float3 c) {
-    return is_finite3(c) != 0 && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f ? 1 : 0;
-}
-
-/// `c`, or black where it is not good, which is counted.
-static inline float3 guard(GLOBAL NonfiniteCounter* counter, int component, uint pixel, float3 c) {
-    if (is_good(c) != 0) return c;
-    atomic_add_uint(&counter->count[component], 1u);
-    atomic_min_uint(&counter->first_pixel[component], pixel);
-    return f3(0.0f, 0.0f, 0.0f);
-}
 
 /// Neumaier's compensated sum; the first sample starts it.
 static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, int starts,

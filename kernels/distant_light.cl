@@ -5,23 +5,14 @@
 // each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
-#include "offset.h"
 #include "receivers.h"
 #include "sampling.h"
-#include "trace.h"
+#include "visibility.h"
 
 static inline float3 receiver_vector(GLOBAL const float* planes, uint first, uint stride,
                                      uint slot) {
     return f3(planes[first * stride + slot], planes[(first + 1u) * stride + slot],
               planes[(first + 2u) * stride + slot]);
-}
-
-/// 1 where nothing lies between the receiver and infinity. The ray starts a little along its way,
-/// because a receiver on the edge of two faces lies in the plane of both.
-static inline int sees_infinity(Scene scene, const Params* params, float3 position,
-                                float3 direction) {
-    float3 start = position + direction * (4.0f * surface_offset(position, params->extent));
-    return trace_any(scene, start, direction, RAY_INFINITY) == 0 ? 1 : 0;
 }
 
 static inline void add_irradiance(GLOBAL float* irradiance, uint stride, uint slot, float3 e) {

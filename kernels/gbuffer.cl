@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Primary visibility: one ray a pixel, through its centre or the frame's jittered point.
+#include "camera.h"
 #include "gbuffer.h"
 #include "surface.h"
 #include "trace.h"
-
-static inline float3 camera_direction(const Params* params, uint x, uint y) {
-    float s = 2.0f * ((float)x + params->jitter_x) / (float)params->width - 1.0f;
-    float t = 1.0f - 2.0f * ((float)y + params->jitter_y) / (float)params->height;
-    return xyz(params->camera_forward) + xyz(params->camera_right) * s + xyz(params->camera_up) * t;
-}
 
 WEFT_KERNEL(gbuffer)
 (PARAMS, SCENE_ARGS, GEOMETRY_ARGS, GBUFFER_ARGS) {
@@ -19,7 +14,8 @@ WEFT_KERNEL(gbuffer)
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     float3 origin = xyz(params.camera_origin);
-    float3 direction = camera_direction(&params, pixel % params.width, pixel / params.width);
+    float3 direction = camera_direction(&params, (float)(pixel % params.width) + params.jitter_x,
+                                        (float)(pixel / params.width) + params.jitter_y);
     Hit hit = trace_closest(scene, origin, direction, RAY_INFINITY);
     gb_ids[2u * pixel] = NO_TRIANGLE;
     gb_ids[2u * pixel + 1u] = hit.triangle;

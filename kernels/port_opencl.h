@@ -154,7 +154,7 @@ static inline float wide_highest(WFloat v) {
 #ifdef X86_BUILTINS
 #define PREFETCH(p) __builtin_prefetch((const void*)(size_t)(p))
 #else
-#define PREFETCH(p)
+#define PREFETCH(p) ((void)(p))
 #endif
 
 #define bit_count(x) popcount(x)

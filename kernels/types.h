@@ -60,7 +60,8 @@ typedef struct {
 typedef struct {
     uint material;
     uint first_triangle;  // id of the instance's first triangle
-    uint pad0, pad1;
+    uint light;           // index of its area light, or NO_TRIANGLE
+    uint pad;
 } InstanceRecord;
 
 #define MATERIAL_TWO_SIDED 1u
@@ -108,7 +109,9 @@ typedef struct {
     uint both_sides;
     float area_cumulative;  // the same among the area lights alone; 0 for other lights
     float area_probability;
-    uint pad;
+    float choice_cumulative;  // the same for path tracing, which chooses from all but environments
+    float choice_probability;
+    uint pad0, pad1, pad2;
 } LightRecord;
 
 // An emissive triangle; `cumulative` is relative to its light, by area.
@@ -159,6 +162,15 @@ typedef struct {
 #define FILM_DEPTH 15
 #define FILM_PLANES 16
 
+// The film of path tracing holds exact sums (film_sums.h): FILM_SUM_WORDS words for each of the
+// planes above, then FILM_SQUARE_WORDS words for the squares of each channel of the picture.
+// A sum counts 2^-FILM_SUM_SHIFT of its unit, which is 1 / Params::film_scale for light.
+#define FILM_SUM_WORDS 3
+#define FILM_SUM_SHIFT 52
+#define FILM_SQUARE_WORDS 4
+#define FILM_SQUARE_SHIFT 72
+#define FILM_PIXEL_WORDS 60
+
 typedef struct {
     // Camera: the ray through film point (s, t) in [-1,1]^2, +t up, is forward + s right + t up.
     float4 camera_origin;
@@ -201,7 +213,10 @@ typedef struct {
     uint counter;                           // which RayCounter this launch adds to
     uint delta_lights_first, delta_lights;  // point and spot lights
     uint directional_lights_first, directional_lights;  // in the light table
-    uint pad0, pad1, pad2, pad3;
+    uint samples;          // path tracing: samples of a pixel in one launch, from `frame` on
+    uint through_centres;  // 1: all of them go through the pixel's centre
+    float film_scale;      // a power of two that brings the scene's light to about 1
+    uint pad0;
     uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
 } Params;
 

@@ -13,6 +13,8 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "image/exr.h"
+#include "image/hdr.h"
+#include "image/read_png.h"
 #include "scene/image_file.h"
 #include "scene/load_scene.h"
 #include "tests/fuzz/readers.h"
@@ -76,6 +78,10 @@ void read_valid(const std::string& kind, const TemporaryFolder& folder, const fs
     Diagnostics ignored;
     if (kind == "image")
         static_cast<void>(decode_image(bytes, "picture"));
+    else if (kind == "hdr")
+        static_cast<void>(decode_hdr(bytes, "picture"));
+    else if (kind == "png")
+        static_cast<void>(decode_png(bytes, "picture"));
     else if (kind == "exr")
         static_cast<void>(read_exr(copy));
     else

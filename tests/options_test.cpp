@@ -107,14 +107,15 @@ TEST(Options, InfoAndDevices) {
 
 TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
     const std::string top = std::get<HelpText>(parse({"--help"})).text;
-    for (const char* name : {"render", "info", "devices", "--help", "--version"})
+    for (const char* name : {"render", "merge", "compare", "info", "devices", "--help", "--version"})
         EXPECT_NE(top.find(name), std::string::npos) << name;
     const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
     for (const char* name : {"SCENE", "-o,--output", "--algorithm", "--backend", "--device",
                              "--threads", "--tile", "--size", "--camera", "--components", "--spp",
-                             "--time", "--seed", "--exposure", "--stats", "--progress"})
+                             "--time", "--seed", "--exposure", "--stats", "--progress", "--samples",
+                             "--target-error", "--resume", "--pixel-filter"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
-    for (const char* name : {"--frames", "--resume", "--preset", "media", "amax"})
+    for (const char* name : {"--frames", "--frame-time", "--preset", "media", "amax"})
         EXPECT_EQ(help.find(name), std::string::npos) << name;
     EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
 }
@@ -160,8 +161,8 @@ TEST(Options, ReadsSizes) {
 TEST(Options, RefusesBadListsAndNames) {
     for (const char* text : {"direct,direct", ",", "direct,", "media", "Direct"})
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
-    EXPECT_EQ(render_refusal({"--algorithm", "path"}),
-              "--algorithm: 'path' is not valid, expected one of igi, ir");
+    EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
+              "--algorithm: 'photons' is not valid, expected one of igi, ir, path");
     EXPECT_EQ(render_refusal({"--backend", "cuda"}),
               "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
     EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);
@@ -170,6 +171,45 @@ TEST(Options, RefusesBadListsAndNames) {
     EXPECT_EQ(render_refusal({"-o", "folder/"}).find("--output: "), 0u);
     EXPECT_EQ(render_refusal({"--stats", "./box.exr"}).find("--stats: "), 0u);
     EXPECT_EQ(render_refusal({"--stats", "scenes/./box.gltf"}).find("--stats: "), 0u);
+}
+
+TEST(Options, PathTracing) {
+    const RenderOptions options =
+        render({"--algorithm=path", "--samples", "8:24", "--target-error", "0.01", "--resume",
+                "sums.exr", "--pixel-filter", "centre", "-o", "a.exr"});
+    EXPECT_EQ(options.algorithm, Algorithm::path);
+    EXPECT_EQ(*options.samples, (SampleRange{8, 24}));
+    EXPECT_EQ(*options.target_error, 0.01);
+    EXPECT_EQ(*options.resume, "sums.exr");
+    EXPECT_TRUE(options.through_centres);
+    EXPECT_FALSE(render({"--algorithm", "path"}).through_centres);
+    for (const char* text : {"8", "8:", ":8", "8:8", "9:8", "-1:8", "0:16777217", "1:2:3", "a:b"})
+        EXPECT_EQ(render_refusal({"--algorithm", "path", "--samples", text}).find("--samples: "),
+                  0u)
+            << text;
+    for (const char* text : {"0", "-1", "2", "nan", "1%"})
+        EXPECT_EQ(render_refusal({"--algorithm", "path", "--target-error", text})
+                      .find("--target-error: "),
+                  0u)
+            << text;
+    // Only path tracing knows these; samples are counted once, and kept where they fit.
+    EXPECT_EQ(render_refusal({"--samples", "0:8"}).find("--samples: is for path"), 0u);
+    EXPECT_EQ(render_refusal({"--resume", "a.exr"}).find("--resume: is for path"), 0u);
+    EXPECT_NE(render_refusal({"--algorithm=path", "--samples", "0:8", "--spp", "8"}), "no failure");
+    EXPECT_NE(render_refusal({"--algorithm=path", "--samples", "0:8", "-o", "a.png"}),
+              "no failure");
+    EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "a.png"}), "no failure");
+    EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "./box.exr"}), "no failure");
+}
+
+TEST(Options, Merge) {
+    const auto merge =
+        std::get<MergeOptions>(parse({"merge", "a.exr", "b.exr", "-o", "c.exr", "d.exr"}));
+    EXPECT_EQ(merge.parts.size(), 3u);
+    EXPECT_EQ(merge.output, "c.exr");
+    EXPECT_EQ(refusal({"merge", "-o", "c.exr"}).find("no parts given"), 0u);
+    EXPECT_EQ(refusal({"merge", "a.exr"}).find("no output given"), 0u);
+    EXPECT_EQ(refusal({"merge", "a.exr", "-o", "c.png"}).find("--output: "), 0u);
 }
 
 TEST(Options, SuggestsNearMisses) {
@@ -185,7 +225,8 @@ TEST(Options, SuggestsNearMisses) {
     EXPECT_TRUE(suggests(render_refusal({"--components", "indirekt"}), "indirect"));
     EXPECT_TRUE(suggests(refusal({"devices", "--jsn"}), "--json"));
     EXPECT_EQ(render_refusal({"--photons", "4"}), "unknown option '--photons'");
-    EXPECT_EQ(refusal({"photons"}), "unknown command 'photons', expected render, info or devices");
+    EXPECT_EQ(refusal({"photons"}),
+              "unknown command 'photons', expected render, merge, compare, info or devices");
 }
 
 TEST(Options, RefusesBadLines) {

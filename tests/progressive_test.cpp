@@ -53,7 +53,7 @@ std::vector<Image> after_each_frame(Backend backend, const RenderSettings& setti
     std::vector<Image> images;
     for (std::uint32_t f = 0; f < frames; ++f) {
         EXPECT_TRUE(renderer.render_frame({}));
-        EXPECT_EQ(renderer.frames(), f + 1);
+        EXPECT_EQ(renderer.samples(), f + 1);
         images.push_back(renderer.image());
     }
     return images;
@@ -172,10 +172,10 @@ TEST(Progressive, FramesEndedEarlyAreDroppedAndChangeNothing) {
             const bool complete = renderer.render_frame(
                 [&](const std::string& name, double) { return name != stage; });
             if (complete) continue;  // a stage of one launch has nothing to leave out
-            EXPECT_EQ(renderer.frames(), 2U) << stage;
+            EXPECT_EQ(renderer.samples(), 2U) << stage;
             EXPECT_EQ(test::differing_values(renderer.image(), expected[1]), 0U) << stage;
             ASSERT_TRUE(renderer.render_frame({}));
-            EXPECT_EQ(renderer.frames(), 3U) << stage;
+            EXPECT_EQ(renderer.samples(), 3U) << stage;
             EXPECT_EQ(test::differing_values(renderer.image(), expected[2]), 0U) << stage;
         }
     }
@@ -191,7 +191,7 @@ TEST(Progressive, AFirstFrameEndedEarlyIsKeptAndClean) {
         const bool complete = renderer.render_frame(
             [&](const std::string& name, double) { return name != "VPL gather" || ++asked < 3; });
         ASSERT_FALSE(complete);
-        EXPECT_EQ(renderer.frames(), 1U);
+        EXPECT_EQ(renderer.samples(), 1U);
         const Rendering kept{renderer.image(), renderer.stats(), renderer.plan()};
         test::expect_clean(kept);
         EXPECT_GT(test::mean_of(kept.layer("direct")), 0.0);

@@ -12,6 +12,12 @@ namespace weft {
 /// `weft render`: reads, renders, writes. Returns success or interrupted; failures are Errors.
 [[nodiscard]] ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics);
 
+/// `weft merge`: the exact union of sample ranges, as a picture that holds them.
+void merge_command(const MergeOptions& options);
+
+/// `weft compare`: how two pictures differ, on stdout, and a map of it.
+void compare_command(const CompareOptions& options);
+
 /// `weft info`: what a scene holds and calls for, on stdout.
 void info_command(const InfoOptions& options, Diagnostics& diagnostics);
 

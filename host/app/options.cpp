@@ -5,10 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.h"
+#include "app/compare_options.h"
+#include "app/merge_options.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
@@ -19,29 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 2> algorithm_names = {"igi", "ir"};
+constexpr std::array<std::string_view, 3> algorithm_names = {"igi", "ir", "path"};
 constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
+constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 constexpr std::array<std::string_view, 2> component_names = {"direct", "indirect"};
-constexpr std::array<std::string_view, 3> command_names = {"render", "info", "devices"};
+constexpr std::array<std::string_view, 5> command_names = {"render", "merge", "compare", "info",
+                                                           "devices"};
 constexpr double max_exposure_ev = 100.0;
-
-Error usage_error(const std::string& message) {
-    return {ExitCode::usage, message};
-}
-
-/// An option with one value, kept as text: values are read after the whole line is known to be
-/// well-formed, so that the first mistake reported is the one the user sees first.
-void add_value(CLI::App& command, const std::string& names, const std::string& value_name,
-               const std::string& description) {
-    command.add_option(names, description)
-        ->type_name(value_name)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void add_flag(CLI::App& command, const std::string& name, const std::string& description) {
-    command.add_flag(name, description)->disable_flag_override();
-}
 
 void add_render(CLI::App& app) {
     CLI::App& render = *app.add_subcommand("render", "Renders a scene to an EXR or PNG file");
@@ -50,7 +37,7 @@ void add_render(CLI::App& app) {
     add_value(render, "-o,--output", "FILE",
               "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
-    add_value(render, "--algorithm", "NAME", "igi or ir (default: igi)");
+    add_value(render, "--algorithm", "NAME", "igi, ir or path, the reference (default: igi)");
     add_value(
         render, "--backend", "NAME",
         "opencl, embree, or native: as embree, but tracing with Weft's own BVH (default: opencl "
@@ -62,6 +49,15 @@ void add_render(CLI::App& app) {
     add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
     add_value(render, "--components", "LIST", "Any of direct,indirect (default: all)");
     add_value(render, "--spp", "N", "Samples per pixel (default: 1, or what fits into --time)");
+    add_value(render, "--samples", "A:B",
+              "Only samples A to B - 1 of a path-traced picture, for `weft merge`");
+    add_value(render, "--target-error", "E",
+              "Ends path tracing at this relative standard error of the picture's mean");
+    add_value(render, "--resume", "FILE",
+              "Keeps the exact sums of path tracing in this .exr file and goes on from there");
+    add_value(render, "--pixel-filter", "NAME",
+              "Of path tracing: box, or centre: every sample through the pixel's centre (default: "
+              "box)");
     add_value(render, "--time", "T", "Total wall time, such as 300ms, 2.5s or 2m");
     add_value(render, "--seed", "N", "Seed of all random numbers (default: 0)");
     add_value(render, "--exposure", "EV|auto", "Exposure of a PNG in stops (default: 0)");
@@ -76,6 +72,8 @@ void add_commands(CLI::App& app) {
     app.allow_extras();  // this file words the errors itself
     app.require_subcommand(0, 1);
     add_render(app);
+    add_merge(app);
+    add_compare(app);
     CLI::App& info = *app.add_subcommand("info", "Says what a scene holds");
     add_value(info, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
@@ -93,7 +91,8 @@ std::string help_text(CLI::App& app) {
     // Neither may be demanded while parsing, which would then stop at the less helpful error.
     app.require_subcommand(1);
     for (CLI::App* command : app.get_subcommands({}))
-        if (CLI::Option* scene = command->get_option_no_throw("SCENE")) scene->required();
+        for (CLI::Option* option : command->get_options())
+            if (option->get_positional()) option->required();
     return app.help();
 }
 
@@ -102,15 +101,6 @@ std::vector<std::string> unknown_arguments(const CLI::App& command) {
     std::vector<std::string> arguments = command.remaining();
     std::erase(arguments, "--");
     return arguments;
-}
-
-/// The value given for an option, if any.
-std::optional<std::string> value_of(const CLI::App& command, const std::string& name) {
-    const std::vector<std::string>& results = command.get_option(name)->results();
-    if (results.empty()) return std::nullopt;
-    if (results.size() > 1) throw usage_error(name + ": is given more than once");
-    if (results[0].empty()) throw usage_error(name + ": is empty, expected a value");
-    return results[0];
 }
 
 [[noreturn]] void refuse_extra(const CLI::App& command, const std::string& extra) {
@@ -141,11 +131,12 @@ void check_command(const CLI::App& app, const CLI::App* command) {
     if (!before.empty()) {
         if (before[0][0] == '-' || command != nullptr) refuse_extra(app, before[0]);
         throw usage_error("unknown command " + quote(before[0]) +
-                          ", expected render, info or devices" +
+                          ", expected render, merge, compare, info or devices" +
                           did_you_mean(before[0], command_names));
     }
     if (command == nullptr)
-        throw usage_error("no command given, expected render, info or devices (see weft --help)");
+        throw usage_error(
+            "no command given, expected render, merge, compare, info or devices (see weft --help)");
     check_values(*command);
     const std::vector<std::string> extras = unknown_arguments(*command);
     const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& extra) {
@@ -156,13 +147,14 @@ void check_command(const CLI::App& app, const CLI::App* command) {
     if (!extras.empty()) refuse_extra(*command, extras[0]);
     if (command->get_option_no_throw("SCENE") != nullptr && !value_of(*command, "SCENE"))
         throw usage_error("no scene given, expected weft " + command->get_name() + " SCENE");
+    if (command->get_option_no_throw("TEST") != nullptr && !value_of(*command, "TEST"))
+        throw usage_error("two pictures are needed, expected weft compare REF TEST");
 }
 
 fs::path output_path(const std::optional<std::string>& given, const fs::path& scene) {
     if (!given) return scene.stem().string() + ".exr";
     fs::path path = *given;
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = extension_of(path);
     if (extension != ".exr" && extension != ".png")
         throw usage_error("--output: " + quote(*given) +
                           " has no known extension, expected .exr or .png");
@@ -192,6 +184,38 @@ void read_sampling(const CLI::App& command, RenderOptions& options) {
         options.seed = parse_unsigned("--seed", *text, 0, max_uint);
 }
 
+/// What only path tracing knows; after everything else has been read.
+void read_path_tracing(const CLI::App& command, RenderOptions& options) {
+    constexpr double least_error = 1e-9;
+    for (const char* const name : {"--samples", "--target-error", "--resume", "--pixel-filter"})
+        if (value_of(command, name) && options.algorithm != Algorithm::path)
+            throw usage_error(std::string(name) +
+                              ": is for path tracing, expected it together "
+                              "with --algorithm path");
+    if (const auto text = value_of(command, "--samples")) {
+        options.samples = parse_range("--samples", *text);
+        if (options.spp) throw usage_error("--samples: says what --spp says, expected one of them");
+        if (options.output.extension() != ".exr")
+            throw usage_error(
+                "--samples: needs a file that holds sums, expected an .exr file as "
+                "--output");
+    }
+    if (const auto text = value_of(command, "--target-error"))
+        options.target_error = parse_number("--target-error", *text, least_error, 1.0);
+    if (const auto text = value_of(command, "--resume")) {
+        options.resume = *text;
+        if (options.resume->extension() != ".exr")
+            throw usage_error("--resume: unknown file type " + quote(*text) +
+                              ", expected an .exr file");
+        for (const fs::path& other : {options.output, options.scene})
+            if (options.resume->lexically_normal() == other.lexically_normal())
+                throw usage_error("--resume: names the same file as " +
+                                  std::string(other == options.scene ? "the scene" : "--output"));
+    }
+    if (const auto text = value_of(command, "--pixel-filter"))
+        options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;
+}
+
 void read_picture(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--size")) options.size = parse_size("--size", *text);
     options.camera = value_of(command, "--camera");
@@ -218,6 +242,7 @@ RenderOptions read_render(const CLI::App& command) {
     if (const auto text = value_of(command, "--device")) options.device = checked_device(*text);
     read_sampling(command, options);
     read_picture(command, options);
+    read_path_tracing(command, options);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
     if (const auto text = value_of(command, "--progress"))
         options.progress =
@@ -276,6 +301,8 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
         return HelpText{"weft " WEFT_VERSION "\n"};
     check_command(app, command);
     if (command->get_name() == "render") return read_render(*command);
+    if (command->get_name() == "merge") return read_merge(*command);
+    if (command->get_name() == "compare") return read_compare(*command);
     if (command->get_name() == "info")
         return InfoOptions{*value_of(*command, "SCENE"), command->count("--json") > 0};
     return DevicesOptions{command->count("--json") > 0};
@@ -295,6 +322,11 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["camera"] = options.camera ? json_text(*options.camera) : nullptr;
     json["components"] = json_or_null(options.components);
     json["spp"] = json_or_null(options.spp);
+    json["samples"] = nullptr;
+    if (options.samples) json["samples"] = {options.samples->first, options.samples->end};
+    json["target_error"] = json_or_null(options.target_error);
+    json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
+    json["pixel_filter"] = filter_names.at(options.through_centres ? 1 : 0);
     json["time"] = json_or_null(options.time_seconds);
     json["seed"] = options.seed;
     json["exposure"] = options.exposure_ev ? nlohmann::json(*options.exposure_ev) : "auto";

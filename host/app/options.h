@@ -14,6 +14,7 @@
 
 #include "app/parse_values.h"
 #include "app/progress.h"
+#include "frame/film_sums.h"
 #include "schedule/frame_plan.h"
 
 namespace weft {
@@ -42,7 +43,11 @@ struct RenderOptions {
     std::optional<std::string> camera;     ///< else the scene's first
     std::optional<std::vector<std::string>> components;  ///< subset of direct, indirect
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
-    std::optional<double> time_seconds;                  ///< total wall time, above 0
+    std::optional<SampleRange> samples;                  ///< of path tracing: these only
+    std::optional<double> target_error;                  ///< of path tracing: ends there, above 0
+    std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
+    bool through_centres = false;                 ///< of path tracing
+    std::optional<double> time_seconds;           ///< total wall time, above 0
     std::uint32_t seed = 0;
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
     std::optional<std::filesystem::path> stats;
@@ -60,13 +65,53 @@ struct DevicesOptions {
     bool json = false;
 };
 
+/// What `weft compare` can measure.
+enum class Metric {
+    hdrvdp,
+    flip,
+    hdrflip,
+    relmse,
+    relmse_trimmed,
+    mape,
+    bias,
+    mean_ratio,
+    psnr,
+    ssim,
+    pu21_psnr,
+    pu21_ssim,
+};
+
+/// The name the command line and JSON use.
+[[nodiscard]] std::string_view to_string(Metric metric);
+
+/// `weft compare`. What is empty was not given.
+struct CompareOptions {
+    std::filesystem::path reference;
+    std::filesystem::path test;
+    std::vector<Metric> metrics;               ///< in the order given, each once; empty means all
+    std::optional<double> luminance_scale;     ///< cd/m^2 of the value 1
+    std::optional<double> ppd;                 ///< pixels per degree, 1 to 1000
+    std::optional<std::filesystem::path> map;  ///< ends in .png, in any case
+    std::optional<std::string> layer;          ///< else the one without a name
+    bool json = false;
+    bool legacy_fan = false;
+    bool legacy_otf_grid = false;
+};
+
+/// `weft merge`.
+struct MergeOptions {
+    std::vector<std::filesystem::path> parts;  ///< at least one
+    std::filesystem::path output;              ///< ends in .exr, in any case
+};
+
 /// `--help` or `--version`: text for standard output, after which the program ends well.
 struct HelpText {
     std::string text;
 };
 
 /// One command, ready to run.
-using ParsedCommand = std::variant<HelpText, RenderOptions, InfoOptions, DevicesOptions>;
+using ParsedCommand = std::variant<HelpText, RenderOptions, MergeOptions, CompareOptions,
+                                   InfoOptions, DevicesOptions>;
 
 /// Reads a whole command line, `argv[0]` being the program's name. Looks at no file. Throws Error
 /// (exit code 1) with one line that says which option is wrong and what was expected.

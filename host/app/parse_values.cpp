@@ -124,6 +124,19 @@ FilmSize parse_size(std::string_view option, std::string_view text) {
     return size;
 }
 
+SampleRange parse_range(std::string_view option, std::string_view text) {
+    const std::size_t colon = text.find(':');
+    SampleRange range;
+    const bool numbers = colon != std::string_view::npos &&
+                         parse_all(text.substr(0, colon), range.first) &&
+                         parse_all(text.substr(colon + 1), range.end);
+    if (!numbers || range.first >= range.end || range.end > limits::max_samples_per_pixel)
+        fail(option, text,
+             fmt::format("A:B, such as 0:64 for the first 64 samples, up to {}",
+                         limits::max_samples_per_pixel));
+    return range;
+}
+
 std::size_t parse_name(std::string_view option, std::string_view text,
                        std::span<const std::string_view> names) {
     const auto found = std::find(names.begin(), names.end(), text);

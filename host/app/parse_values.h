@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/film_sums.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -32,6 +33,9 @@ namespace weft {
 
 /// A length of time such as `300ms`, `2.5s` or `2m`, in seconds; more than 0, at most a year.
 [[nodiscard]] double parse_duration(std::string_view option, std::string_view text);
+
+/// `A:B`, the whole numbers from A to B - 1, of which there is at least one.
+[[nodiscard]] SampleRange parse_range(std::string_view option, std::string_view text);
 
 /// `WxH` within the limits of a film.
 [[nodiscard]] FilmSize parse_size(std::string_view option, std::string_view text);

@@ -10,11 +10,14 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/print.h"
+#include "app/render_path.h"
 #include "app/stats_json.h"
 #include "base/file.h"
+#include "base/limits.h"
 #include "base/quote.h"
 #include "base/stopwatch.h"
 #include "frame/camera_params.h"
+#include "frame/film_sums_file.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "scene/load_scene.h"
@@ -42,6 +45,22 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
         settings.direct = wanted("direct");
         settings.indirect = wanted("indirect");
     }
+    return settings;
+}
+
+PathSettings path_settings(const RenderOptions& options, const RenderSettings& common) {
+    // A first impression; with a time or an error to reach, as many as that takes.
+    constexpr std::uint32_t default_samples = 64;
+    const bool open = options.time_seconds.has_value() || options.target_error.has_value();
+    PathSettings settings;
+    settings.width = common.width;
+    settings.height = common.height;
+    settings.seed = common.seed;
+    settings.samples = options.samples.value_or(SampleRange{
+        0, options.spp.value_or(open ? limits::max_samples_per_pixel : default_samples)});
+    settings.through_centres = options.through_centres;
+    settings.direct = common.direct;
+    settings.indirect = common.indirect;
     return settings;
 }
 
@@ -87,7 +106,8 @@ bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& p
     return !interrupt_flag();
 }
 
-void warn_about_nonfinite(const Renderer& renderer, std::uint32_t width, Diagnostics& diagnostics) {
+void warn_about_nonfinite(const FrameRenderer& renderer, std::uint32_t width,
+                          Diagnostics& diagnostics) {
     for (const NonfiniteSummary& found : nonfinite_of(renderer))
         diagnostics.warn(
             "", fmt::format("{} values of {} light were negative or not finite and count as black, "
@@ -107,7 +127,8 @@ void check_folder(const std::filesystem::path& file) {
 
 /// The options with what was chosen where the user chose nothing.
 RenderOptions effective(const RenderOptions& options, const RenderSettings& settings,
-                        const Camera& camera, const Executor& executor, const Renderer& renderer) {
+                        const Camera& camera, const Executor& executor,
+                        const FrameRenderer& renderer) {
     RenderOptions used = options;
     const DeviceInfo& device = executor.device();
     used.backend = device.backend == "opencl"   ? Backend::opencl
@@ -121,15 +142,15 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     used.components.emplace();
     if (settings.direct) used.components->emplace_back("direct");
     if (settings.indirect) used.components->emplace_back("indirect");
-    if (!used.spp) used.spp = renderer.frames();
+    if (!used.spp) used.spp = static_cast<std::uint32_t>(renderer.samples());
     return used;
 }
 
-void write_picture(const RenderOptions& options, Image& image, const Renderer& renderer) {
+void write_picture(const RenderOptions& options, Image& image, const FrameRenderer& renderer) {
     image.metadata["software"] = "weft " WEFT_VERSION;
     image.metadata["scene"] = options.scene.filename().string();
     image.metadata["algorithm"] = to_string(options.algorithm);
-    image.metadata["samples"] = std::to_string(renderer.frames());
+    image.metadata["samples"] = std::to_string(renderer.samples());
     image.metadata["seed"] = std::to_string(options.seed);
     std::string extension = options.output.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -175,24 +196,39 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
     times.open_device_ms = watch.lap();
     progress.update(0.0, "building");
-    Renderer renderer(*executor, flat, camera, settings);
-    const bool complete = render_frames(renderer, options, progress, watch);
+    std::unique_ptr<FrameRenderer> renderer;
+    bool complete = false;
+    Image image;
+    if (options.algorithm == Algorithm::path) {
+        auto path =
+            make_path_renderer(*executor, flat, camera, options, path_settings(options, settings));
+        complete = render_path(*path, options, progress, watch);
+        write_checkpoint(*path, options);
+        const FilmSums sums = path->sums();
+        image = resolve_sums(sums);
+        if (options.samples) attach_sums(sums, image);
+        renderer = std::move(path);
+    } else {
+        auto frames = std::make_unique<Renderer>(*executor, flat, camera, settings);
+        complete = render_frames(*frames, options, progress, watch);
+        image = frames->image();
+        renderer = std::move(frames);
+    }
     times.render_ms = watch.lap();
     times.build_kernels_ms = kernel_build_ms(*executor);
     times.build_bvh_ms = executor->scene_ms();
     if (complete) progress.update(1.0, "writing");
-    Image image = renderer.image();
-    write_picture(options, image, renderer);
+    write_picture(options, image, *renderer);
     times.write_ms = watch.lap();
     times.total_ms = watch.total();
     if (complete) progress.finish();
     if (!complete)
         diagnostics.warn("", fmt::format("interrupted, the picture holds what was done by then "
                                          "(samples: {})",
-                                         renderer.frames()));
-    warn_about_nonfinite(renderer, settings.width, diagnostics);
-    const RenderOptions used = effective(options, settings, camera, *executor, renderer);
-    write_stats(options, stats_json(used, *executor, renderer, flat, settings, times));
+                                         renderer->samples()));
+    warn_about_nonfinite(*renderer, settings.width, diagnostics);
+    const RenderOptions used = effective(options, settings, camera, *executor, *renderer);
+    write_stats(options, stats_json(used, *executor, *renderer, flat, settings, times));
     return complete ? ExitCode::success : ExitCode::interrupted;
 }
 

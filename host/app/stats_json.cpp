@@ -74,7 +74,7 @@ nlohmann::json plan_json(const FramePlan& plan) {
 
 }  // namespace
 
-std::vector<NonfiniteSummary> nonfinite_of(const Renderer& renderer) {
+std::vector<NonfiniteSummary> nonfinite_of(const FrameRenderer& renderer) {
     std::vector<NonfiniteSummary> found;
     for (std::size_t c = 0; c < component_names.size(); ++c) {
         NonfiniteSummary sum;
@@ -104,7 +104,7 @@ nlohmann::json device_json(const DeviceInfo& device) {
 }
 
 nlohmann::json stats_json(const RenderOptions& options, const Executor& executor,
-                          const Renderer& renderer, const FlatScene& scene,
+                          const FrameRenderer& renderer, const FlatScene& scene,
                           const RenderSettings& settings, const RunTimes& times) {
     nlohmann::json kernels = nlohmann::json::array();
     for (const KernelBuild& build : executor.builds())
@@ -129,7 +129,7 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
             {"seed", settings.seed},
             {"options", options_json(options)},
             {"size", {settings.width, settings.height}},
-            {"samples", renderer.frames()},
+            {"samples", renderer.samples()},
             {"scene", scene_json(scene, executor)},
             {"plan", plan_json(renderer.plan())},
             {"kernels", kernels},

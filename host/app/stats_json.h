@@ -10,6 +10,7 @@
 
 #include "app/options.h"
 #include "device/executor.h"
+#include "frame/frame_renderer.h"
 #include "frame/renderer.h"
 
 namespace weft {
@@ -34,13 +35,13 @@ struct NonfiniteSummary {
 };
 
 /// The components that had such values.
-[[nodiscard]] std::vector<NonfiniteSummary> nonfinite_of(const Renderer& renderer);
+[[nodiscard]] std::vector<NonfiniteSummary> nonfinite_of(const FrameRenderer& renderer);
 
 [[nodiscard]] nlohmann::json device_json(const DeviceInfo& device);
 
 /// The content of `--stats`; `options` as they took effect.
 [[nodiscard]] nlohmann::json stats_json(const RenderOptions& options, const Executor& executor,
-                                        const Renderer& renderer, const FlatScene& scene,
+                                        const FrameRenderer& renderer, const FlatScene& scene,
                                         const RenderSettings& settings, const RunTimes& times);
 
 }  // namespace weft

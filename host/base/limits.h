@@ -47,11 +47,13 @@ inline constexpr std::size_t max_name_bytes = 256;                    // longer:
 inline constexpr std::uint32_t max_film_edge = 32768;                 // pixels
 inline constexpr std::size_t max_film_pixels = power(28);
 inline constexpr std::size_t max_exr_header_bytes = std::size_t{1} << 20;  // all attributes
-inline constexpr std::size_t max_exr_channels = 64;                        // all layers
+inline constexpr std::size_t max_hdr_header_bytes = std::size_t{1} << 16;  // all lines
+inline constexpr std::size_t max_exr_channels = 128;                       // all layers
 inline constexpr std::size_t max_exr_values = power(32);                   // all channels
 inline constexpr std::uint32_t max_samples_per_pixel = 1u << 24;  // a float still counts them
 inline constexpr std::uint32_t max_threads = 4096;
-inline constexpr std::uint32_t max_tile_edge = 4096;  // pixels
+inline constexpr std::uint32_t max_tile_edge = 4096;                     // pixels
+inline constexpr std::size_t max_hdr_vdp_pixels = std::size_t{1} << 26;  // 7 GB of maps
 inline constexpr double max_coordinate = 1e15;  // |world coordinate|; beyond it squares overflow
 
 }  // namespace weft::limits

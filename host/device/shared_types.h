@@ -20,7 +20,7 @@ static_assert(sizeof(Triangle) == 16);
 static_assert(sizeof(InstanceRecord) == 16);
 static_assert(sizeof(MaterialRecord) == 48);
 static_assert(sizeof(TextureRecord) == 16);
-static_assert(sizeof(LightRecord) == 96);
+static_assert(sizeof(LightRecord) == 112);
 static_assert(sizeof(EmissiveTriangle) == 16);
 static_assert(sizeof(Vpl) == 64);
 static_assert(sizeof(RayCounter) == 16);

@@ -52,6 +52,24 @@ double shift_of(std::uint32_t seed, std::uint32_t axis) {
 
 }  // namespace
 
+shared::Params scene_params(const FlatScene& scene, const Camera& camera, std::uint32_t width,
+                            std::uint32_t height) {
+    shared::Params params{};
+    params.width = width;
+    params.height = height;
+    set_camera(camera, scene.units, params);
+    params.environment = {scene.environment.r, scene.environment.g, scene.environment.b, 0.0F};
+    params.scene_centre = {0.0F, 0.0F, 0.0F, scene.radius};
+    params.extent = scene.extent;
+    params.lights = static_cast<std::uint32_t>(scene.lights.size());
+    params.sampled_lights = scene.area_lights;
+    params.delta_lights_first = scene.area_lights;
+    params.delta_lights = scene.punctual_lights;
+    params.directional_lights_first = scene.area_lights + scene.punctual_lights;
+    params.directional_lights = scene.directional_lights;
+    return params;
+}
+
 void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params) {
     const glm::dmat3 axes(camera.to_world);
     const glm::dvec3 forward = glm::normalize(-axes[2]);

@@ -13,6 +13,10 @@
 
 namespace weft {
 
+/// What every kernel is told of the scene and the camera, for a picture of that size.
+[[nodiscard]] shared::Params scene_params(const FlatScene& scene, const Camera& camera,
+                                          std::uint32_t width, std::uint32_t height);
+
 /// Sets the camera fields of `params` for a picture of params.width x params.height square pixels.
 void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params);
 

@@ -42,7 +42,7 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
 
 FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const WorkList& work,
                             std::uint32_t width, std::uint32_t height, std::uint32_t features) {
-    FrameBuffers frame;
+    FrameBuffers frame = allocate_counters(executor);
     const std::size_t pixels = std::size_t{width} * height;
     frame.slots = static_cast<std::uint32_t>(work.pixels.size());
     const auto floats = [&](std::size_t count, const char* what) {
@@ -79,6 +79,11 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
     }
     frame.film_high = floats(FILM_PLANES * pixels, "film");
     frame.film_low = floats(FILM_PLANES * pixels, "film");
+    return frame;
+}
+
+FrameBuffers allocate_counters(Executor& executor) {
+    FrameBuffers frame;
     frame.counters = executor.allocate(counter_slots * sizeof(shared::RayCounter), "counters");
     frame.nonfinite = executor.allocate(sizeof(shared::NonfiniteCounter), "counters");
     clear_nonfinite(executor, *frame.nonfinite);

@@ -49,6 +49,9 @@ struct FrameBuffers {
                                           const WorkList& work, std::uint32_t width,
                                           std::uint32_t height, std::uint32_t features);
 
+/// The counters alone, for algorithms that keep no other state between kernels.
+[[nodiscard]] FrameBuffers allocate_counters(Executor& executor);
+
 /// Sets the counters of values that were not finite to none.
 void clear_nonfinite(Executor& executor, Buffer& counter);
 

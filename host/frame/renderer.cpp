@@ -59,15 +59,10 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     scene_buffers_ = upload_scene(executor_, scene);
     buffers_ = allocate_frame(executor_, plan_, work_, settings.width, settings.height, features);
 
+    base_params_ = scene_params(scene, camera, settings.width, settings.height);
     shared::Params& params = base_params_;
-    params.width = settings.width;
-    params.height = settings.height;
-    set_camera(camera, scene.units, params);
     params.texture_angle = static_cast<float>(static_cast<double>(params.pixel_angle) /
                                               std::sqrt(std::max(1U, settings.samples)));
-    params.environment = {scene.environment.r, scene.environment.g, scene.environment.b, 0.0F};
-    params.scene_centre = {0.0F, 0.0F, 0.0F, scene.radius};
-    params.extent = scene.extent;
     params.gather_scale = static_cast<float>(plan_.gather_sets);
     params.filter_cosine = static_cast<float>(settings.sampling.filter_cosine);
     params.filter_planes = static_cast<float>(settings.sampling.filter_planes);
@@ -76,8 +71,6 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     params.slots = buffers_.slots;
     params.sets = plan_.sets;
     params.gather_sets = plan_.gather_sets;
-    params.lights = static_cast<std::uint32_t>(scene.lights.size());
-    params.sampled_lights = scene.area_lights;
     params.samples_per_light = plan_.samples_per_light;
     params.samples_per_set = plan_.samples_per_set;
     params.environment_samples = plan_.environment_samples;
@@ -87,9 +80,7 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     std::copy(plan_.survivors.begin(), plan_.survivors.end(), params.survivors);
     std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), params.first_vpl);
     params.filter_radius = plan_.filter_radius;
-    params.delta_lights_first = scene.area_lights;
     params.delta_lights = plan_.punctual_lights;
-    params.directional_lights_first = scene.area_lights + scene.punctual_lights;
     params.directional_lights = plan_.directional_lights;
 }
 
@@ -147,20 +138,12 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
 }
 
 void Renderer::record(const FrameContext& frame, double ms) {
-    FrameStats stats;
-    stats.ms = ms;
-    stats.stages = frame.stages();
-    for (StageStats& stage : stats.stages) {
-        if (stage.name == "primary rays")
-            stage.rays = std::uint64_t{settings_.width} * settings_.height;
-        stats.rays += stage.rays;
+    stats_.push_back(frame_stats(frame, ms));
+    for (StageStats& stage : stats_.back().stages) {
+        if (stage.name != "primary rays") continue;
+        stage.rays = std::uint64_t{settings_.width} * settings_.height;
+        stats_.back().rays += stage.rays;
     }
-    const auto counters =
-        read_buffer<shared::NonfiniteCounter>(executor_, *buffers_.nonfinite, 1).front();
-    for (std::size_t c = 0; c < stats.nonfinite.size(); ++c)
-        stats.nonfinite[c] = {counters.count[c], counters.first_pixel[c]};
-    clear_nonfinite(executor_, *buffers_.nonfinite);
-    stats_.push_back(std::move(stats));
 }
 
 Image Renderer::image() {

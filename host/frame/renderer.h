@@ -3,12 +3,11 @@
 #ifndef WEFT_FRAME_RENDERER_H
 #define WEFT_FRAME_RENDERER_H
 
-#include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "frame/frame_context.h"
+#include "frame/frame_renderer.h"
 #include "image/image.h"
 #include "scene/scene.h"
 #include "schedule/frame_plan.h"
@@ -30,23 +29,8 @@ struct RenderSettings {
     bool indirect = true;
 };
 
-/// Values that were not finite or negative, set to 0 before they reached the film.
-struct NonfiniteStats {
-    std::uint32_t count = 0;
-    std::uint32_t first_pixel = 0;  ///< row-major index, where count > 0
-};
-
-/// What one frame took.
-struct FrameStats {
-    double ms = 0.0;
-    std::uint64_t rays = 0;
-    std::vector<StageStats> stages;
-    /// By component, COMPONENT_* order.
-    std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
-};
-
 /// Renders frames of one scene from one camera into one film.
-class Renderer {
+class Renderer : public FrameRenderer {
   public:
     /// `scene` must outlive the renderer. Uploads the scene, plans and builds what the plan calls
     /// for.
@@ -55,15 +39,13 @@ class Renderer {
 
     /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
     /// it got and a later one is dropped; returns whether it was complete.
-    bool render_frame(const KeepGoing& keep_going);
+    bool render_frame(const KeepGoing& keep_going) override;
 
-    /// Frames in the film.
-    [[nodiscard]] std::uint32_t frames() const noexcept { return frames_in_film_; }
+    [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
     /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth.
-    [[nodiscard]] Image image();
-
-    [[nodiscard]] const FramePlan& plan() const noexcept { return plan_; }
-    [[nodiscard]] const std::vector<FrameStats>& stats() const noexcept { return stats_; }
+    [[nodiscard]] Image image() override;
+    [[nodiscard]] const FramePlan& plan() const override { return plan_; }
+    [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
 
   private:
     void trace_primary(FrameContext& frame);

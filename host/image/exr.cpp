@@ -122,17 +122,20 @@ Imf::Header make_header(const Image& image, const std::string& place) {
     }
     for (const Layer& layer : image.layers)
         for (const char channel : layer.channels)
-            header.channels().insert(channel_name(layer, channel), Imf::Channel(Imf::FLOAT));
+            header.channels().insert(channel_name(layer, channel),
+                                     Imf::Channel(layer.words ? Imf::UINT : Imf::FLOAT));
     return header;
 }
 
 /// The slice of one plane. OpenEXR takes one pointer type for reading and writing.
-Imf::Slice plane_slice(const float* plane, std::size_t width, const Imath::V2i& origin) {
+Imf::Slice plane_slice(const Layer& layer, const float* plane, std::size_t width,
+                       const Imath::V2i& origin) {
     const std::ptrdiff_t first =
         static_cast<std::ptrdiff_t>(width) * origin.y + static_cast<std::ptrdiff_t>(origin.x);
     const auto address = reinterpret_cast<std::uintptr_t>(plane) -
                          static_cast<std::uintptr_t>(first) * sizeof(float);
-    return {Imf::FLOAT, reinterpret_cast<char*>(address), sizeof(float), width * sizeof(float)};
+    return {layer.words ? Imf::UINT : Imf::FLOAT, reinterpret_cast<char*>(address), sizeof(float),
+            width * sizeof(float)};
 }
 
 std::vector<std::byte> read_head(const fs::path& path, const std::string& place) {
@@ -184,6 +187,14 @@ std::string name_in_file(const Imf::ChannelList& channels, const Layer& layer, c
     return channels.findChannel(split) != nullptr ? split : layer.name;
 }
 
+/// Whether a layer's bits are to be kept: integers of other programs are read as numbers.
+bool holds_words(const Imf::ChannelList& channels, const Layer& layer) {
+    if (!layer.name.starts_with(word_layer_prefix)) return false;
+    return std::all_of(layer.channels.begin(), layer.channels.end(), [&](char c) {
+        return channels.findChannel(name_in_file(channels, layer, c))->type == Imf::UINT;
+    });
+}
+
 Image read_pixels(Imf::InputFile& file, std::size_t file_bytes, const std::string& place) {
     const Imath::Box2i window = file.header().dataWindow();
     const Imf::ChannelList& channels = file.header().channels();
@@ -204,9 +215,11 @@ Image read_pixels(Imf::InputFile& file, std::size_t file_bytes, const std::strin
     Imf::FrameBuffer frame;
     for (Layer& layer : image.layers) {
         layer.values.resize(layer.channels.size() * pixels);
+        layer.words = holds_words(channels, layer);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
-            frame.insert(name_in_file(channels, layer, layer.channels[c]),
-                         plane_slice(layer.values.data() + c * pixels, image.width, window.min));
+            frame.insert(
+                name_in_file(channels, layer, layer.channels[c]),
+                plane_slice(layer, layer.values.data() + c * pixels, image.width, window.min));
     }
     file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
@@ -242,7 +255,7 @@ void write_exr(const fs::path& path, const Image& image) {
                 for (std::size_t c = 0; c < layer.channels.size(); ++c)
                     frame.insert(
                         channel_name(layer, layer.channels[c]),
-                        plane_slice(layer.values.data() + c * pixels, image.width, {0, 0}));
+                        plane_slice(layer, layer.values.data() + c * pixels, image.width, {0, 0}));
             file.setFrameBuffer(frame);
             file.writePixels(static_cast<int>(image.height));
         }

@@ -17,7 +17,12 @@ struct Layer {
     std::string name;      ///< empty for the beauty layer
     std::string channels;  ///< one character a channel: "RGB", "XYZ", "Z", "Y"
     std::vector<float> values;
+    bool words = false;  ///< the values are the bits of unsigned integers, for layers named
+                         ///< word_layer_prefix
 };
+
+/// Layers of words are named this, a dot and more.
+inline constexpr std::string_view word_layer_prefix = "weft.sums";
 
 /// A picture of several layers of one size, linear Rec.709 where it holds colour.
 struct Image {

@@ -91,7 +91,7 @@ void append_instance(const Scene& scene, std::uint32_t index, const Attributes& 
         flat.triangles.size() + mesh.triangles.size() > limits::max_triangles)
         throw input_error(scene.source, "the instances together have too many triangles");
     flat.instances.push_back(
-        {instance.material, static_cast<std::uint32_t>(flat.triangles.size()), 0, 0});
+        {instance.material, static_cast<std::uint32_t>(flat.triangles.size()), NO_TRIANGLE, 0});
     append_vertices(mesh, instance, attributes, flat);
     // A mirroring transform turns the winding; the outside stays outside.
     const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0.0;

@@ -42,10 +42,12 @@ struct Collector {
     std::vector<shared::LightRecord> lights{};
     std::vector<double> powers{};
 
-    void add(const shared::LightRecord& light, double power) {
-        if (!(power > 0.0) || !std::isfinite(power)) return;
+    /// Returns the light's index, or NO_TRIANGLE where it is too dark or bright to be chosen.
+    std::uint32_t add(const shared::LightRecord& light, double power) {
+        if (!(power > 0.0) || !std::isfinite(power)) return NO_TRIANGLE;
         lights.push_back(light);
         powers.push_back(power);
+        return static_cast<std::uint32_t>(lights.size() - 1);
     }
 
     void add_area_light(std::uint32_t instance, std::uint32_t end) {
@@ -75,7 +77,8 @@ struct Collector {
         if (flat.area_lights == 0 || total < flat.smallest_light_area)
             flat.smallest_light_area = total;
         ++flat.area_lights;
-        add(light, pi * luminance(material.emission) * total * (light.both_sides != 0 ? 2.0 : 1.0));
+        flat.instances[instance].light = add(
+            light, pi * luminance(material.emission) * total * (light.both_sides != 0 ? 2.0 : 1.0));
     }
 
     void add_punctual(const PunctualLight& source) {
@@ -106,6 +109,17 @@ struct Collector {
         add(light, luminance(source.intensity) * square * angle);
     }
 };
+
+/// Path tracing chooses one light for a surface point, half by power and half evenly: what is faint
+/// beside a sun may be all the light there is in a room.
+std::vector<double> choice_weights(std::span<const double> powers) {
+    double total = 0.0;
+    for (const double power : powers) total += power;
+    std::vector<double> weights;
+    for (const double power : powers)
+        weights.push_back(0.5 * power / total + 0.5 / static_cast<double>(powers.size()));
+    return weights;
+}
 
 bool shines(const PunctualLight& light) {
     return luminance(light.intensity) > 0.0;
@@ -149,6 +163,11 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
                      &Light::area_probability);
     flat.punctual_lights = count(EMITTER_POINT, EMITTER_SPOT);
     flat.directional_lights = count(EMITTER_DIRECTIONAL);
+    const std::size_t near =
+        std::size_t{flat.area_lights} + flat.punctual_lights + flat.directional_lights;
+    normalise<Light>(std::span(flat.lights).first(near),
+                     choice_weights(std::span(collector.powers).first(near)),
+                     &Light::choice_cumulative, &Light::choice_probability);
     flat.features |= (flat.area_lights > 0 ? FEATURE_AREA_LIGHTS : 0U) |
                      (flat.punctual_lights > 0 ? FEATURE_PUNCTUAL_LIGHTS : 0U) |
                      (flat.directional_lights > 0 ? FEATURE_DIRECTIONAL_LIGHTS : 0U);

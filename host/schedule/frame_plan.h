@@ -10,7 +10,7 @@
 
 namespace weft {
 
-enum class Algorithm : std::uint8_t { igi, ir };
+enum class Algorithm : std::uint8_t { igi, ir, path };
 
 /// The standard setting, which `igi` and everything compared with it use.
 struct SamplingSettings {

@@ -1,6 +1,6 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Seeds of the targets image and exr."""
+"""Seeds of the targets image, png, exr and hdr."""
 import struct
 import zlib
 
@@ -217,3 +217,38 @@ def exr_files():
         "badlossy.exr": exr(4, 3, rgb)[:-3],
         "badtype.exr": exr(2, 2, rgb, extra=[(b"type", b"string", b"tiledimage")]),
     }
+
+
+def png_files():
+    """Those pictures that other targets read as textures, and more of what only PNG has."""
+    files = {name: data for name, data in image_files().items() if name.endswith(".png")}
+    files["rgb16.png"] = png(4, 3, 2, 16)
+    files["grey2.png"] = png(5, 2, 0, 2, True)
+    files["badsum.png"] = files["rgb.png"][:-20] + b"\0" + files["rgb.png"][-19:]
+    return files
+
+
+def hdr(rows, resolution, lines=("FORMAT=32-bit_rle_rgbe",)):
+    head = "#?RADIANCE\n" + "".join(line + "\n" for line in lines) + "\n" + resolution + "\n"
+    return head.encode() + rows
+
+
+def hdr_files():
+    flat = bytes((7 * i) & 255 for i in range(4 * 6))
+    old = bytes([9, 8, 7, 129, 1, 1, 1, 44, 5, 5, 5, 5, 1, 1, 1, 2, 1, 1, 1, 1])
+    new = bytes([2, 2, 0, 12, 128 + 12, 3, 4, 1, 2, 3, 4, 128 + 8, 9, 12] + list(range(12)) +
+                [128 + 6, 128, 6] + [127, 128, 129, 130, 131, 0])
+    files = {
+        "flat.hdr": hdr(flat, "-Y 2 +X 3"),
+        "old.hdr": hdr(old, "-Y 1 +X 304"),
+        "new.hdr": hdr(new + new, "-Y 2 +X 12"),
+        "exposures.hdr": hdr(flat, "-Y 2 +X 3", ("# a note", "EXPOSURE=2.5", "EXPOSURE= 1e-3",
+                                                 "COLORCORR=1 0.5 2", "SOFTWARE=seed")),
+        "badxyz.hdr": hdr(flat, "-Y 2 +X 3", ("FORMAT=32-bit_rle_xyze",)),
+        "badlarge.hdr": hdr(flat, "-Y 30000 +X 30000"),
+        "badrun.hdr": hdr(new[:5] + b"\xff" + new[6:], "-Y 1 +X 12"),
+    }
+    for name, resolution in {"bottomup": "+Y 2 +X 3", "mirrored": "-Y 2 -X 3",
+                             "columns": "+X 3 -Y 2", "turned": "-X 3 +Y 2"}.items():
+        files[name + ".hdr"] = hdr(flat, resolution)
+    return files

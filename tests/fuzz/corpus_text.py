@@ -82,6 +82,9 @@ def option_files():
     lines = {
         "every": every,
         "equals": ["render", "a.xml", "--output=b.PNG", "--exposure=-1.5", "--time=300ms"],
+        "compare": ["compare", "a.exr", "b.exr", "--metric", "flip", "--metric", "all",
+                    "--luminance-scale", "1", "--ppd", "60", "--map", "m.png", "--layer",
+                    "direct", "--json", "--legacy-fan", "--legacy-otf-grid"],
         "info": ["info", "--json", "scene.glb"],
         "devices": ["devices", "--json"],
         "help": ["--help"],

@@ -30,6 +30,8 @@ def main():
         "options": corpus_text.option_files,
         "image": corpus_pictures.image_files,
         "exr": corpus_pictures.exr_files,
+        "hdr": corpus_pictures.hdr_files,
+        "png": corpus_pictures.png_files,
     }
     total = 0
     for name, make in makers.items():

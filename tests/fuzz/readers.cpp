@@ -19,6 +19,8 @@
 #include "base/error.h"
 #include "bvh/wide_bvh.h"
 #include "image/exr.h"
+#include "image/hdr.h"
+#include "image/read_png.h"
 #include "scene/flat_scene.h"
 #include "scene/image_file.h"
 #include "scene/load_scene.h"
@@ -116,6 +118,14 @@ void read_scene(const std::string& name, Bytes bytes) {
     require_one_line(diagnostics);
 }
 
+void require_finite_colours(const Image& image) {
+    require(image.width > 0 && image.height > 0 && image.layers.size() == 1 &&
+                image.layers[0].values.size() == std::size_t{3} * image.width * image.height,
+            "a picture of the wrong size");
+    for (const float value : image.layers[0].values)
+        require(std::isfinite(value) && value >= 0.0F, "an impossible value");
+}
+
 bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -198,6 +208,16 @@ void read_exr_bytes(Bytes bytes) {
     });
 }
 
+void read_hdr_bytes(Bytes bytes) {
+    expect_error(ExitCode::bad_input,
+                 [&] { require_finite_colours(decode_hdr(bytes, "picture")); });
+}
+
+void read_png_bytes(Bytes bytes) {
+    expect_error(ExitCode::bad_input,
+                 [&] { require_finite_colours(decode_png(bytes, "picture")); });
+}
+
 void read_options_bytes(Bytes bytes) {
     // As the system gives it: no argument holds a NUL.
     std::string text(as_text(bytes));
@@ -237,6 +257,8 @@ std::span<const Reader> readers() {
 #endif
         Reader{"image", read_image_bytes},
         Reader{"exr", read_exr_bytes},
+        Reader{"hdr", read_hdr_bytes},
+        Reader{"png", read_png_bytes},
         Reader{"options", read_options_bytes},
     };
     return all;

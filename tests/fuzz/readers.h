@@ -23,6 +23,8 @@ void read_ply_bytes(Bytes bytes);
 void read_obj_bytes(Bytes bytes);  ///< what follows a line `#mtl` is material.mtl
 void read_image_bytes(Bytes bytes);
 void read_exr_bytes(Bytes bytes);
+void read_hdr_bytes(Bytes bytes);
+void read_png_bytes(Bytes bytes);      ///< as a picture to compare; `image` reads textures
 void read_options_bytes(Bytes bytes);  ///< one argument a line
 
 /// A reader and the folder of its inputs, tests/fuzz/corpus/`name`.

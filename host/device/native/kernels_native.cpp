@@ -28,6 +28,7 @@ namespace {
 #include "../../../kernels/distant_light.cl"
 #include "../../../kernels/gbuffer.cl"
 #include "../../../kernels/light_samples.cl"
+#include "../../../kernels/path.cl"
 #include "../../../kernels/query_any.cl"
 #include "../../../kernels/query_closest.cl"
 #include "../../../kernels/query_packet.cl"

@@ -1,0 +1,40 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cctype>
+#include <vector>
+
+namespace weft {
+
+Error usage_error(const std::string& message) {
+    return {ExitCode::usage, message};
+}
+
+void add_value(CLI::App& command, const std::string& names, const std::string& value_name,
+               const std::string& description) {
+    command.add_option(names, description)
+        ->type_name(value_name)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_flag(CLI::App& command, const std::string& name, const std::string& description) {
+    command.add_flag(name, description)->disable_flag_override();
+}
+
+std::optional<std::string> value_of(const CLI::App& command, const std::string& name) {
+    const std::vector<std::string>& results = command.get_option(name)->results();
+    if (results.empty()) return std::nullopt;
+    if (results.size() > 1) throw usage_error(name + ": is given more than once");
+    if (results[0].empty()) throw usage_error(name + ": is empty, expected a value");
+    return results[0];
+}
+
+std::string extension_of(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+}  // namespace weft

@@ -1,0 +1,41 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/merge_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/command_line.h"
+#include "base/quote.h"
+
+namespace weft {
+namespace {
+
+constexpr int most_parts = 1 << 20;
+
+}  // namespace
+
+void add_merge(CLI::App& app) {
+    CLI::App& merge = *app.add_subcommand("merge", "Joins samples that were rendered apart");
+    merge.add_option("PART", "Pictures written with --samples or --resume")
+        ->type_name("")
+        ->expected(1, most_parts)
+        ->allow_extra_args();
+    add_value(merge, "-o,--output", "FILE", "Picture to write, .exr");
+}
+
+MergeOptions read_merge(const CLI::App& command) {
+    MergeOptions options;
+    for (const std::string& part : command.get_option("PART")->results())
+        options.parts.emplace_back(part);
+    if (options.parts.empty())
+        throw usage_error("no parts given, expected weft merge PART... -o OUT.exr");
+    const std::optional<std::string> output = value_of(command, "--output");
+    if (!output) throw usage_error("no output given, expected weft merge PART... -o OUT.exr");
+    options.output = *output;
+    if (extension_of(options.output) != ".exr")
+        throw usage_error("--output: " + quote(*output) +
+                          " cannot hold exact sums, expected an .exr file");
+    return options;
+}
+
+}  // namespace weft

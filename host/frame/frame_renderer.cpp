@@ -1,0 +1,20 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/frame_renderer.h"
+
+namespace weft {
+
+FrameStats frame_stats(const FrameContext& frame, double ms) {
+    FrameStats stats;
+    stats.ms = ms;
+    stats.stages = frame.stages();
+    for (const StageStats& stage : stats.stages) stats.rays += stage.rays;
+    const auto counters =
+        read_buffer<shared::NonfiniteCounter>(frame.executor, *frame.buffers.nonfinite, 1).front();
+    for (std::size_t c = 0; c < stats.nonfinite.size(); ++c)
+        stats.nonfinite[c] = {counters.count[c], counters.first_pixel[c]};
+    clear_nonfinite(frame.executor, *frame.buffers.nonfinite);
+    return stats;
+}
+
+}  // namespace weft

@@ -1,0 +1,53 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_FRAME_FRAME_RENDERER_H
+#define WEFT_FRAME_FRAME_RENDERER_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "frame/frame_context.h"
+#include "image/image.h"
+#include "schedule/frame_plan.h"
+
+namespace weft {
+
+/// Values that were not finite or negative, set to 0 before they reached the film.
+struct NonfiniteStats {
+    std::uint32_t count = 0;
+    std::uint32_t first_pixel = 0;  ///< row-major index, where count > 0
+};
+
+/// What one frame took.
+struct FrameStats {
+    double ms = 0.0;
+    std::uint64_t rays = 0;
+    std::vector<StageStats> stages;
+    /// By component, COMPONENT_* order.
+    std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
+};
+
+/// Statistics of a frame that has run; clears the counters of values that were not finite.
+[[nodiscard]] FrameStats frame_stats(const FrameContext& frame, double ms);
+
+/// What makes a picture of a scene frame by frame, whatever the algorithm.
+class FrameRenderer {
+  public:
+    virtual ~FrameRenderer() = default;
+
+    /// Adds a frame to the film; returns whether it was complete. See the algorithms' renderers for
+    /// what is kept where `keep_going` ends it early.
+    virtual bool render_frame(const KeepGoing& keep_going) = 0;
+
+    /// Samples of every pixel in the film.
+    [[nodiscard]] virtual std::uint64_t samples() const = 0;
+    /// The mean of the film as layers.
+    [[nodiscard]] virtual Image image() = 0;
+    [[nodiscard]] virtual const FramePlan& plan() const = 0;
+    [[nodiscard]] virtual const std::vector<FrameStats>& stats() const = 0;
+};
+
+}  // namespace weft
+
+#endif

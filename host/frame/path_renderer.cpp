@@ -1,0 +1,178 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/path_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "frame/camera_params.h"
+
+namespace weft {
+namespace {
+
+constexpr double frame_ms = 500.0;
+constexpr std::uint32_t most_frame_samples = 256;
+// Sums are exact up to this many samples of any brightness near the lights' own.
+constexpr double largest_exponent = 60.0;
+
+/// Radiance of the brightest light; for lights without an area, of the scene's bounding sphere as
+/// they light it.
+double brightest(const FlatScene& scene) {
+    const auto radius = static_cast<double>(scene.radius);
+    double most = 0.0;
+    for (const shared::LightRecord& light : scene.lights) {
+        double value = std::max({light.power.x, light.power.y, light.power.z});
+        if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT) value /= radius * radius;
+        most = std::max(most, value);
+    }
+    return most;
+}
+
+int light_exponent(const FlatScene& scene) {
+    const double most = brightest(scene);
+    if (!(most > 0.0) || !std::isfinite(most)) return 0;
+    return static_cast<int>(
+        std::clamp(std::ceil(std::log2(most)), -largest_exponent, largest_exponent));
+}
+
+/// FNV-1a, 64 bits, over the bytes of anything that samples depend on.
+class Digest {
+  public:
+    template <class T>
+    void add(std::span<const T> values) {
+        for (const std::byte byte : std::as_bytes(values)) {
+            state_ ^= static_cast<std::uint64_t>(byte);
+            state_ *= 0x100000001b3ULL;
+        }
+    }
+    [[nodiscard]] std::uint64_t value() const noexcept { return state_; }
+
+  private:
+    std::uint64_t state_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace
+
+std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings) {
+    constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
+                                          FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
+                                          FEATURE_ENVIRONMENT;
+    return (scene.features & of_surfaces) | (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
+           (settings.indirect ? FEATURE_INDIRECT : 0U);
+}
+
+std::string picture_identity(const FlatScene& scene, const shared::Params& params) {
+    Digest digest;
+    const auto add = [&]<class T>(const std::vector<T>& values) {
+        digest.add(std::span<const T>(values));
+    };
+    add(scene.positions);
+    add(scene.triangles);
+    add(scene.instances);
+    add(scene.materials);
+    add(scene.normals);
+    add(scene.texture_coordinates);
+    add(scene.vertex_colours);
+    add(scene.textures);
+    add(scene.texels);
+    add(scene.lights);
+    add(scene.emissive);
+    shared::Params constant = params;
+    constant.frame = 0;
+    constant.samples = 0;
+    digest.add(std::span<const shared::Params>(&constant, 1));
+    return fmt::format("{:016x}", digest.value());
+}
+
+PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Camera& camera,
+                           const PathSettings& settings, FilmSums sums)
+    : executor_(executor), scene_(scene), settings_(settings), next_(settings.samples.first) {
+    const std::uint32_t features = path_features(scene, settings);
+    params_ = scene_params(scene, camera, settings.width, settings.height);
+    params_.features = features;
+    params_.seed = settings.seed;
+    params_.through_centres = settings.through_centres ? 1 : 0;
+    // Previews average textures over a pixel; here the samples do, unless all are at the centre.
+    params_.texture_angle = settings.through_centres ? params_.pixel_angle : 0.0F;
+    film_.width = settings.width;
+    film_.height = settings.height;
+    film_.light_exponent = light_exponent(scene);
+    film_.depth_unit = scene.units.scale;
+    params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
+    film_.picture = picture_identity(scene, params_);
+
+    const std::size_t words = std::size_t{FILM_PIXEL_WORDS} * settings.width * settings.height;
+    if (sums.words.empty()) {
+        sums = film_;
+        sums.words.assign(words, 0);
+    }
+    FilmSums empty = film_;
+    empty.ranges = {settings.samples};
+    std::vector<SampleRange> all = sums.ranges;
+    all.push_back(settings.samples);
+    if (sums.picture != film_.picture || sums.words.size() != words)
+        throw Error(ExitCode::bad_input,
+                    "the samples so far are of another picture, expected the same scene, size, "
+                    "camera, seed and options");
+    (void)joined(std::move(all));
+    film_.ranges = sums.ranges;
+
+    executor_.build(std::array{KernelId::path}, features);
+    scene_buffers_ = upload_scene(executor_, scene);
+    sums_ = upload<std::uint32_t>(executor_, sums.words, "film");
+    buffers_ = allocate_counters(executor_);
+}
+
+std::uint32_t PathRenderer::frame_samples() const noexcept {
+    if (samples_left() == 0) return 0;
+    const double wanted = ms_per_sample_ > 0.0 ? frame_ms / ms_per_sample_ : 1.0;
+    return std::min(samples_left(), static_cast<std::uint32_t>(std::clamp(
+                                        wanted, 1.0, static_cast<double>(most_frame_samples))));
+}
+
+bool PathRenderer::render_frame(const KeepGoing& keep_going) {
+    const std::uint32_t count = frame_samples();
+    if (count == 0) return false;
+    const Stopwatch watch;
+    const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
+    params_.frame = next_;
+    params_.samples = count;
+    bool wanted = true;
+    // Asked all the same, so that progress is seen.
+    const KeepGoing listen = [&](const std::string& stage, double done) {
+        if (keep_going) wanted = keep_going(stage, done) && wanted;
+        return true;
+    };
+    FrameContext frame(inputs, params_, listen);
+    // Launches of few samples at a time: a work-item of many would hold up everything else.
+    constexpr std::uint32_t items = 1U << 14;
+    frame.run(KernelId::path, "paths", "", true,
+              with_geometry(scene_buffers_,
+                            {scene_buffers_.lights.get(), scene_buffers_.emissive.get(),
+                             sums_.get(), buffers_.counters.get(), buffers_.nonfinite.get()}),
+              settings_.width * settings_.height, std::max(64U, items / count));
+    const double ms = watch.total();
+    stats_.push_back(frame_stats(frame, ms));
+    std::vector<SampleRange> ranges = film_.ranges;
+    ranges.push_back({next_, next_ + count});
+    film_.ranges = joined(std::move(ranges));
+    next_ += count;
+    ms_per_sample_ = ms / count;
+    return wanted && samples_left() > 0;
+}
+
+FilmSums PathRenderer::sums() {
+    FilmSums sums = film_;
+    sums.words = read_buffer<std::uint32_t>(
+        executor_, *sums_, std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height);
+    return sums;
+}
+
+}  // namespace weft

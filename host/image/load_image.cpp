@@ -1,0 +1,64 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "image/load_image.h"
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/limits.h"
+#include "image/exr.h"
+#include "image/hdr.h"
+#include "image/read_png.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view exr_mark = "\x76\x2f\x31\x01";
+constexpr std::string_view png_mark = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view hdr_mark = "#?";
+
+// Its value is known to this file alone, and taken out of whatever a file claims.
+constexpr const char* display_key = "weft:display-referred";
+
+/// The first bytes of a file, as many as tell its kind.
+std::string head_of(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+        throw input_error(path.string(), "cannot be opened: it is missing or not a regular file");
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, png_mark.size()> head{};
+    file.read(head.data(), head.size());
+    if (!file && !file.eof()) throw input_error(path.string(), "cannot be read");
+    return {head.data(), static_cast<std::size_t>(file.gcount())};
+}
+
+}  // namespace
+
+Image load_image(const fs::path& path) {
+    const std::string head = head_of(path);
+    if (head.starts_with(exr_mark)) {
+        Image image = read_exr(path);
+        image.metadata.erase(display_key);
+        return image;
+    }
+    if (head.starts_with(hdr_mark)) return read_hdr(path);
+    if (!head.starts_with(png_mark))
+        throw input_error(path.string(),
+                          "is not a picture, expected an OpenEXR, Radiance HDR or PNG file");
+    Image image = decode_png(read_file(path, limits::max_image_file_bytes), path.string());
+    image.metadata[display_key] = "sRGB";
+    return image;
+}
+
+bool is_display_referred(const Image& image) {
+    return image.metadata.contains(display_key);
+}
+
+}  // namespace weft
