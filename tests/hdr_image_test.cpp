@@ -137,6 +137,8 @@ TEST(HdrImage, ExposuresAreTakenOut) {
     EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=0\n\n" + pixel, "picture.hdr:2: exposure '0'"));
     EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=nan\n\n" + pixel, "expected a positive number"));
     EXPECT_TRUE(refuses("#?RGBE\nCOLORCORR=1 2\n\n" + pixel, "expected a positive number"));
+    EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=1e-3\n\n-Y 1 +X 1\n" + bytes_of({255, 0, 0, 255}),
+                        "too large without its exposure"));
     EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=1e30\nEXPOSURE=1e30\n\n" + pixel, "no picture"));
 }
 

@@ -107,13 +107,15 @@ TEST(Options, InfoAndDevices) {
 
 TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
     const std::string top = std::get<HelpText>(parse({"--help"})).text;
-    for (const char* name : {"render", "merge", "compare", "info", "devices", "--help", "--version"})
+    for (const char* name :
+         {"render", "merge", "compare", "info", "devices", "--help", "--version"})
         EXPECT_NE(top.find(name), std::string::npos) << name;
     const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
-    for (const char* name : {"SCENE", "-o,--output", "--algorithm", "--backend", "--device",
-                             "--threads", "--tile", "--size", "--camera", "--components", "--spp",
-                             "--time", "--seed", "--exposure", "--stats", "--progress", "--samples",
-                             "--target-error", "--resume", "--pixel-filter"})
+    for (const char* name :
+         {"SCENE",      "-o,--output", "--algorithm",    "--backend",  "--device",
+          "--threads",  "--tile",      "--size",         "--camera",   "--components",
+          "--spp",      "--time",      "--seed",         "--exposure", "--stats",
+          "--progress", "--samples",   "--target-error", "--resume",   "--pixel-filter"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
     for (const char* name : {"--frames", "--frame-time", "--preset", "media", "amax"})
         EXPECT_EQ(help.find(name), std::string::npos) << name;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -231,9 +232,12 @@ void check_size(const Resolution& size, const Source& source) {
                            std::to_string(limits::max_film_pixels));
 }
 
-float decode(std::uint8_t mantissa, std::uint8_t exponent, double scale) {
+float decode(std::uint8_t mantissa, std::uint8_t exponent, double scale, const Source& source) {
     if (exponent == 0) return 0.0F;
-    return static_cast<float>(std::ldexp(static_cast<double>(mantissa), exponent - 136) / scale);
+    const double value = std::ldexp(static_cast<double>(mantissa), exponent - 136) / scale;
+    if (value > double{std::numeric_limits<float>::max()})
+        throw source.error("has a value that is too large without its exposure");
+    return static_cast<float>(value);
 }
 
 }  // namespace
@@ -260,7 +264,7 @@ Image decode_hdr(std::span<const std::byte> bytes, const std::string& place) {
             if (size.flip_y) y = size.height - 1 - y;
             for (std::size_t c = 0; c < 3; ++c)
                 values[c * pixels + y * size.width + x] =
-                    decode(row[i][c], row[i][3], header.scale[c]);
+                    decode(row[i][c], row[i][3], header.scale[c], source);
         }
     }
     return image;

@@ -246,7 +246,7 @@ def hdr_files():
                                                  "COLORCORR=1 0.5 2", "SOFTWARE=seed")),
         "badxyz.hdr": hdr(flat, "-Y 2 +X 3", ("FORMAT=32-bit_rle_xyze",)),
         "badlarge.hdr": hdr(flat, "-Y 30000 +X 30000"),
-        "badrun.hdr": hdr(new[:5] + b"\xff" + new[6:], "-Y 1 +X 12"),
+        "badrun.hdr": hdr(new[:4] + b"\xff" + new[5:], "-Y 1 +X 12"),
     }
     for name, resolution in {"bottomup": "+Y 2 +X 3", "mirrored": "-Y 2 -X 3",
                              "columns": "+X 3 -Y 2", "turned": "-X 3 +Y 2"}.items():
