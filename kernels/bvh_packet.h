@@ -152,19 +152,6 @@ static inline NFloat3 node_cross(NFloat3 a, NFloat3 b) {
     return c;
 }
 
-/// (a - b) x (a + b): twice a x b and as antisymmetric, but it does not cancel on triangles that
-/// are small against their distance.
-static inline NFloat3 edge_normal(NFloat3 a, NFloat3 b) {
-    NFloat3 difference, sum;
-    difference.x = a.x - b.x;
-    difference.y = a.y - b.y;
-    difference.z = a.z - b.z;
-    sum.x = a.x + b.x;
-    sum.y = a.y + b.y;
-    sum.z = a.z + b.z;
-    return node_cross(difference, sum);
-}
-
 /// Largest magnitude of the components.
 static inline NFloat node_reach(NFloat3 v) {
     NFloat x = VMAX(v.x, -v.x);
@@ -174,19 +161,36 @@ static inline NFloat node_reach(NFloat3 v) {
     return VMAX(xy, z);
 }
 
-/// Edge functions are d . ((b - c) x (b + c)) with seven roundings of 2^-24 relative to the product
-/// of the magnitudes. Around a vertex their signs may so contradict one another that no triangle
-/// has the ray. Counting as inside what is outside by less than 2^-20 of that product leaves no
-/// gap, and moves the outline of what blocks by a millionth of its distance.
-static inline NFloat edge_tolerance(NFloat3 a, NFloat3 b, NFloat3 c, NFloat3 side, NFloat3 other) {
+/// (a - b) x (a + b): twice a x b and as antisymmetric, but it does not cancel on triangles that
+/// are small against their distance. Divided by the edge's length, so that one tolerance serves the
+/// long and the short edges of needles.
+static inline NFloat3 edge_normal(NFloat3 a, NFloat3 b) {
+    NFloat3 difference, sum;
+    difference.x = a.x - b.x;
+    difference.y = a.y - b.y;
+    difference.z = a.z - b.z;
+    sum.x = a.x + b.x;
+    sum.y = a.y + b.y;
+    sum.z = a.z + b.z;
+    NFloat length = node_reach(difference);
+    NFloat scale = SELECT(length > NODE(0.0f), NODE(1.0f) / length, length);
+    NFloat3 normal = node_cross(difference, sum);
+    normal.x = normal.x * scale;
+    normal.y = normal.y * scale;
+    normal.z = normal.z * scale;
+    return normal;
+}
+
+/// Edge functions are d . ((b - c) x (b + c)) / |b - c| with eight roundings of 2^-24, each
+/// relative to at most 4 |d| max(|a|, |b|, |c|). Around a vertex their signs may so contradict one
+/// another that no triangle has the ray. Counting as inside what is outside by less than that
+/// leaves no gap, and moves the outline of what blocks by some millionths of its distance.
+static inline NFloat edge_tolerance(NFloat3 a, NFloat3 b, NFloat3 c) {
     NFloat reach_a = node_reach(a);
     NFloat reach_b = node_reach(b);
     NFloat reach_c = node_reach(c);
-    NFloat reach_side = node_reach(side);
-    NFloat reach_other = node_reach(other);
     NFloat reach_ab = VMAX(reach_a, reach_b);
-    // No edge is longer than two sides together, no sum of two corners than twice the farther one.
-    return (reach_side + reach_other) * (VMAX(reach_ab, reach_c) * 1.9073486e-6f);
+    return VMAX(reach_ab, reach_c) * 1.9073486e-6f;  // 2^-19
 }
 
 static inline LeafTerms leaf_terms(float3 origin, GLOBAL const float* rows, uint count) {
@@ -221,7 +225,7 @@ static inline LeafTerms leaf_terms(float3 origin, GLOBAL const float* rows, uint
     terms.ab = edge_normal(a, b);
     terms.normal = node_cross(side, other);
     terms.height = a.x * terms.normal.x + a.y * terms.normal.y + a.z * terms.normal.z;
-    terms.tolerance = edge_tolerance(a, b, c, side, other);
+    terms.tolerance = edge_tolerance(a, b, c);
     return terms;
 }
 

@@ -16,13 +16,14 @@ typedef struct {
     float3 position, normal;
 } LightPoint;
 
-/// Area light that `u` falls into by power.
-static inline uint choose_area_light(GLOBAL const LightRecord* lights, uint count, float u) {
+/// First of `count` entries whose inclusive sum of probabilities exceeds `u`, else the last. The
+/// sums are `stride` floats apart.
+static inline uint find_entry(GLOBAL const float* sums, uint stride, uint count, float u) {
     uint low = 0u;
     uint high = count - 1u;
     while (low < high) {
         uint middle = (low + high) / 2u;
-        if (lights[middle].area_cumulative > u)
+        if (sums[middle * stride] > u)
             high = middle;
         else
             low = middle + 1u;
@@ -30,34 +31,27 @@ static inline uint choose_area_light(GLOBAL const LightRecord* lights, uint coun
     return low;
 }
 
+#define LIGHT_STRIDE ((uint)(sizeof(LightRecord) / sizeof(float)))
+#define EMISSIVE_STRIDE ((uint)(sizeof(EmissiveTriangle) / sizeof(float)))
+
+/// Area light that `u` falls into by power.
+static inline uint choose_area_light(GLOBAL const LightRecord* lights, uint count, float u) {
+    return find_entry(&lights->area_cumulative, LIGHT_STRIDE, count, u);
+}
+
 /// Light of any kind that `*u` falls into by power; stretches `*u` over the chosen entry for reuse.
 static inline uint choose_light(GLOBAL const LightRecord* lights, uint count, float* u) {
-    uint low = 0u;
-    uint high = count - 1u;
-    while (low < high) {
-        uint middle = (low + high) / 2u;
-        if (lights[middle].cumulative > *u)
-            high = middle;
-        else
-            low = middle + 1u;
-    }
-    float before = lights[low].cumulative - lights[low].probability;
-    *u = m_clamp((*u - before) / lights[low].probability, 0.0f, 0.99999994f);
-    return low;
+    uint chosen = find_entry(&lights->cumulative, LIGHT_STRIDE, count, *u);
+    float before = lights[chosen].cumulative - lights[chosen].probability;
+    *u = m_clamp((*u - before) / lights[chosen].probability, 0.0f, 0.99999994f);
+    return chosen;
 }
 
 /// Point of an area light, uniform over its area; the outside of its triangles.
 static inline LightPoint sample_area(const Geometry* geometry, LightRecord light,
                                      GLOBAL const EmissiveTriangle* emissive, float u, float v) {
-    uint low = light.first;
-    uint high = light.first + light.count - 1u;
-    while (low < high) {
-        uint middle = (low + high) / 2u;
-        if (emissive[middle].cumulative > u)
-            high = middle;
-        else
-            low = middle + 1u;
-    }
+    uint low = light.first +
+               find_entry(&emissive[light.first].cumulative, EMISSIVE_STRIDE, light.count, u);
     float before = emissive[low].cumulative - emissive[low].probability;
     float s = m_clamp((u - before) / emissive[low].probability, 0.0f, 0.99999994f);
     Triangle triangle = geometry->triangles[emissive[low].triangle];

@@ -25,17 +25,9 @@ static inline float power_heuristic(float own, float other) {
 /// Light that `u` falls into, and `*probability` of that.
 static inline uint choose_for_surface(GLOBAL const LightRecord* lights, uint count, float u,
                                       float* probability) {
-    uint low = 0u;
-    uint high = count - 1u;
-    while (low < high) {
-        uint middle = (low + high) / 2u;
-        if (lights[middle].choice_cumulative > u)
-            high = middle;
-        else
-            low = middle + 1u;
-    }
-    *probability = lights[low].choice_probability;
-    return low;
+    uint chosen = find_entry(&lights->choice_cumulative, LIGHT_STRIDE, count, u);
+    *probability = lights[chosen].choice_probability;
+    return chosen;
 }
 
 // Irradiance that one light sample brings, before its shadow ray from `origin` along `towards`.

@@ -112,9 +112,6 @@ inline void expect_estimate(const Estimate& found, double expected, const Tolera
                 sidak_limit(tolerance.comparisons) * found.error + tolerance.bias * expected)
         << what << ", " << (found.mean - expected) / found.error << " standard errors of "
         << found.error;
-    if (std::getenv("WEFT_SHOW_ESTIMATES") != nullptr)
-        std::cout << what << ": expected " << expected << " found " << found.mean << " +- "
-                  << found.error << " z " << (found.mean - expected) / found.error << '\n';
 }
 
 }  // namespace weft::test

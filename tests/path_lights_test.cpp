@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "path_fixture.h"
@@ -275,6 +276,71 @@ TEST(PathLights, ManyFaintLampsBesideASun) {
     // up as often as down.
     for (const Backend backend : test::backends())
         expect_sampled(backend, builder.scene, {0, 0, 0}, expected, 1e-4);
+}
+
+TEST(PathLights, ShadingNormalsTurnTheCosineButNotTheHorizon) {
+    // A floor whose normals lean by 40 degrees. Lights above it count with the leaning cosine; of
+    // the environment about the leaning normal (1 + cos) / 2 lies above the floor, and what would
+    // go below it must not come back as indirect light.
+    const double lean = 40.0 * pi / 180.0;
+    const glm::dvec3 normal(std::sin(lean), 0.0, std::cos(lean));
+    const auto scene = [&] {
+        SceneBuilder builder = floor_scene();
+        builder.scene.meshes[0].normals.assign(4, glm::vec3(normal));
+        return builder;
+    };
+    SceneBuilder point = scene();
+    point.light(LightType::point, {1.0, 0.2, 0.7}, radiance);
+    SceneBuilder hidden = scene();
+    hidden.light(LightType::point, {-2.0, 0.0, 1.0}, radiance);  // behind the leaning normal
+    SceneBuilder lamp = scene();
+    lamp.add(lamp_mesh(), lamp.material(glm::vec3(0.5F), radiance));
+    SceneBuilder sky = scene();
+    sky.scene.environment = Environment{radiance};
+    const glm::dvec3 d(1.0, 0.2, 0.7);
+    const glm::dvec3 by_lamp =
+        polygon_irradiance(corners_of(lamp_mesh()), {0, 0, 0}, normal) * glm::dvec3(radiance);
+    for (const Backend backend : test::backends()) {
+        expect_exact(backend, point.scene, {0, 0, 0},
+                     glm::dot(d, normal) / std::pow(glm::length(d), 3.0) * glm::dvec3(radiance));
+        expect_exact(backend, hidden.scene, {0, 0, 0}, glm::dvec3(0.0));
+        expect_sampled(backend, lamp.scene, {0, 0, 0}, by_lamp);
+        const Rendering all =
+            test::path_picture(backend, sky.scene, test::look_at(eye_offset, {0, 0, 0}, 0.001),
+                               test::path_settings(16, 16, 256));
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            const auto k = static_cast<glm::length_t>(c);
+            const double full = double{receiver_albedo[k]} * double{radiance[k]};
+            test::expect_estimate(test::beauty_of(all, c), full * 0.5 * (1.0 + std::cos(lean)),
+                                  {comparisons, 0.004, 1e-5},
+                                  std::string(test::backend_name(backend)) + " sky");
+        }
+        for (const float value : all.layer("indirect")) ASSERT_EQ(value, 0.0F);
+    }
+}
+
+TEST(PathLights, PixelsAverageOverTheirBox) {
+    // A lamp that covers 0.3 x 0.6 of a pixel from its left lower corner, or has its edge at the
+    // centre's left or right.
+    const auto picture = [](float left, float bottom, bool centres, std::uint32_t samples) {
+        SceneBuilder builder;
+        builder.add(test::quad_mesh({left - 2.0F, bottom - 2.0F, 0}, {2, 0, 0}, {0, 2, 0}),
+                    builder.material(glm::vec3(0.0F), radiance));
+        PathSettings settings = test::path_settings(2, 2, samples, 3);
+        settings.through_centres = centres;
+        // The picture shows [-1, 1]^2: pixel (0, 1) is [-1, 0]^2.
+        return test::path_picture(Backend::own_bvh, builder.scene,
+                                  test::look_at({0, 0, 1}, {0, 0, 0}, pi / 2.0), settings);
+    };
+    const Rendering box = picture(-0.7F, -0.4F, false, 200'000);
+    test::expect_estimate({box.at("", 0, 1), std::sqrt(double(box.at("variance", 0, 1)))}, 0.18,
+                          {comparisons, 0.006, 1e-5}, "coverage");
+    for (const auto& [x, y] : {std::pair{0U, 0U}, std::pair{1U, 0U}, std::pair{1U, 1U}})
+        EXPECT_EQ(box.at("", x, y), 0.0F);
+    EXPECT_EQ(picture(-0.501F, -0.1F, true, 4).at("", 0, 1), 0.0F);
+    EXPECT_EQ(picture(-0.499F, -0.1F, true, 4).at("", 0, 1), 1.0F);
+    EXPECT_EQ(picture(-0.1F, -0.501F, true, 4).at("", 0, 1), 0.0F);
+    EXPECT_EQ(picture(-0.1F, -0.499F, true, 4).at("", 0, 1), 1.0F);
 }
 
 /// The square [0, 1]^2 in z = 0, which faces up and fills the picture, and lamps of radiance 1.

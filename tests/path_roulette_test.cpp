@@ -57,7 +57,7 @@ native::PathVertex vertex_of(std::uint32_t bounce, float throughput) {
 
 TEST(PathRoulette, FirstBouncesAlwaysSurvive) {
     native::Random random = native::make_random(1, 2, 3);
-    for (std::uint32_t bounce = 1; bounce <= 2; ++bounce)
+    for (std::uint32_t bounce = 1; bounce < ROULETTE_START; ++bounce)
         for (int i = 0; i < 1000; ++i) {
             native::PathVertex vertex = vertex_of(bounce, 1e-3F);
             ASSERT_EQ(native::survives(&vertex, &random), 1);
@@ -70,7 +70,7 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
     constexpr int n = 200'000;
     for (const float throughput :
          {1e-6F, 0.01F, 0.05F, 0.2F, 0.5F, 0.9F, 0.95F, 0.99F, 1.0F, 10.0F})
-        for (const std::uint32_t bounce : {3U, 4U, 50U}) {
+        for (const std::uint32_t bounce : {ROULETTE_START, ROULETTE_START + 1U, 50U}) {
             SCOPED_TRACE("throughput " + std::to_string(throughput));
             native::Random random = native::make_random(5, bounce, 7);
             int survivors = 0;
@@ -87,7 +87,10 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
             }
             ASSERT_GT(survivors, 0);
             const double q = 1.0 / weight;
-            EXPECT_NEAR(q, std::clamp(static_cast<double>(throughput), 0.05, 0.95), 1e-6);
+            EXPECT_NEAR(q,
+                        std::clamp(static_cast<double>(throughput), double{ROULETTE_LEAST},
+                                   double{ROULETTE_MOST}),
+                        1e-6);
             EXPECT_NEAR(survivors * weight / n, 1.0,
                         test::sidak_limit(comparisons) * std::sqrt((1.0 - q) / (q * n)));
         }

@@ -19,6 +19,9 @@ constexpr std::uint64_t samples_without_variance = 1024;
 // What the rounding of beauty and of its square to floats leaves of a variance where samples agree,
 // relative to the square.
 constexpr double rounding = 0x1p-21;
+// What the rounding of a square to the sum's unit may hide of a variance.
+constexpr double resolution = 0x1p-73;
+static_assert(FILM_SQUARE_SHIFT == 72);
 
 /// The two's complement integer of `count` words of one pixel, times 2^-shift.
 double value_of(const FilmSums& sums, std::size_t first_word, std::size_t count, std::size_t pixel,
@@ -167,13 +170,13 @@ double relative_error(const FilmSums& sums) {
             varies = varies || of_mean * (n - 1.0) > rounding * mean * mean;
             total += weight[c] * mean;
             // Channels of a sample move together.
-            deviation += weight[c] * std::sqrt(of_mean);
+            deviation += weight[c] * std::sqrt(of_mean + resolution / (n - 1.0));
         }
         variance += deviation * deviation;
     }
     if (!varies && sums.samples() < samples_without_variance)
         return std::numeric_limits<double>::infinity();
-    if (!(total > 0.0)) return variance > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+    if (!(total > 0.0)) return varies ? std::numeric_limits<double>::infinity() : 0.0;
     return std::sqrt(variance) / total;
 }
 
