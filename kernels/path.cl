@@ -12,10 +12,11 @@
 #include "random.h"
 
 // Bounces before roulette begins, and the range of its survival probability. The largest keeps
-// paths between white walls from going on for ever.
+// paths between white walls from going on for ever; where the square of the reflectance exceeds
+// it, the variance is infinite.
 #define ROULETTE_START 3u
 #define ROULETTE_LEAST 0.05f
-#define ROULETTE_MOST 0.95f
+#define ROULETTE_MOST 0.999f
 
 // One sample: what the film keeps of it.
 typedef struct {

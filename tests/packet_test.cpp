@@ -315,9 +315,9 @@ TEST(Packet, NothingGetsThroughSharedEdgesAndVertices) {
                         std::size_t open = 0;
                         for (std::size_t i = 0; i < answers.size(); ++i)
                             open += answers[i] == 0.0F && single[i] == 1 ? 1 : 0;
-                        EXPECT_EQ(open, 0U) << test::backend_name(backend) << ", " << mesh.name
-                                            << ", " << placement.name
-                                            << (vertices ? ", vertices" : ", edges");
+                        EXPECT_EQ(open, 0U)
+                            << test::backend_name(backend) << ", " << mesh.name << ", "
+                            << placement.name << (vertices ? ", vertices" : ", edges");
                         EXPECT_GT(blocked_count(answers), answers.size() * 9 / 10);
                     }
             }

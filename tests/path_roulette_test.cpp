@@ -104,7 +104,7 @@ void expect_furnace(const glm::vec3& albedo, std::uint32_t samples, double large
     for (const Backend backend : test::backends()) {
         const Rendering rendering = test::path_picture(
             backend, builder.scene, test::look_at({0.1, 0.2, 0.3}, {-0.5, 0.1, -0.4}, 1.2),
-            test::path_settings(32, 32, samples, 9));
+            test::path_settings(24, 24, samples, 9));
         for (std::uint32_t c = 0; c < 3; ++c) {
             const double rho = at(albedo, c);
             const test::Tolerance tolerance{comparisons, largest_error, 1e-5};

@@ -22,14 +22,17 @@ constexpr std::uint32_t most_frame_samples = 256;
 // Sums are exact up to this many samples of any brightness near the lights' own.
 constexpr double largest_exponent = 60.0;
 
-/// Radiance of the brightest light; for lights without an area, of the scene's bounding sphere as
-/// they light it.
+// Surfaces may be this much nearer to a point light than the scene is large, squared.
+constexpr double nearness = 0x1p20;
+
+/// Radiance of the brightest light; for lights without an area, of a surface close to them.
 double brightest(const FlatScene& scene) {
     const auto radius = static_cast<double>(scene.radius);
     double most = 0.0;
     for (const shared::LightRecord& light : scene.lights) {
         double value = std::max({light.power.x, light.power.y, light.power.z});
-        if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT) value /= radius * radius;
+        if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT)
+            value *= nearness / (radius * radius);
         most = std::max(most, value);
     }
     return most;
