@@ -21,11 +21,11 @@ static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, i
     low[at] = rest;
 }
 
-static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, uint pixels,
+static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, uint stride,
                               int starts, float3 x) {
     add_to_film(high, low, at, starts, x.x);
-    add_to_film(high, low, at + pixels, starts, x.y);
-    add_to_film(high, low, at + 2u * pixels, starts, x.z);
+    add_to_film(high, low, at + stride, starts, x.y);
+    add_to_film(high, low, at + 2u * stride, starts, x.z);
 }
 
 WEFT_KERNEL(compose)
@@ -34,7 +34,7 @@ WEFT_KERNEL(compose)
  GLOBAL float* film_low, GLOBAL NonfiniteCounter* nonfinite) {
     if (GLOBAL_ID >= params.count) return;
     uint pixel = params.first + GLOBAL_ID;
-    uint pixels = params.width * params.height;
+    uint stride = FILM_STRIDE(params.width * params.height);
     int starts = params.film_starts != 0u ? 1 : 0;
     float3 reflectance = xyz(gb_albedo[pixel]) * 0.318309886f;
     float3 direct_irradiance = f3(0.0f, 0.0f, 0.0f);
@@ -52,14 +52,14 @@ WEFT_KERNEL(compose)
         guard(nonfinite, COMPONENT_DIRECT, pixel, reflectance * direct_irradiance);
     float3 indirect_light =
         guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * indirect_irradiance);
-    add_vector(film_high, film_low, FILM_EMISSION * pixels + pixel, pixels, starts, emission);
-    add_vector(film_high, film_low, FILM_DIRECT * pixels + pixel, pixels, starts, direct_light);
-    add_vector(film_high, film_low, FILM_INDIRECT * pixels + pixel, pixels, starts, indirect_light);
+    add_vector(film_high, film_low, FILM_EMISSION * stride + pixel, stride, starts, emission);
+    add_vector(film_high, film_low, FILM_DIRECT * stride + pixel, stride, starts, direct_light);
+    add_vector(film_high, film_low, FILM_INDIRECT * stride + pixel, stride, starts, indirect_light);
     float3 albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, xyz(gb_albedo[pixel]));
     float depth = gb_position[pixel].w / params.unit;
-    add_vector(film_high, film_low, FILM_ALBEDO * pixels + pixel, pixels, starts, albedo);
-    add_vector(film_high, film_low, FILM_NORMAL * pixels + pixel, pixels, starts,
+    add_vector(film_high, film_low, FILM_ALBEDO * stride + pixel, stride, starts, albedo);
+    add_vector(film_high, film_low, FILM_NORMAL * stride + pixel, stride, starts,
                xyz(gb_shading[pixel]));
-    add_to_film(film_high, film_low, FILM_DEPTH * pixels + pixel, starts,
+    add_to_film(film_high, film_low, FILM_DEPTH * stride + pixel, starts,
                 guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth, 0.0f, 0.0f)).x);
 }

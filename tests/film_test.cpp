@@ -18,9 +18,9 @@ constexpr std::size_t pixels = std::size_t{width} * height;
 
 /// Plane p holds 100 p + the pixel's index.
 std::vector<float> numbered() {
-    std::vector<float> values(FILM_PLANES * pixels);
+    std::vector<float> values(FILM_PLANES * FILM_STRIDE(pixels));
     for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = static_cast<float>(100 * (i / pixels) + i % pixels);
+        values[i] = static_cast<float>(100 * (i / FILM_STRIDE(pixels)) + i % FILM_STRIDE(pixels));
     return values;
 }
 
@@ -31,7 +31,7 @@ float value(const Image& image, const std::string& layer, std::size_t channel, s
 }
 
 TEST(Film, LayersTakeTheirPlanes) {
-    const std::vector<float> low(FILM_PLANES * pixels, 0.0F);
+    const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
     const Image image = resolve_film(numbered(), low, width, height, 1);
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
@@ -62,7 +62,7 @@ TEST(Film, LayersTakeTheirPlanes) {
 }
 
 TEST(Film, BeautyIsTheSumOfComponents) {
-    const std::vector<float> low(FILM_PLANES * pixels, 0.0F);
+    const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
     const Image image = resolve_film(numbered(), low, width, height, 1);
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t p = 0; p < pixels; ++p)
@@ -72,7 +72,7 @@ TEST(Film, BeautyIsTheSumOfComponents) {
 }
 
 TEST(Film, LayersAreMeansOverSamples) {
-    const std::vector<float> low(FILM_PLANES * pixels, 0.0F);
+    const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
     const Image image = resolve_film(numbered(), low, width, height, 4);
     EXPECT_EQ(value(image, "direct", 0, 2), 302.0F / 4.0F);
     EXPECT_EQ(value(image, "depth", 0, 5), 1505.0F / 4.0F);
@@ -80,8 +80,8 @@ TEST(Film, LayersAreMeansOverSamples) {
 
 TEST(Film, CompensationCounts) {
     // Together both parts hold 2^24 + 1, which no float can: a mean of 2 samples shows it.
-    const std::vector<float> high(FILM_PLANES * pixels, 16777216.0F);
-    const std::vector<float> low(FILM_PLANES * pixels, 1.0F);
+    const std::vector<float> high(FILM_PLANES * FILM_STRIDE(pixels), 16777216.0F);
+    const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 1.0F);
     const Image image = resolve_film(high, low, width, height, 2);
     EXPECT_EQ(value(image, "direct", 1, 3), 8388608.5F);
     // The sum of components is rounded once, too.
@@ -89,7 +89,7 @@ TEST(Film, CompensationCounts) {
 }
 
 TEST(Film, WithoutSamplesNothingIsDividedByZero) {
-    const std::vector<float> none(FILM_PLANES * pixels, 0.0F);
+    const std::vector<float> none(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
     const Image image = resolve_film(none, none, width, height, 0);
     for (const Layer& layer : image.layers)
         for (const float v : layer.values) EXPECT_EQ(v, 0.0F);

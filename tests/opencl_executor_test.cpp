@@ -75,8 +75,8 @@ class Counting {
         for (int i = 0; i < 4; ++i) of(4 * pixels, 0.0F);  // position, normals, albedo
         of(4 * pixels, 1.0F);                              // emission
         for (int i = 0; i < 4; ++i) of(4, 0.0F);           // features that are off
-        of(FILM_PLANES * pixels, 0.0F);
-        of(FILM_PLANES * pixels, 0.0F);
+        of(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
+        of(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
         of(8, 0.0F);
         const KernelId kernel = KernelId::compose;
         executor.build({&kernel, 1}, 0);

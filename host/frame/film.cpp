@@ -13,7 +13,7 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     const std::size_t pixels = std::size_t{width} * height;
     const double share = 1.0 / std::max(1U, samples);
     const auto mean = [&](std::size_t plane, std::size_t pixel) {
-        const std::size_t at = plane * pixels + pixel;
+        const std::size_t at = plane * FILM_STRIDE(pixels) + pixel;
         return (static_cast<double>(high[at]) + static_cast<double>(low[at])) * share;
     };
     Image image;

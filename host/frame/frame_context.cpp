@@ -77,8 +77,8 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
         frame.vpls = executor.allocate(
             std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
     }
-    frame.film_high = floats(FILM_PLANES * pixels, "film");
-    frame.film_low = floats(FILM_PLANES * pixels, "film");
+    frame.film_high = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
+    frame.film_low = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
     return frame;
 }
 

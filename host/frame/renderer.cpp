@@ -147,7 +147,8 @@ void Renderer::record(const FrameContext& frame, double ms) {
 }
 
 Image Renderer::image() {
-    const std::size_t values = std::size_t{FILM_PLANES} * settings_.width * settings_.height;
+    const std::size_t values =
+        FILM_PLANES * FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
     const auto high = read_buffer<float>(executor_, *buffers_.film_high, values);
     const auto low = read_buffer<float>(executor_, *buffers_.film_low, values);
     return resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
