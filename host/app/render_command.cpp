@@ -203,9 +203,9 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
         auto path =
             make_path_renderer(*executor, flat, camera, options, path_settings(options, settings));
         complete = render_path(*path, options, progress, watch);
-        write_checkpoint(*path, options);
         const FilmSums sums = path->sums();
         image = resolve_sums(sums);
+        write_checkpoint(sums, image, options);
         if (options.samples) attach_sums(sums, image);
         renderer = std::move(path);
     } else {

@@ -58,13 +58,12 @@ bool render_path(PathRenderer& renderer, const RenderOptions& options, Progress&
     const std::uint32_t all = renderer.samples_left();
     ErrorTarget target(options);
     double saved = watch.total();
-    const auto share_done = [&](double of_frame) {
+    const auto share_done = [&] {
         if (options.time_seconds) return std::min(1.0, watch.total() / budget_ms);
-        const double frames = static_cast<double>(all - renderer.samples_left()) + of_frame;
-        return all > 0 ? std::min(1.0, frames / all) : 1.0;
+        return all > 0 ? static_cast<double>(all - renderer.samples_left()) / all : 1.0;
     };
     const KeepGoing keep_going = [&](const std::string& stage, double) {
-        progress.update(share_done(0.0), stage);
+        progress.update(share_done(), stage);
         return !interrupt_flag();
     };
     while (renderer.samples_left() > 0 && !interrupt_flag()) {
@@ -72,18 +71,17 @@ bool render_path(PathRenderer& renderer, const RenderOptions& options, Progress&
                           watch.total() + renderer.next_frame_ms() > budget_ms;
         if (late || target.reached(renderer)) break;
         if (!renderer.render_frame(keep_going)) break;
-        if (watch.total() - saved > checkpoint_ms) {
-            write_checkpoint(renderer, options);
+        if (options.resume && watch.total() - saved > checkpoint_ms) {
+            const FilmSums sums = renderer.sums();
+            write_checkpoint(sums, resolve_sums(sums), options);
             saved = watch.total();
         }
     }
     return !interrupt_flag();
 }
 
-void write_checkpoint(PathRenderer& renderer, const RenderOptions& options) {
+void write_checkpoint(const FilmSums& sums, Image image, const RenderOptions& options) {
     if (!options.resume) return;
-    const FilmSums sums = renderer.sums();
-    Image image = resolve_sums(sums);
     attach_sums(sums, image);
     write_exr(*options.resume, image);
 }

@@ -25,8 +25,8 @@ namespace weft {
 [[nodiscard]] bool render_path(PathRenderer& renderer, const RenderOptions& options,
                                Progress& progress, const Stopwatch& watch);
 
-/// Writes the sums and the picture they make to the file of --resume, if there is one.
-void write_checkpoint(PathRenderer& renderer, const RenderOptions& options);
+/// Writes sums and the picture they make to the file of --resume, if there is one.
+void write_checkpoint(const FilmSums& sums, Image image, const RenderOptions& options);
 
 }  // namespace weft
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double frame_ms = 500.0;
 constexpr std::uint32_t most_frame_samples = 256;
-// Sums are exact up to this many samples of any brightness near the lights' own.
+// Powers of two beyond which light cannot be scaled: the scale and its square stay ordinary floats.
 constexpr double largest_exponent = 60.0;
 
 // Surfaces may be this much nearer to a point light than the scene is large, squared.
@@ -116,8 +116,6 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
         sums = film_;
         sums.words.assign(words, 0);
     }
-    FilmSums empty = film_;
-    empty.ranges = {settings.samples};
     std::vector<SampleRange> all = sums.ranges;
     all.push_back(settings.samples);
     if (sums.picture != film_.picture || sums.words.size() != words)
