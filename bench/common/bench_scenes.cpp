@@ -123,11 +123,13 @@ std::vector<BenchScene> bench_scenes(const std::filesystem::path& folder,
         const std::filesystem::path file = folder / name / (name + ".xml");
         if (!std::filesystem::is_regular_file(file)) continue;
         scenes.push_back(
-            {name, [file](Diagnostics& diagnostics) { return load_scene(file, diagnostics); }});
+            {name, [file](Diagnostics& diagnostics) { return load_scene(file, diagnostics); },
+             file});
     }
-    scenes.push_back({"box", [](Diagnostics&) { return box_scene(); }});
-    scenes.push_back({"terrain-300k", [](Diagnostics&) { return terrain_scene(387); }});
-    if (!quick) scenes.push_back({"terrain-5m", [](Diagnostics&) { return terrain_scene(1581); }});
+    scenes.push_back({"box", [](Diagnostics&) { return box_scene(); }, {}});
+    scenes.push_back({"terrain-300k", [](Diagnostics&) { return terrain_scene(387); }, {}});
+    if (!quick)
+        scenes.push_back({"terrain-5m", [](Diagnostics&) { return terrain_scene(1581); }, {}});
     return scenes;
 }
 

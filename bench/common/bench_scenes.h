@@ -18,6 +18,7 @@ namespace weft::bench {
 struct BenchScene {
     std::string name;
     std::function<Scene(Diagnostics&)> load;
+    std::filesystem::path file{};  ///< empty for generated scenes
 };
 
 /// A lit room with a few boxes: 86 triangles.
