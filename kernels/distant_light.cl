@@ -5,21 +5,9 @@
 // each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
-#include "receivers.h"
+#include "receiver_values.h"
 #include "sampling.h"
 #include "visibility.h"
-
-static inline float3 receiver_vector(GLOBAL const float* planes, uint first, uint stride,
-                                     uint slot) {
-    return f3(planes[first * stride + slot], planes[(first + 1u) * stride + slot],
-              planes[(first + 2u) * stride + slot]);
-}
-
-static inline void add_irradiance(GLOBAL float* irradiance, uint stride, uint slot, float3 e) {
-    irradiance[slot] += e.x;
-    irradiance[stride + slot] += e.y;
-    irradiance[2u * stride + slot] += e.z;
-}
 
 WEFT_KERNEL(distant_light)
 (PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,

@@ -24,6 +24,16 @@ typedef struct {
     GLOBAL const float* leaves;
 } Scene;
 
+/// The kernels' own BVH.
+static inline GLOBAL const BvhNode* own_nodes(Scene scene) {
+    return scene.nodes;
+}
+
+/// Its leaves; see LEAF_ROWS.
+static inline GLOBAL const float* own_leaves(Scene scene) {
+    return scene.leaves;
+}
+
 /// Closest hit within (0, t_max]; of equally distant triangles the smallest id.
 static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {
     return bvh_closest(scene.nodes, scene.leaves, origin, direction, t_max);

@@ -12,10 +12,12 @@
 
 typedef const ::weft::NativeScene& Scene;
 
+/// The kernels' own BVH: always there for kernels that the executor knows to walk it (shaft.h).
 static inline const BvhNode* own_nodes(Scene scene) {
     return static_cast<const BvhNode*>(scene.bvh_nodes);
 }
 
+/// Its leaves; see LEAF_ROWS.
 static inline const float* own_leaves(Scene scene) {
     return static_cast<const float*>(scene.bvh_leaves);
 }

@@ -136,6 +136,33 @@ typedef struct {
     float4 cone;      // spot: cos_inner, cos_outer
 } Vpl;
 
+// Tiles of the adaptive components, TILE_EDGE pixels square. A bit of a mask is a pixel, row by
+// row; the first word is the upper half.
+#define TILE_EDGE 8
+#define TILE_SMOOTH 1u  // one smooth surface, and so are the coarse lattice points about it
+
+// Of the neighbour bits of a lattice point (lattice_signal.cl): it has a sample itself.
+#define LATTICE_SAMPLED 256u
+
+typedef struct {
+    uint lit[2];     // pixels that have an irradiance
+    uint middle[2];  // too few of whose taps at stride 4 are on their surface, but enough at 2
+    uint fine[2];    // that need samples of their own
+    uint flags;
+    uint pad;
+} TileRecord;
+
+// Groups of area lights whose shadows are told apart; a bit each.
+#define SHADOW_GROUPS 16u
+
+// What is known of a tile's light.
+typedef struct {
+    uint seen;    // groups that a sample of it saw
+    uint hidden;  // of which a sample was blocked
+    uint open;    // that nothing can lie before
+    uint pad;
+} TileShadows;
+
 // Counters of one launch, 64 bit in two halves.
 typedef struct {
     uint rays_low, rays_high;
@@ -219,8 +246,10 @@ typedef struct {
     uint samples;          // path tracing: samples of a pixel in one launch, from `frame` on
     uint through_centres;  // 1: all of them go through the pixel's centre
     float film_scale;      // a power of two that brings the scene's light to about 1
-    uint pad0;
+    uint choice_lights;    // lights that next-event estimation chooses from, the first entries
     uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
+    uint shadow_groups;                         // groups of area lights
+    uint pad0, pad1, pad2;
 } Params;
 
 #endif

@@ -111,15 +111,62 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
          {"render", "merge", "compare", "info", "devices", "--help", "--version"})
         EXPECT_NE(top.find(name), std::string::npos) << name;
     const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
-    for (const char* name :
-         {"SCENE",      "-o,--output", "--algorithm",    "--backend",  "--device",
-          "--threads",  "--tile",      "--size",         "--camera",   "--components",
-          "--spp",      "--time",      "--seed",         "--exposure", "--stats",
-          "--progress", "--samples",   "--target-error", "--resume",   "--pixel-filter"})
+    for (const char* name : {"SCENE",
+                             "-o,--output",
+                             "--algorithm",
+                             "--backend",
+                             "--device",
+                             "--threads",
+                             "--tile",
+                             "--size",
+                             "--camera",
+                             "--components",
+                             "--spp",
+                             "--time",
+                             "--seed",
+                             "--exposure",
+                             "--stats",
+                             "--progress",
+                             "--frames",
+                             "--frame-rate",
+                             "--samples",
+                             "--target-error",
+                             "--resume",
+                             "--pixel-filter",
+                             "--vpl-compensation"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
-    for (const char* name : {"--frames", "--frame-time", "--preset", "media", "amax"})
+    for (const char* name : {"--frame-time", "--preset", "media", "tic"})
         EXPECT_EQ(help.find(name), std::string::npos) << name;
     EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
+}
+
+TEST(Options, FramesOfAnAnimation) {
+    EXPECT_FALSE(render({}).frames);
+    const RenderOptions options = render({"--frames", "3:16777216", "--frame-rate", "23.976"});
+    ASSERT_TRUE(options.frames);
+    EXPECT_EQ(options.frames->first, 3u);
+    EXPECT_EQ(options.frames->end, 16777216u);
+    EXPECT_EQ(options.frame_rate, 23.976);
+    EXPECT_EQ(render({"--frames=0:1"}).frame_rate, 30.0);
+    for (const char* text : {"", ":", "1", "1:", ":1", "2:2", "3:2", "0:1:2", "-1:2", "0:1.5",
+                             " 0:1", "0:16777217", "0:99999999999"})
+        EXPECT_EQ(render_refusal({"--frames", text}).find("--frames: "), 0u) << text;
+    for (const char* text : {"0", "-1", "1e-7", "1000.5", "nan", "inf", "30fps"})
+        EXPECT_EQ(render_refusal({"--frames", "0:1", "--frame-rate", text}).find("--frame-rate: "),
+                  0u)
+            << text;
+}
+
+TEST(Options, FramesAreNumberedBeforeTheExtension) {
+    EXPECT_EQ(numbered_output("out.png", 0), "out.0000.png");
+    EXPECT_EQ(numbered_output("a.b/c d.e.EXR", 42), "a.b/c d.e.0042.EXR");
+    EXPECT_EQ(numbered_output("/tmp/out.exr", 12345), "/tmp/out.12345.exr");
+    for (const char* stats : {"o/out.0001.png", "o/./out.12345.png", "o/x/../out.7.png"})
+        EXPECT_EQ(render_refusal({"-o", "o/out.png", "--frames", "0:2", "--stats", stats}),
+                  "--stats: names the same file as one of the pictures of --frames");
+    for (const char* stats : {"out.0001.png", "o/out.png.json", "o/out.0001.json", "o/out.a.png",
+                              "o/out..png", "o/xout.0001.png"})
+        EXPECT_EQ(render({"-o", "o/out.png", "--frames", "0:2", "--stats", stats}).stats, stats);
 }
 
 TEST(Options, VersionWorksEverywhere) {
@@ -164,7 +211,7 @@ TEST(Options, RefusesBadListsAndNames) {
     for (const char* text : {"direct,direct", ",", "direct,", "media", "Direct"})
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
     EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
-              "--algorithm: 'photons' is not valid, expected one of igi, ir, path");
+              "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, path");
     EXPECT_EQ(render_refusal({"--backend", "cuda"}),
               "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
     EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);
@@ -202,6 +249,18 @@ TEST(Options, PathTracing) {
               "no failure");
     EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "a.png"}), "no failure");
     EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "./box.exr"}), "no failure");
+}
+
+TEST(Options, CompensationIsForVirtualLights) {
+    EXPECT_FALSE(render({}).compensation);
+    EXPECT_TRUE(render({"--vpl-compensation"}).compensation);
+    EXPECT_TRUE(render({"--algorithm", "ir", "--vpl-compensation"}).compensation);
+    EXPECT_EQ(
+        render_refusal({"--vpl-compensation", "--algorithm", "path"}).find("--vpl-compensation: "),
+        0u);
+    EXPECT_NE(render_refusal({"--vpl-compensation=yes"}), "no failure");
+    EXPECT_EQ(options_json(render({}))["vpl_compensation"], false);
+    EXPECT_EQ(options_json(render({"--vpl-compensation"}))["vpl_compensation"], true);
 }
 
 TEST(Options, Merge) {

@@ -60,7 +60,7 @@ TEST(PathRoulette, FirstBouncesAlwaysSurvive) {
     for (std::uint32_t bounce = 1; bounce < ROULETTE_START; ++bounce)
         for (int i = 0; i < 1000; ++i) {
             native::PathVertex vertex = vertex_of(bounce, 1e-3F);
-            ASSERT_EQ(native::survives(&vertex, &random), 1);
+            ASSERT_EQ(native::survives(&vertex, ROULETTE_START, &random), 1);
             ASSERT_EQ(vertex.throughput.y, 1e-3F);
         }
 }
@@ -77,7 +77,7 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
             double weight = 0.0;
             for (int i = 0; i < n; ++i) {
                 native::PathVertex vertex = vertex_of(bounce, throughput);
-                if (native::survives(&vertex, &random) == 0) continue;
+                if (native::survives(&vertex, ROULETTE_START, &random) == 0) continue;
                 ++survivors;
                 const auto after = static_cast<double>(vertex.throughput.y);
                 ASSERT_TRUE(survivors == 1 || after / static_cast<double>(throughput) == weight);

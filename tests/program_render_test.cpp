@@ -130,8 +130,8 @@ TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
 TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
     const json chosen = stats_of(box("x.png", {"--backend", "embree"}))["options"];
     for (const auto& [name, value] : chosen.items()) {
-        const bool has_no_default =
-            name == "time" || name == "samples" || name == "target_error" || name == "resume";
+        const bool has_no_default = name == "time" || name == "samples" || name == "target_error" ||
+                                    name == "resume" || name == "frames";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
     EXPECT_EQ(chosen.at("size"), json({48, 40}));

@@ -109,6 +109,21 @@ TEST(Progress, PlainLinesKeepASecondApart) {
     EXPECT_EQ(count(capture.text(), '\n'), 3) << "a new stage";
 }
 
+TEST(Progress, PartsAreOfTheWhole) {
+    const Capture capture;
+    double now = 0.0;
+    Progress progress(ProgressMode::plain, capture.stream(), [&] { return now; });
+    progress.begin_part(0.25, 0.5);
+    progress.update(0.0, "first");
+    now = 4.0;
+    progress.update(0.5, "second");
+    now = 8.0;
+    progress.update(1.0, "third");
+    EXPECT_EQ(capture.text(),
+              "25 %, 0.0 s  first\n50 %, 4.0 s, 4.0 s left  second\n"
+              "75 %, 8.0 s, 2.7 s left  third\n");
+}
+
 TEST(Progress, NoneIsSilent) {
     const Capture capture;
     {

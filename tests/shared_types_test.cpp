@@ -90,6 +90,8 @@ std::map<std::string, std::size_t> host_sizes() {
             {"LightRecord", sizeof(LightRecord)},
             {"EmissiveTriangle", sizeof(EmissiveTriangle)},
             {"Vpl", sizeof(Vpl)},
+            {"TileRecord", sizeof(TileRecord)},
+            {"TileShadows", sizeof(TileShadows)},
             {"RayCounter", sizeof(RayCounter)},
             {"NonfiniteCounter", sizeof(NonfiniteCounter)},
             {"Params", sizeof(Params)}};

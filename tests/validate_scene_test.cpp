@@ -160,5 +160,51 @@ TEST(ValidateScene, ChecksLightsCamerasMediaAndFilm) {
               "a.gltf: film is larger than the limit");
 }
 
+/// A camera that is carried by the second of two moving nodes.
+void move_camera(Scene& scene) {
+    scene.animation.tracks = {{Interpolation::linear, 3, {0, 1}, {0, 0, 0, 1, 0, 0}}};
+    scene.animation.nodes.resize(2);
+    scene.animation.nodes[0].translation = 0;
+    scene.animation.nodes[1].parent = 0;
+    scene.cameras[0].motion.node = 1;
+}
+
+TEST(ValidateScene, ChecksAnimations) {
+    const auto error_of = [](const std::function<void(Animation&, Camera&)>& change) {
+        return error_after([&](Scene& s) {
+            move_camera(s);
+            change(s.animation, s.cameras[0]);
+        });
+    };
+    const std::string values = "a.gltf: animation track has the wrong number of values";
+    EXPECT_EQ(error_of([](Animation&, Camera&) {}), "no error");
+    EXPECT_EQ(error_of([](Animation& a, Camera&) { a.tracks[0].values.pop_back(); }), values);
+    EXPECT_EQ(error_of([](Animation& a, Camera&) { a.tracks[0].width = 4; }), values);
+    EXPECT_EQ(
+        error_of([](Animation& a, Camera&) { a.tracks[0].interpolation = Interpolation::cubic; }),
+        values);
+    EXPECT_EQ(error_of([](Animation& a, Camera&) { a.tracks[0] = {}; }), values);
+    EXPECT_EQ(error_of([](Animation& a, Camera&) { a.nodes[1].scale = 1; }),
+              "a.gltf: moving node refers to a track that does not exist");
+    EXPECT_EQ(error_of([](Animation& a, Camera&) { a.nodes[1].parent = 1; }),
+              "a.gltf: moving node refers to a parent that does not come before it");
+    EXPECT_EQ(error_of([](Animation&, Camera& c) { c.motion.node = 2; }),
+              "a.gltf: camera 'c' moves with a node that does not exist");
+}
+
+TEST(ValidateScene, ChecksACameraAtAnotherTime) {
+    const Scene scene = good_scene();
+    Camera camera = scene.cameras[0];
+    EXPECT_NO_THROW(validate_camera(scene, camera, "at 3 s"));
+    camera.to_world[2] = glm::dvec4(0.0);
+    try {
+        validate_camera(scene, camera, "at 3 s");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "a.gltf: camera 'c' at 3 s has a transform that cannot be inverted");
+    }
+}
+
 }  // namespace
 }  // namespace weft

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 3> algorithm_names = {"igi", "ir", "path"};
+constexpr std::array<std::string_view, 5> algorithm_names = {"ais", "amax", "igi", "ir", "path"};
 constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
@@ -37,7 +37,10 @@ void add_render(CLI::App& app) {
     add_value(render, "-o,--output", "FILE",
               "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
-    add_value(render, "--algorithm", "NAME", "igi, ir or path, the reference (default: igi)");
+    add_value(render, "--algorithm", "NAME",
+              "ais, amax, igi, ir or path, the reference (default: igi)");
+    add_flag(render, "--vpl-compensation",
+             "Of igi and ir: adds by path tracing what virtual lights leave out");
     add_value(
         render, "--backend", "NAME",
         "opencl, embree, or native: as embree, but tracing with Weft's own BVH (default: opencl "
@@ -47,6 +50,7 @@ void add_render(CLI::App& app) {
     add_value(render, "--tile", "N", "Edge of a tile in pixels (default: 64)");
     add_value(render, "--size", "WxH", "Size of the picture (default: the scene's, else 512x512)");
     add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
+    add_frames(render);
     add_value(render, "--components", "LIST", "Any of direct,indirect (default: all)");
     add_value(render, "--spp", "N", "Samples per pixel (default: 1, or what fits into --time)");
     add_value(render, "--samples", "A:B",
@@ -184,8 +188,8 @@ void read_sampling(const CLI::App& command, RenderOptions& options) {
         options.seed = parse_unsigned("--seed", *text, 0, max_uint);
 }
 
-/// What only path tracing knows; after everything else has been read.
-void read_path_tracing(const CLI::App& command, RenderOptions& options) {
+/// What only some algorithms know; after everything else has been read.
+void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
     constexpr double least_error = 1e-9;
     for (const char* const name : {"--samples", "--target-error", "--resume", "--pixel-filter"})
         if (value_of(command, name) && options.algorithm != Algorithm::path)
@@ -214,6 +218,11 @@ void read_path_tracing(const CLI::App& command, RenderOptions& options) {
     }
     if (const auto text = value_of(command, "--pixel-filter"))
         options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;
+    options.compensation = command.count("--vpl-compensation") > 0;
+    if (options.compensation && options.algorithm == Algorithm::path)
+        throw usage_error(
+            "--vpl-compensation: path tracing leaves nothing out, expected it together "
+            "with --algorithm igi or ir");
 }
 
 void read_picture(const CLI::App& command, RenderOptions& options) {
@@ -242,7 +251,7 @@ RenderOptions read_render(const CLI::App& command) {
     if (const auto text = value_of(command, "--device")) options.device = checked_device(*text);
     read_sampling(command, options);
     read_picture(command, options);
-    read_path_tracing(command, options);
+    read_of_algorithms(command, options);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
     if (const auto text = value_of(command, "--progress"))
         options.progress =
@@ -251,6 +260,7 @@ RenderOptions read_render(const CLI::App& command) {
         if (options.stats && options.stats->lexically_normal() == other.lexically_normal())
             throw usage_error("--stats: names the same file as " +
                               std::string(other == options.scene ? "the scene" : "--output"));
+    read_frames(command, options);
     return options;
 }
 
@@ -320,12 +330,16 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["size"] = nullptr;
     if (options.size) json["size"] = {options.size->width, options.size->height};
     json["camera"] = options.camera ? json_text(*options.camera) : nullptr;
+    json["frames"] = nullptr;
+    if (options.frames) json["frames"] = {options.frames->first, options.frames->end};
+    json["frame_rate"] = options.frame_rate;
     json["components"] = json_or_null(options.components);
     json["spp"] = json_or_null(options.spp);
     json["samples"] = nullptr;
     if (options.samples) json["samples"] = {options.samples->first, options.samples->end};
     json["target_error"] = json_or_null(options.target_error);
     json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
+    json["vpl_compensation"] = options.compensation;
     json["pixel_filter"] = filter_names.at(options.through_centres ? 1 : 0);
     json["time"] = json_or_null(options.time_seconds);
     json["seed"] = options.seed;

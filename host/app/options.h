@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/frame_options.h"
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "frame/film_sums.h"
@@ -35,12 +36,15 @@ struct RenderOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< ends in .exr or .png, in any case
     Algorithm algorithm = Algorithm::igi;
+    bool compensation = false;  ///< of igi and ir
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
     std::optional<std::uint32_t> threads;  ///< 1 and up
     std::uint32_t tile = 64;               ///< edge in pixels, 1 to 4096
     std::optional<FilmSize> size;          ///< else the scene's
     std::optional<std::string> camera;     ///< else the scene's first
+    std::optional<FrameRange> frames;      ///< of the animation; else one picture of it at rest
+    double frame_rate = 30.0;              ///< frames per second, above 0
     std::optional<std::vector<std::string>> components;  ///< subset of direct, indirect
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
     std::optional<SampleRange> samples;                  ///< of path tracing: these only

@@ -54,6 +54,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return above[b.size()];
 }
 
+/// `A:B` with A < B <= most.
+bool parse_half_open(std::string_view text, std::uint32_t most, std::uint32_t& first,
+                     std::uint32_t& end) {
+    const std::size_t colon = text.find(':');
+    return colon != std::string_view::npos && parse_all(text.substr(0, colon), first) &&
+           parse_all(text.substr(colon + 1), end) && first < end && end <= most;
+}
+
 std::string join(std::span<const std::string_view> names) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -125,15 +133,20 @@ FilmSize parse_size(std::string_view option, std::string_view text) {
 }
 
 SampleRange parse_range(std::string_view option, std::string_view text) {
-    const std::size_t colon = text.find(':');
     SampleRange range;
-    const bool numbers = colon != std::string_view::npos &&
-                         parse_all(text.substr(0, colon), range.first) &&
-                         parse_all(text.substr(colon + 1), range.end);
-    if (!numbers || range.first >= range.end || range.end > limits::max_samples_per_pixel)
+    if (!parse_half_open(text, limits::max_samples_per_pixel, range.first, range.end))
         fail(option, text,
              fmt::format("A:B, such as 0:64 for the first 64 samples, up to {}",
                          limits::max_samples_per_pixel));
+    return range;
+}
+
+FrameRange parse_frames(std::string_view option, std::string_view text) {
+    FrameRange range;
+    if (!parse_half_open(text, limits::max_frames, range.first, range.end))
+        fail(
+            option, text,
+            fmt::format("A:B, such as 0:30 for the first 30 frames, up to {}", limits::max_frames));
     return range;
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/frame_options.h"
 #include "frame/film_sums.h"
 #include "scene/scene.h"
 
@@ -36,6 +37,9 @@ namespace weft {
 
 /// `A:B`, the whole numbers from A to B - 1, of which there is at least one.
 [[nodiscard]] SampleRange parse_range(std::string_view option, std::string_view text);
+
+/// `A:B`, the frames from A to B - 1, of which there is at least one.
+[[nodiscard]] FrameRange parse_frames(std::string_view option, std::string_view text);
 
 /// `WxH` within the limits of a film.
 [[nodiscard]] FilmSize parse_size(std::string_view option, std::string_view text);

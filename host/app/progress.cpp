@@ -92,7 +92,8 @@ Progress::~Progress() {
     clear_bar();
 }
 
-void Progress::update(double fraction, std::string_view stage) {
+void Progress::update(double fraction_of_part, std::string_view stage) {
+    const double fraction = part_begin_ + part_size_ * clamp_fraction(fraction_of_part);
     if (style_ == Style::silent || finished_) return;
     const double now = clock_();
     const double since = now - last_time_;
@@ -110,6 +111,11 @@ void Progress::update(double fraction, std::string_view stage) {
     last_time_ = now;
     last_fraction_ = clamp_fraction(fraction);
     last_stage_ = stage;
+}
+
+void Progress::begin_part(double begin, double size) {
+    part_begin_ = begin;
+    part_size_ = size;
 }
 
 void Progress::finish() {

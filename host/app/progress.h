@@ -39,6 +39,10 @@ class Progress {
     /// least a second and the next 10 % or a new stage.
     void update(double fraction, std::string_view stage);
 
+    /// Fractions count from now on within a part of all work, which is `size` of it from `begin`
+    /// on.
+    void begin_part(double begin, double size);
+
     /// All is done: removes the bar, or prints the last line with the whole time.
     void finish();
 
@@ -54,6 +58,8 @@ class Progress {
     std::function<double()> clock_;
     Style style_;
     double start_;
+    double part_begin_ = 0.0;
+    double part_size_ = 1.0;
     bool shown_ = false;
     bool finished_ = false;
     double last_time_ = 0.0;

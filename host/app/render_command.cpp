@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <thread>
 
@@ -34,6 +35,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.height = size.height;
     settings.tile = options.tile;
     settings.seed = options.seed;
+    settings.sampling.compensation = options.compensation;
     // How many samples a time limit allows is not known before; textures stay sharp for many.
     constexpr std::uint32_t timed_samples = 16;
     settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
@@ -70,6 +72,7 @@ double share_of_frame(const std::string& stage, double done) {
     constexpr double direct = 0.15;
     if (stage == "VPL gather") return before_gather + direct + 0.7 * done;
     if (stage == "area lights" || stage == "distant light") return before_gather + direct * done;
+    if (stage == "VPL residual") return 0.95;
     if (stage == "reconstruction" || stage == "composition") return 0.97;
     return before_gather * done * 0.5;
 }
@@ -106,14 +109,19 @@ bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& p
     return !interrupt_flag();
 }
 
-void warn_about_nonfinite(const FrameRenderer& renderer, std::uint32_t width,
-                          Diagnostics& diagnostics) {
-    for (const NonfiniteSummary& found : nonfinite_of(renderer))
+void warn_about_nonfinite(const FrameRenderer& renderer, const RenderOptions& options,
+                          std::uint32_t width, Diagnostics& diagnostics) {
+    for (const NonfiniteSummary& found : nonfinite_of(renderer)) {
+        const std::string frame =
+            options.frames
+                ? fmt::format(" of frame {}", options.frames->first + found.first_picture)
+                : "";
         diagnostics.warn(
             "", fmt::format("{} values of {} light were negative or not finite and count as black, "
-                            "the first in sample {} at pixel ({}, {})",
-                            found.count, found.component, found.first_sample,
+                            "the first in sample {}{} at pixel ({}, {})",
+                            found.count, found.component, found.first_sample, frame,
                             found.first_pixel % width, found.first_pixel / width));
+    }
 }
 
 /// Refuses an output that could never be written, before an hour is spent on what to write.
@@ -169,6 +177,98 @@ void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
     write_file_atomically(*options.stats, std::as_bytes(std::span(text)));
 }
 
+/// A renderer, and what makes one picture with it and returns whether the user let that end.
+struct PictureMaker {
+    std::unique_ptr<FrameRenderer> renderer;
+    std::function<bool(const RenderOptions&, Image&)> make;
+};
+
+PictureMaker picture_maker(Executor& executor, const FlatScene& flat, const Camera& camera,
+                           const RenderOptions& options, const RenderSettings& settings,
+                           Progress& progress, const Stopwatch& watch) {
+    if (options.algorithm != Algorithm::path) {
+        auto renderer = std::make_unique<Renderer>(executor, flat, camera, settings);
+        const auto make = [&progress, &watch, used = renderer.get()](const RenderOptions& wanted,
+                                                                     Image& image) {
+            const bool complete = render_frames(*used, wanted, progress, watch);
+            image = used->image();
+            return complete;
+        };
+        return {std::move(renderer), make};
+    }
+    auto renderer =
+        make_path_renderer(executor, flat, camera, options, path_settings(options, settings));
+    const auto make = [&progress, &watch, used = renderer.get()](const RenderOptions& wanted,
+                                                                 Image& image) {
+        const bool complete = render_path(*used, wanted, progress, watch);
+        const FilmSums sums = used->sums();
+        image = resolve_sums(sums);
+        write_checkpoint(sums, image, wanted);
+        if (wanted.samples) attach_sums(sums, image);
+        return complete;
+    };
+    return {std::move(renderer), make};
+}
+
+/// Where the camera stands in one frame of an animation.
+Camera camera_of_frame(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                       std::uint32_t frame) {
+    return options.frames ? camera_at(scene, camera, frame / options.frame_rate) : camera;
+}
+
+/// Finds what is wrong with the last frame before the first is rendered.
+void check_frames(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                  Diagnostics& diagnostics) {
+    if (!options.frames) return;
+    if (!camera.motion.moves()) {
+        diagnostics.warn(scene.source, "camera " + quote(camera.name) +
+                                           " is not animated, all frames are the same");
+        return;
+    }
+    for (std::uint32_t frame = options.frames->first; frame < options.frames->end; ++frame)
+        (void)camera_of_frame(scene, camera, options, frame);
+}
+
+/// The options of one picture: its file, and until when it may take, an equal share of what is
+/// left.
+RenderOptions options_of_frame(const RenderOptions& options, std::uint32_t frame,
+                               const Stopwatch& watch) {
+    RenderOptions used = options;
+    if (!options.frames) return used;
+    used.output = numbered_output(options.output, frame);
+    if (options.time_seconds) {
+        const double now = watch.total() / 1000.0;
+        used.time_seconds =
+            now + std::max(0.0, *options.time_seconds - now) / (options.frames->end - frame);
+    }
+    return used;
+}
+
+/// Makes and writes all pictures, or until the user ends it: then a single one is written as it is,
+/// one of several is not. Returns how many are finished.
+std::uint32_t render_pictures(const PictureMaker& maker, const Scene& scene, const Camera& camera,
+                              const RenderOptions& options, Progress& progress, Stopwatch& watch,
+                              RunTimes& times) {
+    const FrameRange frames = options.frames.value_or(FrameRange{});
+    const std::uint32_t count = frames.end - frames.first;
+    for (std::uint32_t done = 0; done < count; ++done) {
+        const std::uint32_t frame = frames.first + done;
+        if (done > 0 && interrupt_flag()) return done;
+        if (done > 0) maker.renderer->set_camera(camera_of_frame(scene, camera, options, frame));
+        progress.begin_part(static_cast<double>(done) / count, 1.0 / count);
+        const RenderOptions wanted = options_of_frame(options, frame, watch);
+        Image image;
+        const bool complete = maker.make(wanted, image);
+        times.render_ms += watch.lap();
+        if (!complete && options.frames) return done;
+        if (complete) progress.update(1.0, "writing");
+        write_picture(wanted, image, *maker.renderer);
+        times.write_ms += watch.lap();
+        if (!complete) return done;
+    }
+    return count;
+}
+
 double kernel_build_ms(const Executor& executor) {
     double sum = 0.0;
     for (const KernelBuild& build : executor.builds()) sum += build.build_ms;
@@ -191,44 +291,35 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
     if (flat.lights.empty())
         diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
+    check_frames(scene, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");
     const std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
     times.open_device_ms = watch.lap();
     progress.update(0.0, "building");
-    std::unique_ptr<FrameRenderer> renderer;
-    bool complete = false;
-    Image image;
-    if (options.algorithm == Algorithm::path) {
-        auto path =
-            make_path_renderer(*executor, flat, camera, options, path_settings(options, settings));
-        complete = render_path(*path, options, progress, watch);
-        const FilmSums sums = path->sums();
-        image = resolve_sums(sums);
-        write_checkpoint(sums, image, options);
-        if (options.samples) attach_sums(sums, image);
-        renderer = std::move(path);
-    } else {
-        auto frames = std::make_unique<Renderer>(*executor, flat, camera, settings);
-        complete = render_frames(*frames, options, progress, watch);
-        image = frames->image();
-        renderer = std::move(frames);
-    }
-    times.render_ms = watch.lap();
+    const FrameRange frames = options.frames.value_or(FrameRange{});
+    const PictureMaker maker =
+        picture_maker(*executor, flat, camera_of_frame(scene, camera, options, frames.first),
+                      options, settings, progress, watch);
+    const std::uint32_t finished =
+        render_pictures(maker, scene, camera, options, progress, watch, times);
+    const FrameRenderer& renderer = *maker.renderer;
+    const std::uint32_t pictures = frames.end - frames.first;
+    const bool complete = finished == pictures;
     times.build_kernels_ms = kernel_build_ms(*executor);
     times.build_bvh_ms = executor->scene_ms();
-    if (complete) progress.update(1.0, "writing");
-    write_picture(options, image, *renderer);
-    times.write_ms = watch.lap();
     times.total_ms = watch.total();
     if (complete) progress.finish();
-    if (!complete)
+    if (!complete && options.frames)
+        diagnostics.warn(
+            "", fmt::format("interrupted, {} of {} pictures are finished", finished, pictures));
+    else if (!complete)
         diagnostics.warn("", fmt::format("interrupted, the picture holds what was done by then "
                                          "(samples: {})",
-                                         renderer->samples()));
-    warn_about_nonfinite(*renderer, settings.width, diagnostics);
-    const RenderOptions used = effective(options, settings, camera, *executor, *renderer);
-    write_stats(options, stats_json(used, *executor, *renderer, flat, settings, times));
+                                         renderer.samples()));
+    warn_about_nonfinite(renderer, options, settings.width, diagnostics);
+    const RenderOptions used = effective(options, settings, camera, *executor, renderer);
+    write_stats(options, stats_json(used, *executor, renderer, flat, settings, times));
     return complete ? ExitCode::success : ExitCode::interrupted;
 }
 

@@ -22,13 +22,17 @@ nlohmann::json stage_json(const StageStats& stage) {
             {"rays", stage.rays}};
 }
 
-nlohmann::json frame_json(const FrameStats& frame) {
+nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
     nlohmann::json stages = nlohmann::json::array();
     for (const StageStats& stage : frame.stages) stages.push_back(stage_json(stage));
     nlohmann::json nonfinite;
     for (std::size_t c = 0; c < component_names.size(); ++c)
         nonfinite[component_names[c]] = frame.nonfinite[c].count;
-    return {{"ms", frame.ms}, {"rays", frame.rays}, {"stages", stages}, {"nonfinite", nonfinite}};
+    return {{"frame", first_frame + frame.picture},
+            {"ms", frame.ms},
+            {"rays", frame.rays},
+            {"stages", stages},
+            {"nonfinite", nonfinite}};
 }
 
 /// Bytes that the vertices, triangles and acceleration structure take on the device.
@@ -79,13 +83,19 @@ std::vector<NonfiniteSummary> nonfinite_of(const FrameRenderer& renderer) {
     for (std::size_t c = 0; c < component_names.size(); ++c) {
         NonfiniteSummary sum;
         sum.component = component_names[c];
-        for (std::size_t frame = 0; frame < renderer.stats().size(); ++frame) {
-            const NonfiniteStats& stats = renderer.stats()[frame].nonfinite[c];
+        std::uint32_t picture = 0;
+        std::uint32_t sample = 0;
+        for (const FrameStats& frame : renderer.stats()) {
+            const NonfiniteStats& stats = frame.nonfinite[c];
+            sample = frame.picture == picture ? sample : 0;
+            picture = frame.picture;
             if (sum.count == 0 && stats.count > 0) {
-                sum.first_sample = static_cast<std::uint32_t>(frame);
+                sum.first_picture = picture;
+                sum.first_sample = sample;
                 sum.first_pixel = stats.first_pixel;
             }
             sum.count += stats.count;
+            ++sample;
         }
         if (sum.count > 0) found.push_back(sum);
     }
@@ -112,12 +122,15 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
                            {"build_ms", build.build_ms},
                            {"flags", build.flags},
                            {"from_cache", build.from_cache}});
+    const std::uint32_t first_frame = options.frames ? options.frames->first : 0;
     nlohmann::json frames = nlohmann::json::array();
-    for (const FrameStats& frame : renderer.stats()) frames.push_back(frame_json(frame));
+    for (const FrameStats& frame : renderer.stats())
+        frames.push_back(frame_json(frame, first_frame));
     nlohmann::json nonfinite = nlohmann::json::object();
     for (const NonfiniteSummary& found : nonfinite_of(renderer))
         nonfinite[found.component] = {
             {"count", found.count},
+            {"first_frame", first_frame + found.first_picture},
             {"first_sample", found.first_sample},
             {"first_pixel",
              {found.first_pixel % settings.width, found.first_pixel / settings.width}}};

@@ -29,9 +29,10 @@ struct RunTimes {
 /// Values of one component that were negative or not finite, over all frames.
 struct NonfiniteSummary {
     std::string component;
-    std::uint64_t count = 0;         ///< above 0
-    std::uint32_t first_sample = 0;  ///< the first frame with such a value
-    std::uint32_t first_pixel = 0;   ///< its first such pixel, row-major
+    std::uint64_t count = 0;          ///< above 0
+    std::uint32_t first_picture = 0;  ///< the first with such a value, from 0 on
+    std::uint32_t first_sample = 0;   ///< its first frame with such a value
+    std::uint32_t first_pixel = 0;    ///< its first such pixel, row-major
 };
 
 /// The components that had such values.

@@ -8,7 +8,7 @@
 namespace weft {
 
 std::span<const Component> components() {
-    static const std::array all{direct_component(), indirect_component()};
+    static const std::array all{direct_component(), indirect_component(), vpl_residual_component()};
     return all;
 }
 

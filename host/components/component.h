@@ -29,6 +29,8 @@ struct Component {
 [[nodiscard]] Component direct_component();
 /// indirect.cpp: diffuse interreflection from virtual point lights.
 [[nodiscard]] Component indirect_component();
+/// vpl_residual.cpp: what both leave out, added to their irradiance.
+[[nodiscard]] Component vpl_residual_component();
 
 /// Work-items of a gather launch that keeps it short whatever the list's length: about a million
 /// rays.

@@ -1,6 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include "components/component.h"
+#include "components/soft_shadows.h"
 
 namespace weft {
 namespace {
@@ -12,9 +13,14 @@ bool called_for(const FramePlan& plan) {
 std::vector<KernelId> kernels(const FramePlan& plan) {
     std::vector<KernelId> list;
     if (plan.light_sample_count() > 0) list.push_back(KernelId::light_samples);
-    if (plan.samples_per_set > 0 || plan.punctual_lights > 0) list.push_back(KernelId::vpl_gather);
+    const bool adapts = plan.adapts_direct();
+    if ((plan.samples_per_set > 0 && !adapts) || plan.punctual_lights > 0)
+        list.push_back(KernelId::vpl_gather);
+    if (adapts)
+        list.insert(list.end(), {KernelId::soft_shadows, KernelId::tile_shadows,
+                                 KernelId::lattice_signal, KernelId::reconstruct_tiles});
     if (plan.has_distant()) list.push_back(KernelId::distant_light);
-    if (plan.has_sampled_direct()) list.push_back(KernelId::reconstruct);
+    if (plan.has_sampled_direct() && !adapts) list.push_back(KernelId::reconstruct);
     return list;
 }
 
@@ -59,7 +65,9 @@ void sample(FrameContext& frame) {
     // What no gather writes, the distant lights add to.
     if (buffers.direct && plan.samples_per_set == 0) clear(frame, buffers.direct);
     if (buffers.exact_direct && plan.punctual_lights == 0) clear(frame, buffers.exact_direct);
-    if (plan.samples_per_set > 0) {
+    if (buffers.soft_shadows) {
+        buffers.soft_shadows->sample(frame);
+    } else if (plan.samples_per_set > 0) {
         const bool all = plan.gather_sets == 1;
         gather(frame, "area lights", buffers.direct.get(), 0, plan.samples_per_set,
                all ? plan.area_samples() : plan.samples_per_set);
@@ -73,6 +81,10 @@ void sample(FrameContext& frame) {
 void reconstruct(FrameContext& frame) {
     const FrameBuffers& buffers = frame.buffers;
     if (!frame.plan.has_sampled_direct()) return;
+    if (buffers.soft_shadows) {
+        buffers.soft_shadows->reconstruct(frame);
+        return;
+    }
     frame.run(KernelId::reconstruct, "reconstruction", "direct", false,
               with_gbuffer(buffers, {buffers.pixel_slot.get(), buffers.direct.get(),
                                      buffers.filtered_direct.get()}),

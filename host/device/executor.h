@@ -70,8 +70,8 @@ struct TracedGeometry {
     float box_padding = 0.0F;  ///< see BvhSettings::padding
 };
 
-/// One kernel over [0, items). The executor cuts it into short launches and fills in Params::first
-/// and Params::count of each.
+/// One kernel over [first_item, first_item + items). The executor cuts it into short launches and
+/// fills in Params::first and Params::count of each.
 struct Launch {
     KernelId kernel;
     const shared::Params& params;
@@ -79,6 +79,7 @@ struct Launch {
     std::span<Buffer* const> buffers;
     std::uint32_t items = 0;
     std::uint32_t items_per_launch = 0;  ///< 0: the kernel's own chunk
+    std::uint32_t first_item = 0;
 };
 
 /// What building a kernel took.

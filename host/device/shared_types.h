@@ -23,6 +23,8 @@ static_assert(sizeof(TextureRecord) == 16);
 static_assert(sizeof(LightRecord) == 112);
 static_assert(sizeof(EmissiveTriangle) == 16);
 static_assert(sizeof(Vpl) == 64);
+static_assert(sizeof(TileRecord) == 32);
+static_assert(sizeof(TileShadows) == 16);
 static_assert(sizeof(RayCounter) == 16);
 static_assert(sizeof(NonfiniteCounter) == 32);
 static_assert(sizeof(Params) % 16 == 0 && sizeof(Params) <= 1024);

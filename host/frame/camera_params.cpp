@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "scene/validate_scene.h"
 
 namespace weft {
 namespace {
@@ -67,6 +68,7 @@ shared::Params scene_params(const FlatScene& scene, const Camera& camera, std::u
     params.delta_lights = scene.punctual_lights;
     params.directional_lights_first = scene.area_lights + scene.punctual_lights;
     params.directional_lights = scene.directional_lights;
+    params.choice_lights = scene.area_lights + scene.punctual_lights + scene.directional_lights;
     return params;
 }
 
@@ -123,6 +125,14 @@ Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::strin
         glm::dvec4(right, 0.0), glm::dvec4(glm::cross(backward, right), 0.0),
         glm::dvec4(backward, 0.0), glm::dvec4(flat.units.centre + backward * distance, 1.0));
     return camera;
+}
+
+Camera camera_at(const Scene& scene, const Camera& camera, double time) {
+    if (!camera.motion.moves()) return camera;
+    Camera placed = camera;
+    placed.to_world = to_world_at(scene.animation, camera.motion, time);
+    validate_camera(scene, placed, fmt::format("at {:g} s", time));
+    return placed;
 }
 
 }  // namespace weft

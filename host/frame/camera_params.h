@@ -29,6 +29,10 @@ void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::Pa
 [[nodiscard]] Camera choose_camera(const Scene& scene, const FlatScene& flat,
                                    const std::string& name, Diagnostics& diagnostics);
 
+/// The camera as it stands at `time`, seconds; unchanged where it does not move. Throws Error (exit
+/// code 2) where its transform is unusable then, such as one scaled to nothing.
+[[nodiscard]] Camera camera_at(const Scene& scene, const Camera& camera, double time);
+
 }  // namespace weft
 
 #endif

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame/frame_context.h"
 
+#include "components/soft_shadows.h"
+#include "kernels/receivers.h"
 #include "scene/mip_levels.h"
 
 namespace weft {
 namespace {
 
 /// Counters of one frame; stages wrap around beyond it, each is read before it is reused.
-constexpr std::uint32_t counter_slots = 16;
+constexpr std::uint32_t counter_slots = 32;
 
 std::uint64_t take_rays(Executor& executor, Buffer& counters, std::uint32_t slot) {
     const auto values = read_buffer<shared::RayCounter>(executor, counters, counter_slots);
@@ -40,8 +42,18 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
     return scene;
 }
 
-FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const WorkList& work,
-                            std::uint32_t width, std::uint32_t height, std::uint32_t features) {
+FrameBuffers::FrameBuffers() = default;
+FrameBuffers::FrameBuffers(FrameBuffers&&) noexcept = default;
+FrameBuffers& FrameBuffers::operator=(FrameBuffers&&) noexcept = default;
+FrameBuffers::~FrameBuffers() = default;
+
+std::size_t receiver_planes(std::uint32_t features) {
+    return (features & FEATURE_SMOOTH_NORMALS) != 0 ? RECEIVER_PLANES_SMOOTH : RECEIVER_PLANES_FLAT;
+}
+
+FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene, const FramePlan& plan,
+                            const WorkList& work, std::uint32_t width, std::uint32_t height,
+                            std::uint32_t features) {
     FrameBuffers frame = allocate_counters(executor);
     const std::size_t pixels = std::size_t{width} * height;
     frame.slots = static_cast<std::uint32_t>(work.pixels.size());
@@ -49,8 +61,8 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
         return executor.allocate(count * sizeof(float), what);
     };
     // What an interrupted frame leaves out is dark, not undefined.
-    const auto dark = [&](const char* what) {
-        const std::vector<float> zero(std::size_t{3} * frame.slots, 0.0F);
+    const auto dark = [&](std::uint32_t slots, const char* what) {
+        const std::vector<float> zero(std::size_t{3} * slots, 0.0F);
         return upload<float>(executor, zero, what);
     };
     frame.gbuffer.push_back(floats(2 * pixels, "G-buffer ids"));
@@ -61,18 +73,28 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
     frame.slot_pixel = upload<std::uint32_t>(executor, work.pixels, "work list");
     frame.block_set = upload<std::uint32_t>(executor, work.block_sets, "sample sets");
     frame.pixel_slot = floats(pixels, "pixel slots");
-    const std::size_t planes = (features & FEATURE_SMOOTH_NORMALS) != 0 ? 10 : 7;
-    frame.receivers = floats(planes * frame.slots, "receivers");
+    frame.receivers = floats(receiver_planes(features) * frame.slots, "receivers");
+    if (plan.adaptive) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
+    const LevelSettings levels{plan.interleave, plan.threshold, plan.luminance_scale};
     if (plan.has_sampled_direct()) {
-        frame.direct = dark("direct irradiance");
+        if (plan.adapts_direct())
+            frame.soft_shadows = std::make_unique<SoftShadows>(executor, scene, frame.tiles->grid(),
+                                                               levels, features);
+        frame.direct = dark(plan.adapts_direct() ? frame.soft_shadows->slots() : frame.slots,
+                            "direct irradiance");
         frame.filtered_direct = floats(4 * pixels, "filtered direct irradiance");
     }
-    if (plan.has_exact_direct()) frame.exact_direct = dark("exact direct irradiance");
+    if (plan.has_exact_direct()) frame.exact_direct = dark(frame.slots, "exact direct irradiance");
     if (plan.light_sample_count() > 0)
         frame.light_samples =
             executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
     if (plan.has_indirect()) {
-        frame.indirect = dark("indirect irradiance");
+        if (plan.adaptive) {
+            frame.adaptive_indirect =
+                std::make_unique<AdaptiveSampling>(executor, frame.tiles->grid(), levels, features);
+        }
+        frame.indirect = dark(plan.adaptive ? frame.adaptive_indirect->slots() : frame.slots,
+                              "indirect irradiance");
         frame.filtered_indirect = floats(4 * pixels, "filtered indirect irradiance");
         frame.vpls = executor.allocate(
             std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
@@ -98,13 +120,14 @@ void clear_nonfinite(Executor& executor, Buffer& counter) {
 
 void FrameContext::run(KernelId kernel, const char* stage, const char* component, bool traces,
                        const std::vector<Buffer*>& arguments, std::uint32_t items,
-                       std::uint32_t items_per_launch) {
+                       std::uint32_t items_per_launch, std::uint32_t first_item) {
     if (items == 0 || (ended_early_ && !finishing_)) return;
     params.counter = static_cast<std::uint32_t>(stages_.size()) % counter_slots;
     const std::vector<shared::RayCounter> zero(counter_slots);
     write_buffer<shared::RayCounter>(executor, *buffers.counters, zero);
     const Launch launch{kernel,    params, traces ? scene_buffers.traced.get() : nullptr,
-                        arguments, items,  items_per_launch};
+                        arguments, items,  items_per_launch,
+                        first_item};
     const std::string name = stage;
     const bool complete = executor.run(
         launch, [&](double done) { return finishing_ || !keep_going_ || keep_going_(name, done); });

@@ -26,6 +26,10 @@ struct SceneBuffers {
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
 
+class AdaptiveSampling;
+class SoftShadows;
+class TileGeometry;
+
 /// What a frame works in; the order of `gbuffer` is that of GBUFFER_ARGS. Buffers that the plan
 /// does not call for are null.
 struct FrameBuffers {
@@ -35,9 +39,17 @@ struct FrameBuffers {
     std::unique_ptr<Buffer> direct, exact_direct, indirect;      ///< irradiance by slot
     std::unique_ptr<Buffer> filtered_direct, filtered_indirect;  ///< by pixel
     std::unique_ptr<Buffer> film_high, film_low;
+    std::unique_ptr<TileGeometry> tiles;                  ///< where the plan is adaptive
+    std::unique_ptr<AdaptiveSampling> adaptive_indirect;  ///< likewise; `indirect` has its slots
+    std::unique_ptr<SoftShadows> soft_shadows;            ///< likewise; `direct` has its slots
     std::unique_ptr<Buffer> counters, nonfinite;
     std::unique_ptr<Buffer> nothing;  ///< stands in for buffers that the plan does not call for
     std::uint32_t slots = 0;
+
+    FrameBuffers();
+    FrameBuffers(FrameBuffers&&) noexcept;
+    FrameBuffers& operator=(FrameBuffers&&) noexcept;
+    ~FrameBuffers();
 
     /// The buffer, or `nothing`.
     [[nodiscard]] Buffer* or_nothing(const std::unique_ptr<Buffer>& buffer) const {
@@ -45,9 +57,13 @@ struct FrameBuffers {
     }
 };
 
-[[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan,
-                                          const WorkList& work, std::uint32_t width,
-                                          std::uint32_t height, std::uint32_t features);
+[[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene,
+                                          const FramePlan& plan, const WorkList& work,
+                                          std::uint32_t width, std::uint32_t height,
+                                          std::uint32_t features);
+
+/// Planes of receivers for kernels with these features.
+[[nodiscard]] std::size_t receiver_planes(std::uint32_t features);
 
 /// The counters alone, for algorithms that keep no other state between kernels.
 [[nodiscard]] FrameBuffers allocate_counters(Executor& executor);
@@ -86,7 +102,7 @@ class FrameContext : public FrameInputs {
     /// runs any more. `arguments` follow Params (and the scene where `traces`).
     void run(KernelId kernel, const char* stage, const char* component, bool traces,
              const std::vector<Buffer*>& arguments, std::uint32_t items,
-             std::uint32_t items_per_launch = 0);
+             std::uint32_t items_per_launch = 0, std::uint32_t first_item = 0);
 
     /// Runs `stages` to their end whatever keep_going says: what later stages must find defined.
     template <class Stages>

@@ -24,6 +24,7 @@ struct FrameStats {
     double ms = 0.0;
     std::uint64_t rays = 0;
     std::vector<StageStats> stages;
+    std::uint32_t picture = 0;  ///< of those a renderer has begun, from 0 on
     /// By component, COMPONENT_* order.
     std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
 };
@@ -40,11 +41,16 @@ class FrameRenderer {
     /// what is kept where `keep_going` ends it early.
     virtual bool render_frame(const KeepGoing& keep_going) = 0;
 
+    /// Begins the next picture: an empty film, seen from `camera`. Its first frame is that of a new
+    /// renderer with this camera, bit for bit.
+    virtual void set_camera(const Camera& camera) = 0;
+
     /// Samples of every pixel in the film.
     [[nodiscard]] virtual std::uint64_t samples() const = 0;
     /// The mean of the film as layers.
     [[nodiscard]] virtual Image image() = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
+    /// Of all pictures, frame by frame.
     [[nodiscard]] virtual const std::vector<FrameStats>& stats() const = 0;
 };
 

@@ -102,14 +102,12 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     params_.features = features;
     params_.seed = settings.seed;
     params_.through_centres = settings.through_centres ? 1 : 0;
-    // Previews average textures over a pixel; here the samples do, unless all are at the centre.
-    params_.texture_angle = settings.through_centres ? params_.pixel_angle : 0.0F;
     film_.width = settings.width;
     film_.height = settings.height;
     film_.light_exponent = light_exponent(scene);
     film_.depth_unit = scene.units.scale;
     params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
-    film_.picture = picture_identity(scene, params_);
+    identify();
 
     const std::size_t words = std::size_t{FILM_PIXEL_WORDS} * settings.width * settings.height;
     if (sums.words.empty()) {
@@ -129,6 +127,23 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     scene_buffers_ = upload_scene(executor_, scene);
     sums_ = upload<std::uint32_t>(executor_, sums.words, "film");
     buffers_ = allocate_counters(executor_);
+}
+
+void PathRenderer::identify() {
+    // Previews average textures over a pixel; here the samples do, unless all are at the centre.
+    params_.texture_angle = settings_.through_centres ? params_.pixel_angle : 0.0F;
+    film_.picture = picture_identity(scene_, params_);
+}
+
+void PathRenderer::set_camera(const Camera& camera) {
+    weft::set_camera(camera, scene_.units, params_);
+    identify();
+    film_.ranges.clear();
+    next_ = settings_.samples.first;
+    ++picture_;
+    const std::vector<std::uint32_t> zeros(
+        std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height, 0);
+    write_buffer<std::uint32_t>(executor_, *sums_, zeros);
 }
 
 std::uint32_t PathRenderer::frame_samples() const noexcept {
@@ -161,6 +176,7 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
               settings_.width * settings_.height, std::max(64U, items / count));
     const double ms = watch.total();
     stats_.push_back(frame_stats(frame, ms));
+    stats_.back().picture = picture_;
     std::vector<SampleRange> ranges = film_.ranges;
     ranges.push_back({next_, next_ + count});
     film_.ranges = joined(std::move(ranges));

@@ -38,6 +38,9 @@ class PathRenderer : public FrameRenderer {
     /// more is left to do and `keep_going` agrees.
     bool render_frame(const KeepGoing& keep_going) override;
 
+    /// Forgets the sums, also those of other renderers that it went on from.
+    void set_camera(const Camera& camera) override;
+
     /// Samples still to be made.
     [[nodiscard]] std::uint32_t samples_left() const noexcept {
         return settings_.samples.end - next_;
@@ -55,6 +58,7 @@ class PathRenderer : public FrameRenderer {
     [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
 
   private:
+    void identify();
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;
 
     Executor& executor_;
@@ -68,6 +72,7 @@ class PathRenderer : public FrameRenderer {
     FilmSums film_;  ///< without words: they are on the device
     std::vector<FrameStats> stats_;
     std::uint32_t next_;
+    std::uint32_t picture_ = 0;
     double ms_per_sample_ = 0.0;
 };
 

@@ -8,10 +8,21 @@
 
 #include "base/stopwatch.h"
 #include "components/component.h"
+#include "frame/adaptive_sampling.h"
 #include "frame/camera_params.h"
 #include "frame/film.h"
 
 namespace weft {
+
+namespace {
+
+/// Angle that a texture lookup covers: that of a pixel, less where samples share it.
+float texture_angle(const shared::Params& params, const RenderSettings& settings) {
+    return static_cast<float>(static_cast<double>(params.pixel_angle) /
+                              std::sqrt(std::max(1U, settings.samples)));
+}
+
+}  // namespace
 
 FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     SceneStatistics statistics;
@@ -28,6 +39,7 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
 
 std::vector<KernelId> kernels_of(const FramePlan& plan) {
     std::set<KernelId> kernels{KernelId::gbuffer, KernelId::compose, KernelId::receivers};
+    if (plan.adaptive) kernels.insert(KernelId::tile_geometry);
     for (const Component& component : components()) {
         if (!component.called_for(plan)) continue;
         for (const KernelId kernel : component.kernels(plan)) kernels.insert(kernel);
@@ -57,12 +69,12 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     const std::uint32_t features = features_of(scene, plan_);
     executor_.build(kernels_of(plan_), features);
     scene_buffers_ = upload_scene(executor_, scene);
-    buffers_ = allocate_frame(executor_, plan_, work_, settings.width, settings.height, features);
+    buffers_ =
+        allocate_frame(executor_, scene, plan_, work_, settings.width, settings.height, features);
 
     base_params_ = scene_params(scene, camera, settings.width, settings.height);
     shared::Params& params = base_params_;
-    params.texture_angle = static_cast<float>(static_cast<double>(params.pixel_angle) /
-                                              std::sqrt(std::max(1U, settings.samples)));
+    params.texture_angle = texture_angle(params, settings);
     params.gather_scale = static_cast<float>(plan_.gather_sets);
     params.filter_cosine = static_cast<float>(settings.sampling.filter_cosine);
     params.filter_planes = static_cast<float>(settings.sampling.filter_planes);
@@ -82,6 +94,13 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     params.filter_radius = plan_.filter_radius;
     params.delta_lights = plan_.punctual_lights;
     params.directional_lights = plan_.directional_lights;
+}
+
+void Renderer::set_camera(const Camera& camera) {
+    weft::set_camera(camera, scene_.units, base_params_);
+    base_params_.texture_angle = texture_angle(base_params_, settings_);
+    frames_in_film_ = 0;
+    ++picture_;
 }
 
 shared::Params Renderer::params_of_frame(std::uint32_t frame) const {
@@ -105,6 +124,7 @@ void Renderer::trace_primary(FrameContext& frame) {
               with_gbuffer(buffers_, {buffers_.slot_pixel.get(), buffers_.receivers.get(),
                                       buffers_.pixel_slot.get()}),
               buffers_.slots);
+    if (buffers_.tiles) buffers_.tiles->examine(frame);
 }
 
 void Renderer::compose(FrameContext& frame) {
@@ -121,7 +141,7 @@ void Renderer::compose(FrameContext& frame) {
 bool Renderer::render_frame(const KeepGoing& keep_going) {
     const Stopwatch watch;
     const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
-    const auto number = static_cast<std::uint32_t>(stats_.size());
+    const std::uint32_t number = frames_in_film_;
     FrameContext frame(inputs, params_of_frame(number), keep_going);
     frame.run_whole([&] { trace_primary(frame); });
     for (const Component& component : components())
@@ -139,6 +159,7 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
 
 void Renderer::record(const FrameContext& frame, double ms) {
     stats_.push_back(frame_stats(frame, ms));
+    stats_.back().picture = picture_;
     for (StageStats& stage : stats_.back().stages) {
         if (stage.name != "primary rays") continue;
         stage.rays = std::uint64_t{settings_.width} * settings_.height;

@@ -29,7 +29,7 @@ struct RenderSettings {
     bool indirect = true;
 };
 
-/// Renders frames of one scene from one camera into one film.
+/// Renders frames of one scene into one film, for one picture after the other.
 class Renderer : public FrameRenderer {
   public:
     /// `scene` must outlive the renderer. Uploads the scene, plans and builds what the plan calls
@@ -40,6 +40,8 @@ class Renderer : public FrameRenderer {
     /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
     /// it got and a later one is dropped; returns whether it was complete.
     bool render_frame(const KeepGoing& keep_going) override;
+
+    void set_camera(const Camera& camera) override;
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
     /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth.
@@ -63,6 +65,7 @@ class Renderer : public FrameRenderer {
     shared::Params base_params_{};
     std::vector<FrameStats> stats_;
     std::uint32_t frames_in_film_ = 0;
+    std::uint32_t picture_ = 0;
 };
 
 /// The plan for a scene and settings.

@@ -102,14 +102,7 @@ glm::dmat4 read_matrix(const GltfValue& node) {
     return matrix;
 }
 
-glm::dmat4 read_local_transform(const GltfValue& node) {
-    if (node.find("matrix")) {
-        for (const char* key : {"translation", "rotation", "scale"})
-            if (node.find(key))
-                throw node.error(std::string("has both 'matrix' and '") + key +
-                                 "', expected one of them");
-        return read_matrix(node);
-    }
+Pose read_pose(const GltfValue& node) {
     const std::array<double, 3> t = node.numbers_or<3>("translation", {0.0, 0.0, 0.0});
     const std::array<double, 4> r = node.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
     const std::array<double, 3> s = node.numbers_or<3>("scale", {1.0, 1.0, 1.0});
@@ -117,20 +110,40 @@ glm::dmat4 read_local_transform(const GltfValue& node) {
     if (!(std::abs(length - 1.0) < 0.1))
         throw node.at("rotation")
             .error("is a quaternion of length " + std::to_string(length) + ", expected 1");
-    const double x = r[0] / length;
-    const double y = r[1] / length;
-    const double z = r[2] / length;
-    const double w = r[3] / length;
-    const glm::dvec3 column_x(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
-    const glm::dvec3 column_y(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
-    const glm::dvec3 column_z(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
-    return {glm::dvec4(column_x * s[0], 0.0), glm::dvec4(column_y * s[1], 0.0),
-            glm::dvec4(column_z * s[2], 0.0), glm::dvec4(t[0], t[1], t[2], 1.0)};
+    return {glm::dvec3(t[0], t[1], t[2]), unit_quaternion(glm::dvec4(r[0], r[1], r[2], r[3])),
+            glm::dvec3(s[0], s[1], s[2])};
+}
+
+glm::dmat4 read_local_transform(const GltfValue& node) {
+    if (!node.find("matrix")) return matrix_of(read_pose(node));
+    for (const char* key : {"translation", "rotation", "scale"})
+        if (node.find(key))
+            throw node.error(std::string("has both 'matrix' and '") + key +
+                             "', expected one of them");
+    return read_matrix(node);
+}
+
+/// What carries the children of a node that `parent` carries. An animated one is a moving node of
+/// its own.
+Attachment attach(const GltfValue& node, const glm::dmat4& local, const Attachment& parent,
+                  const GltfChannels* channels, Animation& animation) {
+    if (channels == nullptr) return {parent.node, parent.to_node * local};
+    MovingNode moving;
+    moving.parent = parent.node;
+    moving.to_parent = parent.to_node;
+    moving.rest = read_pose(node);
+    moving.translation = channels->translation;
+    moving.rotation = channels->rotation;
+    moving.scale = channels->scale;
+    animation.nodes.push_back(moving);
+    return {static_cast<int>(animation.nodes.size() - 1), glm::dmat4(1.0)};
 }
 
 }  // namespace
 
-std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document, GltfReport& report) {
+std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
+                                      const GltfAnimatedNodes& animated, Animation& animation,
+                                      GltfReport& report) {
     const GltfValue root = document.root();
     const std::size_t count = root.size_of("nodes");
     if (count > limits::max_nodes)
@@ -145,24 +158,29 @@ std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document, GltfReport& 
         std::size_t node;
         int depth;
         glm::dmat4 parent_to_world;
+        Attachment parent_motion;
     };
     std::vector<Pending> stack;
     for (auto node = roots.rbegin(); node != roots.rend(); ++node)
-        stack.push_back({*node, 1, glm::dmat4(1.0)});
+        stack.push_back({*node, 1, glm::dmat4(1.0), {}});
     std::vector<GltfNode> nodes;
     while (!stack.empty()) {
         const Pending next = stack.back();
         stack.pop_back();
-        GltfNode node{root.at("nodes").element(next.node), {}, glm::dmat4(1.0)};
+        GltfNode node{root.at("nodes").element(next.node), {}, glm::dmat4(1.0), {}};
         if (next.depth > limits::max_nesting)
             throw node.value.error("node is nested deeper than " +
                                    std::to_string(limits::max_nesting) + " levels");
         node.name = node.value.name_or("");
-        node.to_world = next.parent_to_world * read_local_transform(node.value);
+        const glm::dmat4 local = read_local_transform(node.value);
+        node.to_world = next.parent_to_world * local;
+        const auto channels = animated.find(next.node);
+        node.motion = attach(node.value, local, next.parent_motion,
+                             channels == animated.end() ? nullptr : &channels->second, animation);
         const std::optional<GltfValue> children = node.value.find("children");
         for (std::size_t c = children ? children->size() : 0; c > 0; --c)
-            stack.push_back(
-                {children->element(c - 1).as_index(count, "nodes"), next.depth + 1, node.to_world});
+            stack.push_back({children->element(c - 1).as_index(count, "nodes"), next.depth + 1,
+                             node.to_world, node.motion});
         nodes.push_back(std::move(node));
     }
     return nodes;

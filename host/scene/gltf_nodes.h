@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf_animation.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_report.h"
 
@@ -15,15 +16,18 @@ namespace weft {
 /// A node of the scene that is rendered.
 struct GltfNode {
     GltfValue value;
-    std::string name;  ///< empty where the file gives none
-    glm::dmat4 to_world{1.0};
+    std::string name;          ///< empty where the file gives none
+    glm::dmat4 to_world{1.0};  ///< at rest
+    Attachment motion{};       ///< to itself or the nearest animated node above it
 };
 
 /// The nodes of the default scene (or the first, or all root nodes where there are no scenes),
 /// parents before children, each branch in the order of the file. Refuses cycles, nodes with two
-/// parents and nesting beyond `limits::max_nesting` with an Error (exit code 2).
+/// parents and nesting beyond `limits::max_nesting` with an Error (exit code 2). The `animated`
+/// ones among them become `animation.nodes`.
 [[nodiscard]] std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
-                                                    GltfReport& report);
+                                                    const GltfAnimatedNodes& animated,
+                                                    Animation& animation, GltfReport& report);
 
 /// Whether things can be placed with `to_world`: throws Error (exit code 2) where it is not
 /// finite; warns and returns false where it flattens space, as exporters do to hide objects.

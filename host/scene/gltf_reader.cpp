@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "scene/gltf_animation.h"
 #include "scene/gltf_data.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_extensions.h"
@@ -41,10 +42,11 @@ class GltfReader {
     Scene read() {
         scene_.source = document_.path.string();
         check_gltf_extensions(document_, report_);
-        if (root_.size_of("animations") > 0)
-            report_.once(root_.at("animations").place(),
-                         "animations are not simulated, the pose at rest is rendered instead");
-        for (const GltfNode& node : read_gltf_nodes(document_, report_)) add_node(node);
+        Animation& animation = scene_.animation;
+        const GltfAnimatedNodes animated =
+            read_gltf_animations(document_, data_, report_, animation.tracks);
+        for (const GltfNode& node : read_gltf_nodes(document_, animated, animation, report_))
+            add_node(node);
         report_.flush();
         return std::move(scene_);
     }
@@ -65,11 +67,17 @@ class GltfReader {
                          "instancing by attributes is not simulated, one instance is rendered "
                          "instead");
         if (!usable_transform(node, report_)) return;
+        if (node.motion.moves() && (mesh || has_light))
+            report_.once(node.value.place(),
+                         "animations of meshes and lights are not simulated, their pose at rest is "
+                         "rendered instead");
         if (mesh) add_instances(node, *mesh);
         if (auto light = read_gltf_light(root_, node, report_))
             scene_.lights.push_back(*std::move(light));
-        if (auto camera = read_gltf_camera(root_, node, scene_.cameras.size(), report_))
+        if (auto camera = read_gltf_camera(root_, node, scene_.cameras.size(), report_)) {
+            if (node.motion.moves()) camera->motion = node.motion;
             scene_.cameras.push_back(*std::move(camera));
+        }
     }
 
     void add_instances(const GltfNode& node, const GltfValue& reference) {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/animation.h"
+
 namespace weft {
 
 enum class Wrap : std::uint32_t { repeat, clamp, mirror };
@@ -79,10 +81,11 @@ enum class FovAxis : std::uint32_t { x, y, diagonal, smaller, larger };
 /// A pinhole camera. Camera space looks along -z with +y up (the glTF convention).
 struct Camera {
     std::string name;
-    glm::dmat4 to_world{1.0};  ///< rigid up to scale; scale is ignored
+    glm::dmat4 to_world{1.0};  ///< at rest; rigid up to scale; scale is ignored
     double fov = 0.8;          ///< radians, full angle along `fov_axis`
     FovAxis fov_axis = FovAxis::y;
     bool mirror_x = false;  ///< the file's camera space is left-handed
+    Attachment motion{};    ///< what carries it over time, if it moves
 };
 
 /// A participating medium as its file describes it. Kept for the media component.
@@ -122,6 +125,7 @@ struct Scene {
     std::vector<PunctualLight> lights;
     std::optional<Environment> environment;
     std::vector<Camera> cameras;
+    Animation animation;
     std::vector<Medium> media;
     std::vector<MediumBoundary> medium_boundaries;
     int camera_medium = -1;  ///< medium around the cameras: index into `media`, or -1

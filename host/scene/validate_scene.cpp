@@ -54,11 +54,19 @@ class Validator {
         for (const Mesh& mesh : scene_.meshes) check(mesh);
         for (const Instance& instance : scene_.instances) check(instance);
         for (const PunctualLight& light : scene_.lights) check(light);
-        for (const Camera& camera : scene_.cameras) check(camera);
+        for (const Camera& camera : scene_.cameras) check(camera, "");
+        check(scene_.animation);
         check_media();
         require(!scene_.environment || not_negative(scene_.environment->radiance), "environment",
                 "has a radiance that is negative or not finite");
         if (scene_.film) check(*scene_.film);
+    }
+
+    void check(const Camera& camera, const std::string& when) const {
+        const std::string object = "camera " + quote(camera.name) + when;
+        check_transform(camera.to_world, object);
+        require(camera.fov > 0.0 && camera.fov < std::numbers::pi, object,
+                "has a field of view outside (0, 180) degrees");
     }
 
   private:
@@ -174,11 +182,27 @@ class Validator {
                 object, "has impossible cone angles");
     }
 
-    void check(const Camera& camera) const {
-        const std::string object = "camera " + quote(camera.name);
-        check_transform(camera.to_world, object);
-        require(camera.fov > 0.0 && camera.fov < std::numbers::pi, object,
-                "has a field of view outside (0, 180) degrees");
+    void check(const Animation& animation) const {
+        const auto exists = [&](int track) {
+            return track >= -1 &&
+                   (track < 0 || static_cast<std::size_t>(track) < animation.tracks.size());
+        };
+        for (const KeyTrack& track : animation.tracks) {
+            const std::size_t parts = track.interpolation == Interpolation::cubic ? 3 : 1;
+            require(track.keys() > 0 && track.width >= 3 && track.width <= 4 &&
+                        track.values.size() == track.keys() * parts * track.width,
+                    "animation track", "has the wrong number of values");
+        }
+        for (std::size_t i = 0; i < animation.nodes.size(); ++i) {
+            const MovingNode& node = animation.nodes[i];
+            require(exists(node.translation) && exists(node.rotation) && exists(node.scale),
+                    "moving node", "refers to a track that does not exist");
+            require(node.parent >= -1 && node.parent < static_cast<int>(i), "moving node",
+                    "refers to a parent that does not come before it");
+        }
+        for (const Camera& camera : scene_.cameras)
+            require(camera.motion.node < static_cast<int>(animation.nodes.size()),
+                    "camera " + quote(camera.name), "moves with a node that does not exist");
     }
 
     void check_media() const {
@@ -219,6 +243,10 @@ class Validator {
 
 void validate_scene(const Scene& scene) {
     Validator(scene).run();
+}
+
+void validate_camera(const Scene& scene, const Camera& camera, const std::string& when) {
+    Validator(scene).check(camera, " " + when);
 }
 
 }  // namespace weft

@@ -13,6 +13,10 @@ namespace weft {
 /// (exit code 2) that names the object.
 void validate_scene(const Scene& scene);
 
+/// Checks where a camera of the scene stands at some other time, which `when` names. Throws Error
+/// (exit code 2).
+void validate_camera(const Scene& scene, const Camera& camera, const std::string& when);
+
 }  // namespace weft
 
 #endif

@@ -53,7 +53,10 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
                       const SceneStatistics& scene) {
     FramePlan plan;
     plan.sets = settings.interleave * settings.interleave;
-    const bool interleaved = algorithm == Algorithm::igi;
+    const bool interleaved = algorithm != Algorithm::ir;
+    plan.adaptive = algorithm == Algorithm::ais;
+    plan.threshold = settings.threshold;
+    plan.luminance_scale = settings.luminance_scale;
     plan.interleave = interleaved ? settings.interleave : 1;
     plan.gather_sets = interleaved ? plan.sets : 1;
     plan.filter_radius = interleaved ? settings.filter_radius : 0;
@@ -71,6 +74,7 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     if (scene.indirect && lights > 0 && scene.mean_reflectance > 0.0)
         plan_vpls(plan, settings, scene.mean_reflectance);
+    plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,
                   settings.bound_spacing);

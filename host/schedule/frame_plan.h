@@ -10,7 +10,7 @@
 
 namespace weft {
 
-enum class Algorithm : std::uint8_t { igi, ir, path };
+enum class Algorithm : std::uint8_t { ais, amax, igi, ir, path };
 
 /// The standard setting, which `igi` and everything compared with it use.
 struct SamplingSettings {
@@ -23,6 +23,10 @@ struct SamplingSettings {
     std::uint32_t filter_radius = 1;          ///< discontinuity buffer, pixels
     double filter_cosine = 0.9;
     double filter_planes = 2.0;
+    /// Of ais: errors of undersampling, in just noticeable differences, that are let pass.
+    double threshold = 1.0;
+    double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1, for the same
+    bool compensation = false;       ///< trace what bounds and bounces leave out
 };
 
 /// What the scheduler needs to know of a scene.
@@ -56,6 +60,12 @@ struct FramePlan {
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
 
+    bool compensation = false;  ///< a path per pixel for what VPLs and light samples leave out
+
+    bool adaptive = false;  ///< levels decide which pixels a component samples
+    double threshold = 0.0;
+    double luminance_scale = 100.0;
+
     double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
     double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound
 
@@ -67,6 +77,10 @@ struct FramePlan {
     [[nodiscard]] bool has_indirect() const { return paths_per_set > 0; }
     [[nodiscard]] bool has_sampled_direct() const {
         return samples_per_set > 0 || environment_samples > 0;
+    }
+    /// Light of the surroundings is sampled at every pixel, so area lights then are too.
+    [[nodiscard]] bool adapts_direct() const {
+        return adaptive && samples_per_set > 0 && environment_samples == 0;
     }
     [[nodiscard]] bool has_exact_direct() const {
         return punctual_lights > 0 || directional_lights > 0;

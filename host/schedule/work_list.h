@@ -4,7 +4,10 @@
 #define WEFT_SCHEDULE_WORK_LIST_H
 
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "schedule/tile_masks.h"
 
 namespace weft {
 
@@ -22,6 +25,15 @@ struct WorkList {
 /// (x mod n) + n (y mod n). Every pixel appears exactly once, whatever `tile` (in pixels).
 [[nodiscard]] WorkList make_work_list(std::uint32_t width, std::uint32_t height,
                                       std::uint32_t interleave, std::uint32_t tile);
+
+/// Work list of the pixels in `masks` alone, one mask per tile of the grid; bits outside of the
+/// picture are left out. Ordered region by region, large squares of tiles whose packets are filled
+/// together.
+[[nodiscard]] WorkList make_work_list(const TileGrid& grid, std::span<const TileMask> masks,
+                                      std::uint32_t interleave);
+
+/// Regions of such a list; in each, every sample set is padded to whole packets.
+[[nodiscard]] std::uint32_t work_regions(const TileGrid& grid);
 
 }  // namespace weft
 

@@ -158,6 +158,35 @@ def nodes():
     return b
 
 
+def animation():
+    b = Builder()
+    b.mesh()
+    b.node(children=[2], translation=[0, 1, 0])
+    b.json["nodes"].append({"camera": 0, "rotation": [0, 0.6, 0, 0.8]})
+    b.json["cameras"] = [{"type": "perspective", "perspective": {"yfov": 0.7}}]
+    times = b.accessor([0, 0.5, 2], FLOAT, "SCALAR")
+    places = b.accessor([0, 0, 0, 1, 0, 0, 1, 1, 0], FLOAT, "VEC3")
+    turns = b.accessor([0, 0, 0, 32767, 0, 23170, 0, 23170, 0, -32768, 0, 0], SHORT, "VEC4",
+                       normalized=True)
+    spline = b.accessor([0, 0, 0, 1, 1, 1, 0, 1, 0] * 3, FLOAT, "VEC3")
+    turned = b.accessor([0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0] * 3, FLOAT, "VEC4")
+    b.json["animations"] = [
+        {"samplers": [{"input": times, "output": places},
+                      {"input": times, "output": turns, "interpolation": "LINEAR"},
+                      {"input": times, "output": spline, "interpolation": "CUBICSPLINE"}],
+         "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}},
+                      {"sampler": 1, "target": {"node": 1, "path": "rotation"}},
+                      {"sampler": 2, "target": {"node": 2, "path": "scale"}},
+                      {"sampler": 0, "target": {"node": 0, "path": "weights"}}]},
+        {"samplers": [{"input": times, "output": turned, "interpolation": "CUBICSPLINE"},
+                      {"input": times, "output": places, "interpolation": "STEP"}],
+         "channels": [{"sampler": 0, "target": {"node": 2, "path": "rotation"}},
+                      {"sampler": 1, "target": {"node": 0, "path": "translation"}},
+                      {"sampler": 1, "target": {"node": 1, "path": "translation"}},
+                      {"sampler": 1, "target": {"path": "translation"}}]}]
+    return b
+
+
 def materials():
     b = Builder()
     names = ["unlit", "transmission", "volume", "clearcoat", "sheen", "specular", "ior",
@@ -189,9 +218,11 @@ def files():
     ring = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
             "nodes": [{"children": [1]}, {"children": [2]}, {"children": [1]}]}
     made = {"attributes": attributes(), "quantized": quantized(), "sparse": sparse(),
-            "modes": modes(), "nodes": nodes(), "materials": materials(), "outside": outside()}
+            "modes": modes(), "nodes": nodes(), "animation": animation(),
+            "materials": materials(), "outside": outside()}
     out = {name + ".gltf": builder.gltf() for name, builder in made.items()}
-    out.update({name + ".glb": made[name].glb() for name in ("attributes", "sparse", "nodes")})
+    binary = ("attributes", "sparse", "nodes", "animation")
+    out.update({name + ".glb": made[name].glb() for name in binary})
     out["outside.gltf"] = json.dumps(made["outside"].json)
     out["badring.gltf"] = json.dumps(ring, indent=1)
     out["badversion.gltf"] = '{"asset": {"version": "1.0"}}'

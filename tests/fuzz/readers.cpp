@@ -18,6 +18,7 @@
 #include "base/diagnostics.h"
 #include "base/error.h"
 #include "bvh/wide_bvh.h"
+#include "frame/camera_params.h"
 #include "image/exr.h"
 #include "image/hdr.h"
 #include "image/read_png.h"
@@ -94,9 +95,18 @@ void expect_error(ExitCode code, const Read& read) {
     }
 }
 
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 /// What a rendering does with a scene before the first kernel runs.
 void use_scene(const Scene& scene) {
     const FlatScene flat = flatten(scene);
+    if (!scene.cameras.empty())
+        for (const double time : {0.0, 0.7, 1e30})
+            for (const Camera& camera : {scene.cameras.front(), scene.cameras.back()})
+                require(is_finite(glm::vec3(camera_at(scene, camera, time).to_world[3])),
+                        "a camera that is nowhere");
     for (const shared::float4& p : flat.positions)
         require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
                 "a position that is not finite");
@@ -124,10 +134,6 @@ void require_finite_colours(const Image& image) {
             "a picture of the wrong size");
     for (const float value : image.layers[0].values)
         require(std::isfinite(value) && value >= 0.0F, "an impossible value");
-}
-
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// A scene of this mesh alone.

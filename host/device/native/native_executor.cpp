@@ -43,10 +43,25 @@ class NativeBuffer : public Buffer {
 
 class NativeTracedScene : public TracedScene {
   public:
-    NativeScene view;
+    TracedGeometry geometry;
     std::unique_ptr<EmbreeScene> embree;
-    WideBvh bvh;
+    mutable NativeScene view;
+    mutable WideBvh bvh;
+
+    /// Beside Embree's scene it is built when a kernel first asks for it.
+    void build_own_bvh() const {
+        BvhSettings settings;
+        settings.padding = geometry.box_padding;
+        bvh = build_bvh(geometry.positions, geometry.triangles, settings);
+        view.bvh_nodes = bvh.nodes.data();
+        view.bvh_leaves = bvh.leaves.data();
+    }
 };
+
+/// Whether a kernel walks the kernels' own BVH even where Embree traces its rays (shaft.h).
+bool walks_own_bvh(KernelId kernel) {
+    return kernel == KernelId::query_shaft || kernel == KernelId::tile_shadows;
+}
 
 std::string processor_name() {
     std::ifstream info("/proc/cpuinfo");
@@ -94,6 +109,7 @@ class NativeExecutor : public Executor {
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
         const Stopwatch watch;
         auto scene = std::make_unique<NativeTracedScene>();
+        scene->geometry = geometry;
         scene->view.positions = geometry.positions.data();
         scene->view.triangles = geometry.triangles.data();
         arena_.execute([&] {
@@ -101,11 +117,7 @@ class NativeExecutor : public Executor {
                 scene->embree = std::make_unique<EmbreeScene>(geometry, threads_);
                 scene->view.embree = scene->embree->handle();
             } else {
-                BvhSettings settings;
-                settings.padding = geometry.box_padding;
-                scene->bvh = build_bvh(geometry.positions, geometry.triangles, settings);
-                scene->view.bvh_nodes = scene->bvh.nodes.data();
-                scene->view.bvh_leaves = scene->bvh.leaves.data();
+                scene->build_own_bvh();
             }
         });
         scene_ms_ = watch.total();
@@ -130,6 +142,7 @@ class NativeExecutor : public Executor {
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
   private:
+    void prepare_scene(const Launch& launch);
     [[nodiscard]] std::vector<void*> bind(const NativeKernel& kernel, const Launch& launch,
                                           shared::Params& params) const;
 
@@ -145,12 +158,21 @@ class NativeExecutor : public Executor {
     double scene_ms_ = 0.0;
 };
 
+void NativeExecutor::prepare_scene(const Launch& launch) {
+    if (launch.scene == nullptr || !walks_own_bvh(launch.kernel)) return;
+    const auto& scene = dynamic_cast<const NativeTracedScene&>(*launch.scene);
+    if (scene.view.bvh_nodes != nullptr) return;
+    const Stopwatch watch;
+    arena_.execute([&] { scene.build_own_bvh(); });
+    scene_ms_ += watch.total();
+}
+
 std::vector<void*> NativeExecutor::bind(const NativeKernel& kernel, const Launch& launch,
                                         shared::Params& params) const {
     std::vector<void*> arguments{&params};
     if (launch.scene != nullptr) {
         const auto& scene = dynamic_cast<const NativeTracedScene&>(*launch.scene);
-        arguments.push_back(const_cast<NativeScene*>(&scene.view));
+        arguments.push_back(&scene.view);
         arguments.push_back(nullptr);
     }
     for (Buffer* buffer : launch.buffers)
@@ -166,13 +188,14 @@ std::vector<void*> NativeExecutor::bind(const NativeKernel& kernel, const Launch
 bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
     const NativeKernel& kernel = variant_.kernels->kernels[static_cast<std::size_t>(launch.kernel)];
     shared::Params params = launch.params;
+    prepare_scene(launch);
     const std::vector<void*> arguments = bind(kernel, launch, params);
     const std::uint32_t chunk =
         launch.items_per_launch > 0 ? launch.items_per_launch : kernel_chunk(launch.kernel);
     const Stopwatch watch;
     bool complete = true;
     for (std::uint32_t first = 0; first < launch.items; first += chunk) {
-        params.first = first;
+        params.first = launch.first_item + first;
         params.count = std::min(chunk, launch.items - first);
         // Few ranges per thread keep the scheduler's cost small; a work-item of a packet kernel is
         // itself some thousand rays.

@@ -8,11 +8,11 @@ namespace weft {
 /// What natively compiled kernels trace in. Pointers are untyped, because every kernel variant has
 /// its own copy of the shared structs in its own namespace.
 struct NativeScene {
-    const void* bvh_nodes = nullptr;   ///< BvhNode
+    const void* bvh_nodes = nullptr;   ///< BvhNode; null beside Embree until a kernel walks them
     const void* bvh_leaves = nullptr;  ///< float, see LEAF_ROWS
     const void* positions = nullptr;   ///< float4 a vertex
     const void* triangles = nullptr;   ///< Triangle, by id
-    void* embree = nullptr;            ///< RTCScene; null: the kernels' own BVH is used
+    void* embree = nullptr;            ///< RTCScene; null: rays use the kernels' own BVH
 };
 
 /// Closest hit as Embree found it; `triangle` is 0xFFFFFFFF for a miss.

@@ -229,7 +229,7 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
             program.keep(cache_, watch.total());
         }
         for (std::uint32_t first = 0; first < launch.items;) {
-            params.first = first;
+            params.first = launch.first_item + first;
             params.count = std::min(chunk, launch.items - first);
             in_flight_.push_back(enqueue(program, launch, params));
             queue_.flush();

@@ -1,0 +1,67 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/frame_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+
+#include "app/command_line.h"
+#include "app/options.h"
+#include "app/parse_values.h"
+#include "base/limits.h"
+
+namespace weft {
+namespace {
+
+/// Whether `other` is what some frame of the output `given` is written to.
+bool is_numbered_output(const std::filesystem::path& given, const std::filesystem::path& other) {
+    const std::filesystem::path output = given.lexically_normal();
+    const std::filesystem::path path = other.lexically_normal();
+    const std::string name = path.filename().string();
+    const std::string begin = output.stem().string() + ".";
+    const std::string end = output.extension().string();
+    if (path.parent_path() != output.parent_path() || name.size() <= begin.size() + end.size() ||
+        !name.starts_with(begin) || !name.ends_with(end))
+        return false;
+    const std::string number = name.substr(begin.size(), name.size() - begin.size() - end.size());
+    return number.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
+void add_frames(CLI::App& render) {
+    add_value(render, "--frames", "A:B",
+              "Frames A to B - 1 of the scene's animation, each a picture of its own");
+    add_value(render, "--frame-rate", "R", "Frames per second of --frames (default: 30)");
+}
+
+void read_frames(const CLI::App& command, RenderOptions& options) {
+    constexpr double least_rate = 1e-6;
+    constexpr double most_rate = 1000.0;
+    if (const auto text = value_of(command, "--frames"))
+        options.frames = parse_frames("--frames", *text);
+    if (const auto text = value_of(command, "--frame-rate")) {
+        options.frame_rate = parse_number("--frame-rate", *text, least_rate, most_rate);
+        if (!options.frames)
+            throw usage_error(
+                "--frame-rate: is for animations, expected it together with --frames");
+    }
+    if (!options.frames) return;
+    for (const char* const name : {"--samples", "--resume"})
+        if (value_of(command, name))
+            throw usage_error(std::string(name) +
+                              ": is for a single picture, expected it without --frames");
+    if (options.stats && is_numbered_output(options.output, *options.stats))
+        throw usage_error("--stats: names the same file as one of the pictures of --frames");
+}
+
+std::filesystem::path numbered_output(const std::filesystem::path& output, std::uint32_t frame) {
+    std::filesystem::path path = output;
+    return path.replace_filename(
+        fmt::format("{}.{:04}{}", output.stem().string(), frame, output.extension().string()));
+}
+
+}  // namespace weft

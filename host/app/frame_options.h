@@ -1,0 +1,35 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_FRAME_OPTIONS_H
+#define WEFT_APP_FRAME_OPTIONS_H
+
+#include <cstdint>
+#include <filesystem>
+
+namespace CLI {
+class App;
+}
+
+namespace weft {
+
+struct RenderOptions;
+
+/// Frames [first, end) of an animation, at least one.
+struct FrameRange {
+    std::uint32_t first = 0;
+    std::uint32_t end = 1;
+};
+
+/// Adds the options of animations to `weft render`.
+void add_frames(CLI::App& render);
+
+/// Reads them, after all other options have been read. Throws Error (exit code 1).
+void read_frames(const CLI::App& command, RenderOptions& options);
+
+/// The file of one frame: `out.png` becomes `out.0007.png`, with more digits from 10000 on.
+[[nodiscard]] std::filesystem::path numbered_output(const std::filesystem::path& output,
+                                                    std::uint32_t frame);
+
+}  // namespace weft
+
+#endif

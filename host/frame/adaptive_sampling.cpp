@@ -1,0 +1,114 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/adaptive_sampling.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace weft {
+namespace {
+
+/// Slots for every pixel and the padding of every list: one per round, region and sample set.
+std::uint32_t most_slots(const TileGrid& grid, std::uint32_t interleave) {
+    constexpr std::uint32_t rounds = 3;
+    const std::uint32_t regions = work_regions(grid);
+    return (grid.width * grid.height + PACKET_BLOCK - 1) / PACKET_BLOCK * PACKET_BLOCK +
+           rounds * regions * interleave * interleave * PACKET_BLOCK;
+}
+
+std::uint32_t lattice_points(const TileGrid& grid, Level level) {
+    const std::uint32_t stride = stride_of(level);
+    return ((grid.width - 1) / stride + 1) * ((grid.height - 1) / stride + 1);
+}
+
+}  // namespace
+
+TileGeometry::TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height)
+    : grid_{width, height},
+      buffer_(executor.allocate(grid_.tiles() * sizeof(shared::TileRecord), "tiles")) {}
+
+void TileGeometry::examine(FrameContext& frame) {
+    frame.run(KernelId::tile_geometry, "tile geometry", "", false,
+              with_gbuffer(frame.buffers, {buffer_.get()}), grid_.tiles());
+    records_ = read_buffer<shared::TileRecord>(frame.executor, *buffer_, grid_.tiles());
+}
+
+AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
+                                   const LevelSettings& settings, std::uint32_t features)
+    : grid_(grid),
+      settings_(settings),
+      slots_(most_slots(grid, settings.interleave)),
+      no_slots_(std::size_t{grid.width} * grid.height, NO_TRIANGLE) {
+    const auto words = [&](std::size_t count, const char* what) {
+        return executor.allocate(count * sizeof(std::uint32_t), what);
+    };
+    const std::size_t planes = receiver_planes(features);
+    slot_pixel_ = words(slots_, "adaptive work list");
+    pixel_slot_ = words(no_slots_.size(), "adaptive pixel slots");
+    block_set_ = words(slots_ / PACKET_BLOCK, "adaptive sample sets");
+    receivers_ = words(planes * slots_, "adaptive receivers");
+    tile_stride_ = words(grid.tiles(), "tile levels");
+    signal_ = executor.allocate(lattice_points(grid, Level::middle) * sizeof(shared::float4),
+                                "lattice signal");
+}
+
+void AdaptiveSampling::sample(FrameContext& frame, const char* component, const TileGeometry& tiles,
+                              Buffer& irradiance, const Steps& steps) {
+    const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
+    write_buffer<std::uint32_t>(frame.executor, *pixel_slot_, no_slots_);
+    work_ = {};
+    scheduler_.emplace(grid_, settings_, tiles.records());
+    run_round(frame, component, scheduler_->begin(), steps);
+    if (settings_.threshold > 0.0) {
+        if (steps.least_levels) scheduler_->require(steps.least_levels());
+        for (const Level level : {Level::coarse, Level::middle})
+            run_round(frame, component,
+                      scheduler_->refine(level, signal(frame, component, level, irradiance)),
+                      steps);
+    }
+    frame.params.slots = slots_before;
+}
+
+void AdaptiveSampling::run_round(FrameContext& frame, const char* component, WorkList round,
+                                 const Steps& steps) {
+    if (round.pixels.empty()) return;
+    round_ = std::move(round);
+    const auto first = static_cast<std::uint32_t>(work_.pixels.size());
+    const auto count = static_cast<std::uint32_t>(round_.pixels.size());
+    work_.pixels.insert(work_.pixels.end(), round_.pixels.begin(), round_.pixels.end());
+    work_.block_sets.insert(work_.block_sets.end(), round_.block_sets.begin(),
+                            round_.block_sets.end());
+    write_buffer<std::uint32_t>(frame.executor, *slot_pixel_, work_.pixels);
+    write_buffer<std::uint32_t>(frame.executor, *block_set_, work_.block_sets);
+    frame.run(KernelId::receivers, "receivers", component, false,
+              with_gbuffer(frame.buffers, {slot_pixel_.get(), receivers_.get(), pixel_slot_.get()}),
+              count, 0, first);
+    steps.gather(first, count);
+}
+
+std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const char* component,
+                                                     Level level, Buffer& irradiance) {
+    const std::uint32_t points = lattice_points(grid_, level);
+    frame.params.list_stride = stride_of(level);
+    frame.run(KernelId::lattice_signal, "heuristic", component, false,
+              with_gbuffer(frame.buffers, {pixel_slot_.get(), &irradiance, signal_.get()}), points);
+    return read_buffer<shared::float4>(frame.executor, *signal_, points);
+}
+
+void AdaptiveSampling::reconstruct(FrameContext& frame, const char* component,
+                                   const TileGeometry& tiles, Buffer& irradiance,
+                                   Buffer& filtered) {
+    std::vector<std::uint32_t> strides;
+    strides.reserve(grid_.tiles());
+    for (const Level level : scheduler_->levels()) strides.push_back(stride_of(level));
+    write_buffer<std::uint32_t>(frame.executor, *tile_stride_, strides);
+    const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
+    frame.run(KernelId::reconstruct_tiles, "reconstruction", component, false,
+              with_gbuffer(frame.buffers, {&tiles.buffer(), tile_stride_.get(), pixel_slot_.get(),
+                                           &irradiance, &filtered}),
+              grid_.tiles());
+    frame.params.slots = slots_before;
+}
+
+}  // namespace weft

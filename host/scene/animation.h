@@ -1,0 +1,79 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_ANIMATION_H
+#define WEFT_SCENE_ANIMATION_H
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace weft {
+
+/// A transform in parts: scaled first, then rotated, then moved.
+struct Pose {
+    glm::dvec3 translation{0.0};
+    glm::dvec4 rotation{0.0, 0.0, 0.0, 1.0};  ///< unit quaternion x, y, z, w
+    glm::dvec3 scale{1.0};
+};
+
+[[nodiscard]] glm::dmat4 matrix_of(const Pose& pose);
+
+/// `quaternion` divided by its length.
+[[nodiscard]] glm::dvec4 unit_quaternion(const glm::dvec4& quaternion);
+
+enum class Interpolation : std::uint8_t {
+    step,    ///< a key holds until the next
+    linear,  ///< straight between keys; rotations at constant speed along the shortest arc
+    cubic,   ///< cubic Hermite spline with the tangents of the keys
+};
+
+/// What one property of a node is over time. Before its first and after its last key it rests.
+struct KeyTrack {
+    Interpolation interpolation = Interpolation::linear;
+    std::uint32_t width = 3;    ///< numbers of a value: 3 of a vector, 4 of a quaternion x, y, z, w
+    std::vector<float> times;   ///< seconds, strictly increasing, at least one
+    std::vector<float> values;  ///< `width` a key; cubic: in-tangent, value, out-tangent of each
+
+    [[nodiscard]] std::size_t keys() const noexcept { return times.size(); }
+};
+
+/// Value of a track of vectors at `time`, seconds.
+[[nodiscard]] glm::dvec3 vector_at(const KeyTrack& track, double time);
+
+/// Value of a track of rotations at `time`, seconds: a unit quaternion.
+[[nodiscard]] glm::dvec4 rotation_at(const KeyTrack& track, double time);
+
+/// A node whose local transform changes. To the world it is, from the left, the transform of
+/// `parent` (the moving node above it), that of the resting nodes in between, and its own.
+struct MovingNode {
+    int parent = -1;  ///< index into Animation::nodes, below this node's own; -1: the world
+    glm::dmat4 to_parent{1.0};
+    Pose rest;  ///< what counts for properties without a track
+    int translation = -1, rotation = -1, scale = -1;  ///< index into Animation::tracks, or -1
+};
+
+/// Where a thing is fixed: to a moving node, or with -1 to the world.
+struct Attachment {
+    int node = -1;            ///< index into Animation::nodes
+    glm::dmat4 to_node{1.0};  ///< through the resting nodes below the moving one
+
+    [[nodiscard]] bool moves() const noexcept { return node >= 0; }
+};
+
+/// All that moves in a scene.
+struct Animation {
+    std::vector<KeyTrack> tracks;
+    std::vector<MovingNode> nodes;  ///< parents before children
+};
+
+/// A moving node's own transform at `time`, seconds.
+[[nodiscard]] glm::dmat4 local_at(const Animation& animation, const MovingNode& node, double time);
+
+/// The transform to the world of what is attached, at `time`, seconds.
+[[nodiscard]] glm::dmat4 to_world_at(const Animation& animation, const Attachment& attachment,
+                                     double time);
+
+}  // namespace weft
+
+#endif

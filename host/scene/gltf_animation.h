@@ -1,0 +1,34 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_ANIMATION_H
+#define WEFT_SCENE_GLTF_ANIMATION_H
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "scene/animation.h"
+#include "scene/gltf_data.h"
+#include "scene/gltf_document.h"
+#include "scene/gltf_report.h"
+
+namespace weft {
+
+/// Which tracks move a node: indices into Animation::tracks, or -1.
+struct GltfChannels {
+    int translation = -1, rotation = -1, scale = -1;
+};
+
+/// The animated nodes by their index in the file.
+using GltfAnimatedNodes = std::map<std::size_t, GltfChannels>;
+
+/// Reads every animation of a document, all of which play at once from time 0 on, and appends its
+/// tracks. Of several channels for one property of a node, the first counts. Throws Error (exit
+/// code 2).
+[[nodiscard]] GltfAnimatedNodes read_gltf_animations(const GltfDocument& document, GltfData& data,
+                                                     GltfReport& report,
+                                                     std::vector<KeyTrack>& tracks);
+
+}  // namespace weft
+
+#endif

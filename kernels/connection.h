@@ -1,0 +1,81 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Connections of LANES receivers with one virtual light: their geometry terms.
+#ifndef WEFT_CONNECTION_H
+#define WEFT_CONNECTION_H
+
+#include "receivers.h"
+#include "trace.h"
+
+// The lanes' receivers.
+typedef struct {
+    WFloat3 position, shading, normal;
+    WMask valid;
+} ReceiverPacket;
+
+static inline ReceiverPacket load_receivers(const Params* params, GLOBAL const float* planes,
+                                            uint slot) {
+    ReceiverPacket packet;
+    uint stride = params->slots;
+    packet.position.x = wide_load(planes, RECEIVER_X * stride + slot);
+    packet.position.y = wide_load(planes, RECEIVER_Y * stride + slot);
+    packet.position.z = wide_load(planes, RECEIVER_Z * stride + slot);
+    packet.shading.x = wide_load(planes, RECEIVER_SHADING_X * stride + slot);
+    packet.shading.y = wide_load(planes, RECEIVER_SHADING_Y * stride + slot);
+    packet.shading.z = wide_load(planes, RECEIVER_SHADING_Z * stride + slot);
+    packet.normal = packet.shading;
+    if (HAS(params, FEATURE_SMOOTH_NORMALS)) {
+        packet.normal.x = wide_load(planes, RECEIVER_NORMAL_X * stride + slot);
+        packet.normal.y = wide_load(planes, RECEIVER_NORMAL_Y * stride + slot);
+        packet.normal.z = wide_load(planes, RECEIVER_NORMAL_Z * stride + slot);
+    }
+    packet.valid = wide_load(planes, RECEIVER_VALID * stride + slot) > WIDE(0.0f);
+    return packet;
+}
+
+static inline WFloat wide_dot(WFloat3 a, WFloat3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline WFloat wide_dot_scalar(WFloat3 a, float3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// Falloff of spot lights per lane; see spot_falloff.
+static inline WFloat wide_spot(WFloat cosine, float cos_inner, float cos_outer) {
+    float width = m_max(0.001f, cos_inner - cos_outer);
+    WFloat x = (cosine - cos_outer) * (1.0f / width);
+    WFloat zero = WIDE(0.0f);
+    WFloat one = WIDE(1.0f);
+    x = VMAX(x, zero);
+    x = VMIN(x, one);
+    return x * x;
+}
+
+/// Geometry term of the connection for every lane, 0 where it carries nothing. `d` leads from the
+/// VPL to the receivers.
+static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* vpl, uint kind,
+                                WFloat3 d, WMask* useful) {
+    WFloat zero = WIDE(0.0f);
+    WFloat square = wide_dot(d, d);
+    WFloat receiver = -wide_dot(d, packet->shading);
+    WFloat geometric = -wide_dot(d, packet->normal);
+    WFloat emitter = wide_dot_scalar(d, xyz(vpl->normal));
+    *useful = packet->valid & (receiver > zero) & (geometric > zero);
+    if (kind == VPL_SURFACE) {
+        *useful = *useful & (emitter > zero);
+        WFloat g = (emitter / square) * (receiver / square);
+        WFloat bound = WIDE(vpl->position.w);
+        return SELECT(g < bound, g, bound);
+    }
+    WFloat distance = wide_square_root(square);
+    WFloat g = receiver / (square * distance);
+    if (kind == VPL_SPOT) {
+        g = g * wide_spot(emitter / distance, vpl->cone.x, vpl->cone.y);
+        *useful = *useful & (g > zero);
+    }
+    return g;
+}
+
+#endif

@@ -1,0 +1,45 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Undersampled irradiance: only pixels whose coordinates are multiples of a stride have samples.
+// Strides are 1, 2 and 4; they and the 3 x 3 interleaving have no common divisor, so every 3 x 3
+// lattice points hold all nine sample sets. A pixel's irradiance is interpolated linearly between
+// the means of 3 x 3 lattice points, which makes four taps a row and column.
+#ifndef WEFT_LATTICE_H
+#define WEFT_LATTICE_H
+
+#include "port.h"
+#include "types.h"
+#include "vector.h"
+
+#define LATTICE_TAPS 4u
+
+// Taps along one axis: lattice points `first`, `first` + 1 ...
+typedef struct {
+    int first;
+    float weight[LATTICE_TAPS];  // their sum is 1
+} LatticeTaps;
+
+/// Lattice points along an axis of `size` pixels.
+static inline int lattice_size(int size, int stride) {
+    return (size - 1) / stride + 1;
+}
+
+/// Taps of the pixel at `at`. They do not leave the picture where it is large enough: beyond the
+/// last mean it is continued evenly.
+static inline LatticeTaps lattice_taps(int at, int stride, int size) {
+    LatticeTaps taps;
+    int count = lattice_size(size, stride);
+    float place = (float)at / (float)stride;
+    if (count >= 3) place = m_clamp(place, 1.0f, (float)(count - 2));
+    int cell = (int)place;
+    float f = place - (float)cell;
+    taps.first = cell - 1;
+    taps.weight[0] = (1.0f - f) * 0.333333333f;
+    taps.weight[1] = 0.333333333f;
+    taps.weight[2] = 0.333333333f;
+    taps.weight[3] = f * 0.333333333f;
+    return taps;
+}
+
+#endif

@@ -1,0 +1,123 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A path from a surface on: next-event estimation and scattered rays, weighted against each other
+// (path_lights.h), without bounds or a longest path. Russian roulette ends it.
+#ifndef WEFT_PATH_H
+#define WEFT_PATH_H
+
+#include "path_lights.h"
+#include "random.h"
+
+// The range of roulette's survival probability. The largest keeps paths between white walls from
+// going on for ever; where the square of the reflectance exceeds it, the variance is infinite.
+#define ROULETTE_LEAST 0.05f
+#define ROULETTE_MOST 0.999f
+
+// A path under way.
+typedef struct {
+    Surface surface;
+    float3 origin;       // the surface's point, moved off
+    float3 throughput;   // of the path up to and with the surface's reflectance
+    float light_weight;  // of light that is added at this surface
+    uint bounce;         // surfaces so far
+} PathVertex;
+
+typedef struct {
+    Scene scene;
+    Geometry geometry;
+    GLOBAL const LightRecord* lights;
+    GLOBAL const EmissiveTriangle* emissive;
+    uint light_count;  // that next-event estimation chooses from
+} PathScene;
+
+// Light that a path has found.
+typedef struct {
+    float3 direct;    // by its first surface
+    float3 indirect;  // by all later ones
+} PathLight;
+
+static inline void add_light(const Params* params, PathLight* sum, const PathVertex* vertex,
+                             float3 light) {
+    float3 weighted = light * vertex->light_weight;
+    if (vertex->bounce == 1u) {
+        if (HAS(params, FEATURE_SAMPLED_DIRECT)) sum->direct += weighted;
+    } else {
+        sum->indirect += weighted;
+    }
+}
+
+/// Moves to a surface that was hit along `direction`. Returns 0 where nothing goes on from it.
+static inline int enter_surface(const Params* params, PathVertex* vertex, float3 throughput) {
+    vertex->origin =
+        vertex->surface.position +
+        vertex->surface.normal * surface_offset(vertex->surface.position, params->extent);
+    vertex->throughput = throughput * vertex->surface.albedo;
+    ++vertex->bounce;
+    return max_component(vertex->throughput) > 0.0f ? 1 : 0;
+}
+
+/// Light of one chosen light by the vertex.
+static inline uint next_event(const Params* params, const PathScene* world,
+                              const PathVertex* vertex, Random* random, PathLight* sum) {
+    float choice = next_random(random);
+    float u = next_random(random);
+    float v = next_random(random);
+    if (world->light_count == 0u) return 0u;
+    LightSample light =
+        sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
+                      &vertex->surface, vertex->origin, choice, u, v);
+    if (!(max_component(light.irradiance) > 0.0f)) return 0u;
+    int seen = light.distant != 0 ? sees_infinity(world->scene, params, light.origin, light.towards)
+                                  : sees_point(world->scene, params, light.origin, light.towards);
+    if (seen != 0)
+        add_light(params, sum, vertex, vertex->throughput * light.irradiance * 0.318309886f);
+    return 1u;
+}
+
+/// Weight of emission that a scattered ray of density `density` met after `t`.
+static inline float emission_weight(const PathScene* world, const Surface* surface,
+                                    float3 direction, float t, float density) {
+    uint index = world->geometry.instances[surface->instance].light;
+    if (index == NO_TRIANGLE) return 1.0f;
+    LightRecord light = world->lights[index];
+    float facing = -dot3(direction, surface->normal);
+    if (!(facing > 0.0f)) return 1.0f;
+    return power_heuristic(density, (t / facing) * (t / light.area) * light.choice_probability);
+}
+
+/// Scatters the path and follows it to the next surface. Returns 0 where it ends.
+static inline int scatter(const Params* params, const PathScene* world, PathVertex* vertex,
+                          Random* random, PathLight* sum, uint* rays) {
+    float u = next_random(random);
+    float v = next_random(random);
+    float3 about_z = cosine_direction(u, v);
+    float3 direction = normalize3(turn_to(about_z, vertex->surface.shading));
+    if (faces(&vertex->surface, direction) == 0) return 0;
+    float density = about_z.z * 0.318309886f;
+    Hit hit = trace_closest(world->scene, vertex->origin, direction, RAY_INFINITY);
+    ++*rays;
+    if (hit.triangle == NO_TRIANGLE) {
+        if (HAS(params, FEATURE_ENVIRONMENT))
+            add_light(params, sum, vertex, vertex->throughput * xyz(params->environment));
+        return 0;
+    }
+    vertex->surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
+    if (max_component(vertex->surface.emission) > 0.0f)
+        add_light(params, sum, vertex,
+                  vertex->throughput * vertex->surface.emission *
+                      emission_weight(world, &vertex->surface, direction, hit.t, density));
+    return enter_surface(params, vertex, vertex->throughput);
+}
+
+/// Russian roulette, from surface number `start` on. Returns 0 where the path ends.
+static inline int survives(PathVertex* vertex, uint start, Random* random) {
+    float draw = next_random(random);
+    if (vertex->bounce < start) return 1;
+    float q = m_clamp(max_component(vertex->throughput), ROULETTE_LEAST, ROULETTE_MOST);
+    if (draw >= q) return 0;
+    vertex->throughput = vertex->throughput * (1.0f / q);
+    return 1;
+}
+
+#endif

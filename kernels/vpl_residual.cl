@@ -1,0 +1,90 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What VPLs leave out, by path tracing (Kollig and Keller 2004). Virtual lights stand for the light
+// of surface y that falls on x, with the geometry term G(x, y) cut off at a bound b. The rest,
+// max(0, G - b), is the share max(0, 1 - b / G) of what a scattered ray from x finds at y: of light
+// by up to Params::bounces surfaces before x. Light by more surfaces has no virtual lights at all,
+// so its share is 1. Samples on area lights have bounds of their own.
+//
+// A work-item adds one path to the irradiance of one receiver.
+#include "counters.h"
+#include "path.h"
+#include "receiver_values.h"
+
+/// Share of a connection over `distance` between surfaces at these cosines that `bound` cuts off.
+static inline float share_beyond(float bound, float distance, float cosine_x, float cosine_y) {
+    if (!(cosine_x > 0.0f && cosine_y > 0.0f)) return 0.0f;
+    // In this order nothing overflows that is not beyond the bound anyway.
+    float share = 1.0f - bound * (distance / cosine_x) * (distance / cosine_y);
+    return m_max(share, 0.0f);
+}
+
+/// Share of a lamp's light that its samples leave out; all of it where they know nothing of it.
+static inline float lamp_share(const Params* params, const PathScene* world, uint instance,
+                               float distance, float cosine_x, float cosine_y) {
+    uint index = world->geometry.instances[instance].light;
+    if (index == NO_TRIANGLE) return 1.0f;
+    return share_beyond(params->light_bound_scale / world->lights[index].area, distance, cosine_x,
+                        cosine_y);
+}
+
+/// Follows a ray from the receiver to the first surface, and from there the path of all light.
+static inline PathLight trace_residual(const Params* params, const PathScene* world,
+                                       float3 position, float3 normal, float3 shading,
+                                       Random* random, uint* rays) {
+    PathLight sum;
+    sum.direct = f3(0.0f, 0.0f, 0.0f);
+    sum.indirect = sum.direct;
+    float u = next_random(random);
+    float v = next_random(random);
+    float3 about_z = cosine_direction(u, v);
+    float3 direction = normalize3(turn_to(about_z, shading));
+    if (!(dot3(direction, normal) > 0.0f)) return sum;
+    Hit hit = trace_closest(world->scene, position, direction, RAY_INFINITY);
+    ++*rays;
+    if (hit.triangle == NO_TRIANGLE) return sum;
+    PathVertex vertex;
+    vertex.bounce = 1u;
+    vertex.surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
+    float facing = -dot3(direction, vertex.surface.normal);
+    if (HAS(params, FEATURE_SAMPLED_DIRECT) && max_component(vertex.surface.emission) > 0.0f)
+        sum.direct = vertex.surface.emission *
+                     lamp_share(params, world, vertex.surface.instance, hit.t, about_z.z, facing);
+    if (!HAS(params, FEATURE_INDIRECT)) return sum;
+    float share = share_beyond(params->vpl_bound, hit.t, about_z.z, facing);
+    int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
+    while (goes_on != 0) {
+        vertex.light_weight = vertex.bounce <= params->bounces + 1u ? share : 1.0f;
+        if (vertex.light_weight > 0.0f) *rays += next_event(params, world, &vertex, random, &sum);
+        goes_on = scatter(params, world, &vertex, random, &sum, rays);
+        if (goes_on != 0) goes_on = survives(&vertex, 1u, random);
+    }
+    return sum;
+}
+
+WEFT_KERNEL(vpl_residual)
+(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL const float* receiver_planes,
+ GLOBAL const uint* slot_pixel, GLOBAL float* direct, GLOBAL float* indirect,
+ GLOBAL RayCounter* counters) {
+    if (GLOBAL_ID >= params.count) return;
+    uint slot = params.first + GLOBAL_ID;
+    uint stride = params.slots;
+    if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    PathScene world = {scene, geometry, lights, emissive, params.choice_lights};
+    float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
+    float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
+    float3 normal = shading;
+    if (HAS(&params, FEATURE_SMOOTH_NORMALS))
+        normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
+    uint rays = 0u;
+    Random random = make_random(params.seed, slot_pixel[slot], params.frame);
+    PathLight light = trace_residual(&params, &world, position, normal, shading, &random, &rays);
+    if (HAS(&params, FEATURE_SAMPLED_DIRECT))
+        add_irradiance(direct, stride, slot, light.direct * 3.14159265f);
+    if (HAS(&params, FEATURE_INDIRECT))
+        add_irradiance(indirect, stride, slot, light.indirect * 3.14159265f);
+    count_rays(counters + params.counter, rays);
+}
