@@ -42,4 +42,28 @@ static inline LatticeTaps lattice_taps(int at, int stride, int size) {
     return taps;
 }
 
+/// Weights of the lattice points along an edge of a tile inside the picture, for each of its 8
+/// pixels: of points -1, 0, 1 ... counted from the tile's first pixel. The same as lattice_taps.
+#define TILE_POINTS_4 5u
+#define TILE_POINTS_2 7u
+CONSTANT_TABLE float tile_weights_4[TILE_POINTS_4 * TILE_EDGE] = {
+    0.333333333f, 0.25f,         0.166666667f, 0.0833333333f, 0.0f,         0.0f,
+    0.0f,         0.0f,          0.333333333f, 0.333333333f,  0.333333333f, 0.333333333f,
+    0.333333333f, 0.25f,         0.166666667f, 0.0833333333f, 0.333333333f, 0.333333333f,
+    0.333333333f, 0.333333333f,  0.333333333f, 0.333333333f,  0.333333333f, 0.333333333f,
+    0.0f,         0.0833333333f, 0.166666667f, 0.25f,         0.333333333f, 0.333333333f,
+    0.333333333f, 0.333333333f,  0.0f,         0.0f,          0.0f,         0.0f,
+    0.0f,         0.0833333333f, 0.166666667f, 0.25f};
+CONSTANT_TABLE float tile_weights_2[TILE_POINTS_2 * TILE_EDGE] = {
+    0.333333333f, 0.166666667f, 0.0f,         0.0f,         0.0f,         0.0f,
+    0.0f,         0.0f,         0.333333333f, 0.333333333f, 0.333333333f, 0.166666667f,
+    0.0f,         0.0f,         0.0f,         0.0f,         0.333333333f, 0.333333333f,
+    0.333333333f, 0.333333333f, 0.333333333f, 0.166666667f, 0.0f,         0.0f,
+    0.0f,         0.166666667f, 0.333333333f, 0.333333333f, 0.333333333f, 0.333333333f,
+    0.333333333f, 0.166666667f, 0.0f,         0.0f,         0.0f,         0.166666667f,
+    0.333333333f, 0.333333333f, 0.333333333f, 0.333333333f, 0.0f,         0.0f,
+    0.0f,         0.0f,         0.0f,         0.166666667f, 0.333333333f, 0.333333333f,
+    0.0f,         0.0f,         0.0f,         0.0f,         0.0f,         0.0f,
+    0.0f,         0.166666667f};
+
 #endif

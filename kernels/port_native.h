@@ -11,6 +11,7 @@ typedef unsigned char uchar;
 
 #define GLOBAL
 #define CONSTANT_TABLE static constexpr
+#define CONSTANT_POINTER const
 #define PARAMS const Params& params
 #define WEFT_KERNEL(name) static void name
 #define GLOBAL_ID current_global_id

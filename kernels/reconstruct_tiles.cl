@@ -7,8 +7,6 @@
 #include "discontinuity.h"
 #include "lattice.h"
 
-#define SMOOTH_POINTS 5  // lattice points along an edge of a smooth tile with its taps
-
 /// Interpolates at a lit pixel of any tile: taps on other surfaces are left out.
 static inline float4 lattice_mean(const Params* params, GLOBAL const uint* gb_ids,
                                   GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
@@ -41,35 +39,48 @@ static inline float4 lattice_mean(const Params* params, GLOBAL const uint* gb_id
     return f4(sum.x * share, sum.y * share, sum.z * share, weight);
 }
 
+typedef struct {
+    NFloat red, green, blue;  // of a row of pixels
+} PixelRow;
+
+/// A row of lattice points to a row of pixels.
+static inline PixelRow smooth_row(const Params* params, GLOBAL const uint* pixel_slot,
+                                  GLOBAL const float* irradiance, uint pixel) {
+    PixelRow row = {NODE(0.0f), NODE(0.0f), NODE(0.0f)};
+    for (uint i = 0u; i < TILE_POINTS_4; ++i) {
+        float3 point = slot_irradiance(irradiance, params->slots, pixel_slot[pixel + 4u * i]);
+        NFloat weight = node_load(tile_weights_4 + TILE_EDGE * i);
+        row.red = row.red + weight * point.x;
+        row.green = row.green + weight * point.y;
+        row.blue = row.blue + weight * point.z;
+    }
+    return row;
+}
+
 /// A tile that is one smooth surface with its taps, at stride 4: no tap needs a test.
 static inline void interpolate_smooth(const Params* params, GLOBAL const uint* pixel_slot,
-                                      GLOBAL const float* irradiance, int left, int top,
+                                      GLOBAL const float* irradiance, uint left, uint top,
                                       GLOBAL float4* filtered) {
-    float3 rows[SMOOTH_POINTS][TILE_EDGE];
-    for (int j = 0; j < SMOOTH_POINTS; ++j) {
-        float3 points[SMOOTH_POINTS];
-        for (int i = 0; i < SMOOTH_POINTS; ++i) {
-            uint pixel = (uint)(top + 4 * j - 4) * params->width + (uint)(left + 4 * i - 4);
-            points[i] = slot_irradiance(irradiance, params->slots, pixel_slot[pixel]);
+    PixelRow rows[TILE_POINTS_4];
+    for (uint j = 0u; j < TILE_POINTS_4; ++j)
+        rows[j] = smooth_row(params, pixel_slot, irradiance,
+                             (top + 4u * j - 4u) * params->width + left - 4u);
+    for (uint y = 0u; y < TILE_EDGE; ++y) {
+        PixelRow mean = {NODE(0.0f), NODE(0.0f), NODE(0.0f)};
+        for (uint j = 0u; j < TILE_POINTS_4; ++j) {
+            float weight = tile_weights_4[TILE_EDGE * j + y];
+            mean.red = mean.red + rows[j].red * weight;
+            mean.green = mean.green + rows[j].green * weight;
+            mean.blue = mean.blue + rows[j].blue * weight;
         }
-        for (int x = 0; x < TILE_EDGE; ++x) {
-            float f = 0.25f * (float)(x % 4);
-            int i = x / 4;
-            rows[j][x] =
-                (points[i] * (1.0f - f) + points[i + 1] + points[i + 2] + points[i + 3] * f) *
-                0.333333333f;
-        }
-    }
-    for (int y = 0; y < TILE_EDGE; ++y) {
-        float f = 0.25f * (float)(y % 4);
-        int j = y / 4;
-        GLOBAL float4* line = filtered + (uint)(top + y) * params->width + (uint)left;
-        for (int x = 0; x < TILE_EDGE; ++x) {
-            float3 mean =
-                (rows[j][x] * (1.0f - f) + rows[j + 1][x] + rows[j + 2][x] + rows[j + 3][x] * f) *
-                0.333333333f;
-            line[x] = f4(mean.x, mean.y, mean.z, 1.0f);
-        }
+        float red[TILE_EDGE];
+        float green[TILE_EDGE];
+        float blue[TILE_EDGE];
+        node_store(mean.red, red);
+        node_store(mean.green, green);
+        node_store(mean.blue, blue);
+        GLOBAL float4* line = filtered + (top + y) * params->width + left;
+        for (uint x = 0u; x < TILE_EDGE; ++x) line[x] = f4(red[x], green[x], blue[x], 1.0f);
     }
 }
 
@@ -86,7 +97,7 @@ WEFT_KERNEL(reconstruct_tiles)
     int left = (int)(tile % columns) * TILE_EDGE;
     int top = (int)(tile / columns) * TILE_EDGE;
     if (stride == 4 && (record.flags & TILE_SMOOTH) != 0u) {
-        interpolate_smooth(&params, pixel_slot, irradiance, left, top, filtered);
+        interpolate_smooth(&params, pixel_slot, irradiance, (uint)left, (uint)top, filtered);
         return;
     }
     for (uint bit = 0u; bit < 64u; ++bit) {
@@ -105,10 +116,17 @@ WEFT_KERNEL(reconstruct_tiles)
         if ((record.fine[word] & mask) != 0u) own = 1;
         PixelSurface surface =
             pixel_surface(&params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
-        filtered[pixel] = own == 1
-                              ? window_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading,
-                                            &surface, pixel_slot, irradiance, pixel)
-                              : lattice_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading,
-                                             &surface, pixel_slot, irradiance, x, y, own);
+        float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
+        if (own > 1)
+            mean = lattice_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
+                                pixel_slot, irradiance, x, y, own);
+        // What the coarse lattice serves, the middle one may miss.
+        if (own == 2 && mean.w == 0.0f)
+            mean = lattice_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
+                                pixel_slot, irradiance, x, y, 4);
+        if (mean.w == 0.0f)
+            mean = window_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
+                               pixel_slot, irradiance, pixel);
+        filtered[pixel] = mean;
     }
 }

@@ -155,18 +155,22 @@ typedef struct {
 // Groups of area lights whose shadows are told apart; a bit each.
 #define SHADOW_GROUPS 16u
 
+// Most further rays of an edge pixel; an even number, since they lie about its centre in pairs.
+#define MAX_EDGE_SAMPLES 8u
+
 // What is known of a tile's light.
 typedef struct {
-    uint seen;    // groups that a sample of it saw
-    uint hidden;  // of which a sample was blocked
+    uint seen;    // groups that a sample of it, or of the coarse lattice close by, saw
+    uint hidden;  // of which such a sample was blocked
     uint open;    // that nothing can lie before
-    uint pad;
+    uint plain;   // of which such a sample saw all, or nothing
 } TileShadows;
 
 // Counters of one launch, 64 bit in two halves.
 typedef struct {
     uint rays_low, rays_high;
-    uint pad0, pad1;
+    uint misses;  // edge samples on surfaces that no pixel about them shows
+    uint pad;
 } RayCounter;
 
 #define COMPONENT_EMISSION 0
@@ -249,7 +253,9 @@ typedef struct {
     uint choice_lights;    // lights that next-event estimation chooses from, the first entries
     uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
     uint shadow_groups;                         // groups of area lights
-    uint pad0, pad1, pad2;
+    float enough_support;  // of the weight of a lattice's taps, what a pixel needs on its surface
+    uint edge_samples;     // further rays of an edge pixel, even; 0: none
+    uint pad0;
 } Params;
 
 #endif

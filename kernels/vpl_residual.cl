@@ -7,7 +7,8 @@
 // by up to Params::bounces surfaces before x. Light by more surfaces has no virtual lights at all,
 // so its share is 1. Samples on area lights have bounds of their own.
 //
-// A work-item adds one path to the irradiance of one receiver.
+// A work-item adds one path to the irradiance of one receiver: to the direct part where bit 0 of
+// Params::list_length is set, to the indirect part where bit 1 is.
 #include "counters.h"
 #include "path.h"
 #include "receiver_values.h"
@@ -48,10 +49,10 @@ static inline PathLight trace_residual(const Params* params, const PathScene* wo
     vertex.bounce = 1u;
     vertex.surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
     float facing = -dot3(direction, vertex.surface.normal);
-    if (HAS(params, FEATURE_SAMPLED_DIRECT) && max_component(vertex.surface.emission) > 0.0f)
+    if ((params->list_length & 1u) != 0u && max_component(vertex.surface.emission) > 0.0f)
         sum.direct = vertex.surface.emission *
                      lamp_share(params, world, vertex.surface.instance, hit.t, about_z.z, facing);
-    if (!HAS(params, FEATURE_INDIRECT)) return sum;
+    if ((params->list_length & 2u) == 0u) return sum;
     float share = share_beyond(params->vpl_bound, hit.t, about_z.z, facing);
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
     while (goes_on != 0) {
@@ -82,9 +83,9 @@ WEFT_KERNEL(vpl_residual)
     uint rays = 0u;
     Random random = make_random(params.seed, slot_pixel[slot], params.frame);
     PathLight light = trace_residual(&params, &world, position, normal, shading, &random, &rays);
-    if (HAS(&params, FEATURE_SAMPLED_DIRECT))
+    if ((params.list_length & 1u) != 0u)
         add_irradiance(direct, stride, slot, light.direct * 3.14159265f);
-    if (HAS(&params, FEATURE_INDIRECT))
+    if ((params.list_length & 2u) != 0u)
         add_irradiance(indirect, stride, slot, light.indirect * 3.14159265f);
     count_rays(counters + params.counter, rays);
 }

@@ -133,7 +133,8 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
                              "--target-error",
                              "--resume",
                              "--pixel-filter",
-                             "--vpl-compensation"})
+                             "--vpl-compensation",
+                             "--quality"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
     for (const char* name : {"--frame-time", "--preset", "media", "tic"})
         EXPECT_EQ(help.find(name), std::string::npos) << name;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "device/shared_types.h"
+#include "picture_masks.h"
 
 namespace weft {
 namespace {
@@ -141,6 +141,116 @@ TEST(WorkList, LargeTilesAreTheWholePicture) {
     // The order of a tile does not depend on what lies beyond the picture.
     const WorkList whole = make_work_list(60, 45, 3, 60);
     EXPECT_EQ(make_work_list(60, 45, 3, 4096).pixels, whole.pixels);
+}
+
+std::vector<TileMask> random_masks(const TileGrid& grid, test::Uniform& random) {
+    // Empty, sparse and full tiles, with bits beyond the picture.
+    std::vector<TileMask> masks(grid.tiles(), 0);
+    for (TileMask& mask : masks) {
+        const std::uint32_t kind = random.below(4);
+        if (kind == 1) mask = TileMask{1} << random.below(64);
+        if (kind == 2) mask = random.mask() & random.mask();
+        if (kind == 3) mask = ~TileMask{0};
+    }
+    return masks;
+}
+
+/// What is wrong with the list of these masks, or empty.
+std::string fault_of(const TileGrid& grid, const std::vector<TileMask>& masks,
+                     std::uint32_t interleave, const WorkList& list) {
+    if (list.pixels.size() % PACKET_BLOCK != 0) return "is not a whole number of blocks";
+    if (list.block_sets.size() * PACKET_BLOCK != list.pixels.size())
+        return "has another number of sets than blocks";
+    std::vector<int> seen(std::size_t{grid.width} * grid.height, 0);
+    std::size_t padding = 0;
+    for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
+        const std::uint32_t pixel = list.pixels[slot];
+        if (pixel == NO_TRIANGLE) {
+            ++padding;
+            continue;
+        }
+        if (pixel >= seen.size()) return "holds a pixel outside the picture";
+        ++seen[pixel];
+        const std::uint32_t set =
+            pixel % grid.width % interleave + interleave * (pixel / grid.width % interleave);
+        if (list.block_sets[slot / PACKET_BLOCK] != set)
+            return "puts pixel " + std::to_string(pixel) + " into another set's block";
+    }
+    // What buffers are made for.
+    if (padding > std::size_t{work_regions(grid)} * interleave * interleave * (PACKET_BLOCK - 1))
+        return "has too much padding";
+    for (std::uint32_t y = 0; y < grid.height; ++y)
+        for (std::uint32_t x = 0; x < grid.width; ++x)
+            if (seen[y * grid.width + x] != (test::in_mask(grid, masks, x, y) ? 1 : 0))
+                return "holds pixel " + std::to_string(x) + ", " + std::to_string(y) + " " +
+                       std::to_string(seen[y * grid.width + x]) + " times";
+    return "";
+}
+
+std::string text_of(const TileGrid& grid, std::uint32_t interleave) {
+    return text_of(Shape{grid.width, grid.height, interleave, TILE_EDGE});
+}
+
+TEST(WorkList, MasksGiveTheirPixelsOnceInTheirSets) {
+    test::Uniform random(1);
+    for (const TileGrid& grid : test::small_pictures())
+        for (const std::uint32_t n : {1U, 2U, 3U, 5U, 8U, 9U})
+            for (int i = 0; i < 4; ++i) {
+                const std::vector<TileMask> masks = random_masks(grid, random);
+                EXPECT_EQ(fault_of(grid, masks, n, make_work_list(grid, masks, n)), "")
+                    << text_of(grid, n);
+            }
+}
+
+TEST(WorkList, FaultsOfMasksAreNoticed) {
+    const TileGrid grid{20, 20};
+    const std::vector<TileMask> masks(grid.tiles(), ~TileMask{0});
+    const WorkList good = make_work_list(grid, masks, 3);
+    ASSERT_EQ(fault_of(grid, masks, 3, good), "");
+    WorkList twice = good;
+    twice.pixels[1] = twice.pixels[0];
+    EXPECT_NE(fault_of(grid, masks, 3, twice), "");
+    std::vector<TileMask> fewer = masks;
+    fewer[4] &= ~TileMask{2};
+    EXPECT_NE(fault_of(grid, masks, 3, make_work_list(grid, fewer, 3)), "");
+    WorkList padded = good;
+    padded.pixels.resize(padded.pixels.size() + 9 * PACKET_BLOCK, NO_TRIANGLE);
+    padded.block_sets.resize(padded.pixels.size() / PACKET_BLOCK, 0);
+    EXPECT_NE(fault_of(grid, masks, 3, padded), "");
+}
+
+TEST(WorkList, MasksWithoutPixelsGiveNothing) {
+    for (const TileGrid& grid : test::small_pictures()) {
+        const WorkList list = make_work_list(grid, std::vector<TileMask>(grid.tiles(), 0), 3);
+        EXPECT_TRUE(list.pixels.empty() && list.block_sets.empty()) << text_of(grid, 3);
+    }
+    // The one bit lies below the picture.
+    EXPECT_TRUE(
+        make_work_list(TileGrid{8, 3}, std::vector<TileMask>{TileMask{1} << 24}, 3).pixels.empty());
+}
+
+TEST(WorkList, RegionsOfMasksFollowEachOtherAndStandAlone) {
+    // What a region's list holds does not depend on the masks of others.
+    const TileGrid grid{200, 140};
+    ASSERT_EQ(work_regions(grid), 4U);
+    test::Uniform random(2);
+    const std::vector<TileMask> masks = random_masks(grid, random);
+    WorkList parts;
+    for (std::uint32_t region = 0; region < 4; ++region) {
+        std::vector<TileMask> part = masks;
+        for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
+            const std::uint32_t of = tile % grid.columns() / 16 + 2 * (tile / grid.columns() / 16);
+            if (of != region) part[tile] = 0;
+        }
+        const WorkList list = make_work_list(grid, part, 3);
+        EXPECT_FALSE(list.pixels.empty());
+        parts.pixels.insert(parts.pixels.end(), list.pixels.begin(), list.pixels.end());
+        parts.block_sets.insert(parts.block_sets.end(), list.block_sets.begin(),
+                                list.block_sets.end());
+    }
+    const WorkList all = make_work_list(grid, masks, 3);
+    EXPECT_EQ(all.pixels, parts.pixels);
+    EXPECT_EQ(all.block_sets, parts.block_sets);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 5> algorithm_names = {"ais", "amax", "igi", "ir", "path"};
+constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
@@ -40,7 +41,9 @@ void add_render(CLI::App& app) {
     add_value(render, "--algorithm", "NAME",
               "ais, amax, igi, ir or path, the reference (default: igi)");
     add_flag(render, "--vpl-compensation",
-             "Of igi and ir: adds by path tracing what virtual lights leave out");
+             "Adds by path tracing what virtual lights leave out (not with path)");
+    add_value(render, "--quality", "NAME",
+              "draft, preview or high: how much time the picture is worth (default: preview)");
     add_value(
         render, "--backend", "NAME",
         "opencl, embree, or native: as embree, but tracing with Weft's own BVH (default: opencl "
@@ -221,8 +224,15 @@ void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
     options.compensation = command.count("--vpl-compensation") > 0;
     if (options.compensation && options.algorithm == Algorithm::path)
         throw usage_error(
-            "--vpl-compensation: path tracing leaves nothing out, expected it together "
-            "with --algorithm igi or ir");
+            "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
+    if (const auto text = value_of(command, "--quality")) {
+        options.quality = static_cast<Quality>(parse_name("--quality", *text, quality_names));
+        if (options.algorithm == Algorithm::path)
+            throw usage_error(
+                "--quality: is for virtual lights, expected --spp, --time or --target-error of "
+                "path "
+                "tracing");
+    }
 }
 
 void read_picture(const CLI::App& command, RenderOptions& options) {
@@ -339,6 +349,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     if (options.samples) json["samples"] = {options.samples->first, options.samples->end};
     json["target_error"] = json_or_null(options.target_error);
     json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
+    json["quality"] = quality_names.at(static_cast<std::size_t>(options.quality));
     json["vpl_compensation"] = options.compensation;
     json["pixel_filter"] = filter_names.at(options.through_centres ? 1 : 0);
     json["time"] = json_or_null(options.time_seconds);

@@ -16,7 +16,7 @@
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "frame/film_sums.h"
-#include "schedule/frame_plan.h"
+#include "schedule/quality.h"
 
 namespace weft {
 
@@ -36,6 +36,7 @@ struct RenderOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< ends in .exr or .png, in any case
     Algorithm algorithm = Algorithm::igi;
+    Quality quality = Quality::preview;
     bool compensation = false;  ///< of igi and ir
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name

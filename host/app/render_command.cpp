@@ -35,6 +35,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.height = size.height;
     settings.tile = options.tile;
     settings.seed = options.seed;
+    settings.sampling = sampling_of(options.quality);
     settings.sampling.compensation = options.compensation;
     // How many samples a time limit allows is not known before; textures stay sharp for many.
     constexpr std::uint32_t timed_samples = 16;

@@ -16,10 +16,12 @@ constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "
                                                                    "surface"};
 
 nlohmann::json stage_json(const StageStats& stage) {
-    return {{"name", stage.name},
-            {"component", stage.component},
-            {"ms", stage.ms},
-            {"rays", stage.rays}};
+    nlohmann::json json{{"name", stage.name},
+                        {"component", stage.component},
+                        {"ms", stage.ms},
+                        {"rays", stage.rays}};
+    if (stage.misses > 0) json["misses"] = stage.misses;
+    return json;
 }
 
 nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
@@ -28,10 +30,14 @@ nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
     nlohmann::json nonfinite;
     for (std::size_t c = 0; c < component_names.size(); ++c)
         nonfinite[component_names[c]] = frame.nonfinite[c].count;
+    nlohmann::json levels = nlohmann::json::object();
+    for (const LevelStats& level : frame.levels)
+        levels[level.component] = {{"tiles", level.tiles}, {"samples", level.samples}};
     return {{"frame", first_frame + frame.picture},
             {"ms", frame.ms},
             {"rays", frame.rays},
             {"stages", stages},
+            {"levels", levels},
             {"nonfinite", nonfinite}};
 }
 

@@ -126,7 +126,7 @@ std::vector<Level> SoftShadows::least_levels(FrameContext& frame) {
               grid.tiles());
     const auto shadows =
         read_buffer<shared::TileShadows>(frame.executor, *tile_shadows_, grid.tiles());
-    states_ = shadow_states(grid, shadows, groups);
+    states_ = shadow_states(shadows, groups);
     return shadow_levels(states_);
 }
 

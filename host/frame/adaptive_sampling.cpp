@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "schedule/work_order.h"
+
 namespace weft {
 namespace {
 
@@ -59,21 +61,28 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
     write_buffer<std::uint32_t>(frame.executor, *pixel_slot_, no_slots_);
     work_ = {};
     scheduler_.emplace(grid_, settings_, tiles.records());
-    run_round(frame, component, scheduler_->begin(), steps);
+    run_round(frame, component, scheduler_->next_round(), steps);
     if (settings_.threshold > 0.0) {
         if (steps.least_levels) scheduler_->require(steps.least_levels());
         for (const Level level : {Level::coarse, Level::middle})
             run_round(frame, component,
-                      scheduler_->refine(level, signal(frame, component, level, irradiance)),
+                      scheduler_->has(level)
+                          ? scheduler_->refine(level, signal(frame, component, level, irradiance))
+                          : scheduler_->next_round(),
                       steps);
     }
     frame.params.slots = slots_before;
 }
 
-void AdaptiveSampling::run_round(FrameContext& frame, const char* component, WorkList round,
+void AdaptiveSampling::run_round(FrameContext& frame, const char* component, const WorkList& round,
                                  const Steps& steps) {
     if (round.pixels.empty()) return;
-    round_ = std::move(round);
+    frame.executor.with_mapped(
+        *frame.buffers.gbuffer[gbuffer_position], Access::read, [&](std::span<std::byte> bytes) {
+            const std::span positions(reinterpret_cast<const shared::float4*>(bytes.data()),
+                                      no_slots_.size());
+            round_ = ordered_by_place(round, positions, frame.params.extent);
+        });
     const auto first = static_cast<std::uint32_t>(work_.pixels.size());
     const auto count = static_cast<std::uint32_t>(round_.pixels.size());
     work_.pixels.insert(work_.pixels.end(), round_.pixels.begin(), round_.pixels.end());

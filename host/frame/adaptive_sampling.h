@@ -71,7 +71,8 @@ class AdaptiveSampling {
     }
 
   private:
-    void run_round(FrameContext& frame, const char* component, WorkList round, const Steps& steps);
+    void run_round(FrameContext& frame, const char* component, const WorkList& round,
+                   const Steps& steps);
     [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
                                                      Level level, Buffer& irradiance);
 

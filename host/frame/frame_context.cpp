@@ -3,6 +3,7 @@
 #include "frame/frame_context.h"
 
 #include "components/soft_shadows.h"
+#include "frame/edge_samples.h"
 #include "kernels/receivers.h"
 #include "scene/mip_levels.h"
 
@@ -12,9 +13,8 @@ namespace {
 /// Counters of one frame; stages wrap around beyond it, each is read before it is reused.
 constexpr std::uint32_t counter_slots = 32;
 
-std::uint64_t take_rays(Executor& executor, Buffer& counters, std::uint32_t slot) {
-    const auto values = read_buffer<shared::RayCounter>(executor, counters, counter_slots);
-    return std::uint64_t{values[slot].rays_high} << 32 | values[slot].rays_low;
+shared::RayCounter take_counter(Executor& executor, Buffer& counters, std::uint32_t slot) {
+    return read_buffer<shared::RayCounter>(executor, counters, counter_slots)[slot];
 }
 
 }  // namespace
@@ -99,6 +99,7 @@ FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene, const Fr
         frame.vpls = executor.allocate(
             std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
     }
+    if (plan.edge_samples > 0) frame.edges = std::make_unique<EdgeSamples>(executor, width, height);
     frame.film_high = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
     frame.film_low = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
     return frame;
@@ -133,8 +134,9 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
         launch, [&](double done) { return finishing_ || !keep_going_ || keep_going_(name, done); });
     ended_early_ = ended_early_ || !complete;
     const double ms = executor.take_milliseconds();
-    stages_.push_back(
-        {name, component, ms, take_rays(executor, *buffers.counters, params.counter)});
+    const auto counted = take_counter(executor, *buffers.counters, params.counter);
+    stages_.push_back({name, component, ms,
+                       std::uint64_t{counted.rays_high} << 32 | counted.rays_low, counted.misses});
 }
 
 std::vector<Buffer*> with_geometry(const SceneBuffers& scene, const std::vector<Buffer*>& others) {
@@ -147,6 +149,15 @@ std::vector<Buffer*> with_geometry(const SceneBuffers& scene, const std::vector<
 std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<Buffer*>& others) {
     std::vector<Buffer*> all;
     for (const auto& buffer : frame.gbuffer) all.push_back(buffer.get());
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
+                                     const std::vector<Buffer*>& others) {
+    std::vector<Buffer*> all{frame.pixel_slot.get(), frame.or_nothing(frame.filtered_direct),
+                             frame.or_nothing(frame.exact_direct),
+                             frame.or_nothing(frame.filtered_indirect)};
     all.insert(all.end(), others.begin(), others.end());
     return all;
 }

@@ -27,6 +27,7 @@ struct SceneBuffers {
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
 
 class AdaptiveSampling;
+class EdgeSamples;
 class SoftShadows;
 class TileGeometry;
 
@@ -42,6 +43,7 @@ struct FrameBuffers {
     std::unique_ptr<TileGeometry> tiles;                  ///< where the plan is adaptive
     std::unique_ptr<AdaptiveSampling> adaptive_indirect;  ///< likewise; `indirect` has its slots
     std::unique_ptr<SoftShadows> soft_shadows;            ///< likewise; `direct` has its slots
+    std::unique_ptr<EdgeSamples> edges;                   ///< where the plan has edge samples
     std::unique_ptr<Buffer> counters, nonfinite;
     std::unique_ptr<Buffer> nothing;  ///< stands in for buffers that the plan does not call for
     std::uint32_t slots = 0;
@@ -56,6 +58,9 @@ struct FrameBuffers {
         return buffer ? buffer.get() : nothing.get();
     }
 };
+
+/// Place of the positions in FrameBuffers::gbuffer.
+inline constexpr std::size_t gbuffer_position = 1;
 
 [[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene,
                                           const FramePlan& plan, const WorkList& work,
@@ -77,6 +82,7 @@ struct StageStats {
     std::string component;
     double ms = 0.0;
     std::uint64_t rays = 0;
+    std::uint64_t misses = 0;  ///< edge samples whose irradiance is that of another surface
 };
 
 /// Asked between launches with the stage's share done, in [0, 1]; false ends the frame early.
@@ -131,6 +137,10 @@ class FrameContext : public FrameInputs {
 /// The buffers of GBUFFER_ARGS, followed by others.
 [[nodiscard]] std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame,
                                                 const std::vector<Buffer*>& others);
+
+/// The buffers of IRRADIANCE_ARGS, followed by others.
+[[nodiscard]] std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
+                                                   const std::vector<Buffer*>& others);
 
 }  // namespace weft
 

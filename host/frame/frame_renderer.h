@@ -19,12 +19,20 @@ struct NonfiniteStats {
     std::uint32_t first_pixel = 0;  ///< row-major index, where count > 0
 };
 
+/// How an adaptive component was sampled in a frame.
+struct LevelStats {
+    std::string component;
+    std::array<std::uint32_t, 3> tiles{};  ///< coarse, middle, full
+    std::uint64_t samples = 0;             ///< pixels that have one
+};
+
 /// What one frame took.
 struct FrameStats {
     double ms = 0.0;
     std::uint64_t rays = 0;
     std::vector<StageStats> stages;
-    std::uint32_t picture = 0;  ///< of those a renderer has begun, from 0 on
+    std::vector<LevelStats> levels;  ///< of adaptive components
+    std::uint32_t picture = 0;       ///< of those a renderer has begun, from 0 on
     /// By component, COMPONENT_* order.
     std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
 };

@@ -8,9 +8,11 @@
 
 #include "base/stopwatch.h"
 #include "components/component.h"
-#include "frame/adaptive_sampling.h"
+#include "components/soft_shadows.h"
 #include "frame/camera_params.h"
+#include "frame/edge_samples.h"
 #include "frame/film.h"
+#include "frame/level_layers.h"
 
 namespace weft {
 
@@ -34,12 +36,19 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     statistics.indirect = settings.indirect;
     statistics.surface_area = scene.surface_area;
     statistics.mean_reflectance = scene.mean_reflectance;
-    return plan_frames(settings.algorithm, settings.sampling, statistics);
+    FramePlan plan = plan_frames(settings.algorithm, settings.sampling, statistics);
+    // Frames with points all over the pixel average edges anyway.
+    if (settings.samples > 1) plan.edge_samples = 0;
+    return plan;
 }
 
 std::vector<KernelId> kernels_of(const FramePlan& plan) {
     std::set<KernelId> kernels{KernelId::gbuffer, KernelId::compose, KernelId::receivers};
     if (plan.adaptive) kernels.insert(KernelId::tile_geometry);
+    if (plan.edge_samples > 0) {
+        kernels.insert(KernelId::edge_masks);
+        kernels.insert(KernelId::edge_samples);
+    }
     for (const Component& component : components()) {
         if (!component.called_for(plan)) continue;
         for (const KernelId kernel : component.kernels(plan)) kernels.insert(kernel);
@@ -78,6 +87,7 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     params.gather_scale = static_cast<float>(plan_.gather_sets);
     params.filter_cosine = static_cast<float>(settings.sampling.filter_cosine);
     params.filter_planes = static_cast<float>(settings.sampling.filter_planes);
+    params.enough_support = static_cast<float>(settings.sampling.enough_support);
     params.features = features;
     params.seed = settings.seed;
     params.slots = buffers_.slots;
@@ -92,6 +102,7 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     std::copy(plan_.survivors.begin(), plan_.survivors.end(), params.survivors);
     std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), params.first_vpl);
     params.filter_radius = plan_.filter_radius;
+    params.edge_samples = plan_.edge_samples;
     params.delta_lights = plan_.punctual_lights;
     params.directional_lights = plan_.directional_lights;
 }
@@ -120,22 +131,23 @@ void Renderer::trace_primary(FrameContext& frame) {
     const std::uint32_t pixels = settings_.width * settings_.height;
     frame.run(KernelId::gbuffer, "primary rays", "", true,
               with_geometry(scene_buffers_, with_gbuffer(buffers_, {})), pixels);
-    frame.run(KernelId::receivers, "receivers", "", false,
-              with_gbuffer(buffers_, {buffers_.slot_pixel.get(), buffers_.receivers.get(),
-                                      buffers_.pixel_slot.get()}),
-              buffers_.slots);
+    if (plan_.uses_all_receivers())
+        frame.run(KernelId::receivers, "receivers", "", false,
+                  with_gbuffer(buffers_, {buffers_.slot_pixel.get(), buffers_.receivers.get(),
+                                          buffers_.pixel_slot.get()}),
+                  buffers_.slots);
     if (buffers_.tiles) buffers_.tiles->examine(frame);
 }
 
 void Renderer::compose(FrameContext& frame) {
-    frame.run(
-        KernelId::compose, "composition", "", false,
-        with_gbuffer(buffers_,
-                     {buffers_.pixel_slot.get(), buffers_.or_nothing(buffers_.filtered_direct),
-                      buffers_.or_nothing(buffers_.exact_direct),
-                      buffers_.or_nothing(buffers_.filtered_indirect), buffers_.film_high.get(),
-                      buffers_.film_low.get(), buffers_.nonfinite.get()}),
-        settings_.width * settings_.height);
+    if (buffers_.edges) buffers_.edges->find(frame);
+    Buffer* const masks = buffers_.edges ? &buffers_.edges->masks() : buffers_.nothing.get();
+    frame.run(KernelId::compose, "composition", "", false,
+              with_gbuffer(buffers_, with_irradiance(buffers_, {buffers_.film_high.get(),
+                                                                buffers_.film_low.get(),
+                                                                buffers_.nonfinite.get(), masks})),
+              settings_.width * settings_.height);
+    if (buffers_.edges) buffers_.edges->sample(frame);
 }
 
 bool Renderer::render_frame(const KeepGoing& keep_going) {
@@ -157,9 +169,20 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
     return !frame.ended_early();
 }
 
+template <class Use>
+void Renderer::for_adaptive(const Use& use) const {
+    if (buffers_.soft_shadows) use("direct", buffers_.soft_shadows->sampling());
+    if (buffers_.adaptive_indirect) use("indirect", *buffers_.adaptive_indirect);
+}
+
 void Renderer::record(const FrameContext& frame, double ms) {
     stats_.push_back(frame_stats(frame, ms));
     stats_.back().picture = picture_;
+    for_adaptive([&](const char* component, const AdaptiveSampling& sampling) {
+        const LevelScheduler& scheduler = sampling.scheduler();
+        stats_.back().levels.push_back(
+            {component, scheduler.tiles_by_level(), scheduler.samples()});
+    });
     for (StageStats& stage : stats_.back().stages) {
         if (stage.name != "primary rays") continue;
         stage.rays = std::uint64_t{settings_.width} * settings_.height;
@@ -172,7 +195,11 @@ Image Renderer::image() {
         FILM_PLANES * FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
     const auto high = read_buffer<float>(executor_, *buffers_.film_high, values);
     const auto low = read_buffer<float>(executor_, *buffers_.film_low, values);
-    return resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
+    Image image = resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
+    for_adaptive([&](const char* component, const AdaptiveSampling& sampling) {
+        add_level_layers(component, sampling.scheduler(), image);
+    });
+    return image;
 }
 
 }  // namespace weft

@@ -44,7 +44,8 @@ class Renderer : public FrameRenderer {
     void set_camera(const Camera& camera) override;
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
-    /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth.
+    /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth;
+    /// of ais also the levels of the last frame.
     [[nodiscard]] Image image() override;
     [[nodiscard]] const FramePlan& plan() const override { return plan_; }
     [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
@@ -53,6 +54,9 @@ class Renderer : public FrameRenderer {
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
     void record(const FrameContext& frame, double ms);
+    /// Calls use(component's name, its sampling) for the components that a frame adapts.
+    template <class Use>
+    void for_adaptive(const Use& use) const;
     [[nodiscard]] shared::Params params_of_frame(std::uint32_t frame) const;
 
     Executor& executor_;

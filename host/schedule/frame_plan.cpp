@@ -55,6 +55,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.sets = settings.interleave * settings.interleave;
     const bool interleaved = algorithm != Algorithm::ir;
     plan.adaptive = algorithm == Algorithm::ais;
+    if (algorithm == Algorithm::ais || algorithm == Algorithm::amax)
+        plan.edge_samples = std::min(settings.edge_samples, MAX_EDGE_SAMPLES) / 2 * 2;
     plan.threshold = settings.threshold;
     plan.luminance_scale = settings.luminance_scale;
     plan.interleave = interleaved ? settings.interleave : 1;

@@ -24,9 +24,15 @@ struct SamplingSettings {
     double filter_cosine = 0.9;
     double filter_planes = 2.0;
     /// Of ais: errors of undersampling, in just noticeable differences, that are let pass.
-    double threshold = 1.0;
+    double threshold = 20.0;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1, for the same
-    bool compensation = false;       ///< trace what bounds and bounces leave out
+    /// Of ais: share of its taps' weight that a pixel needs on its own surface, else it is sampled
+    /// more densely.
+    double enough_support = 0.5;
+    bool compensation = false;  ///< trace what bounds and bounces leave out
+    /// Further rays of an edge pixel, of ais and amax; rounded down to an even number, at most
+    /// MAX_EDGE_SAMPLES.
+    std::uint32_t edge_samples = 4;
 };
 
 /// What the scheduler needs to know of a scene.
@@ -62,6 +68,9 @@ struct FramePlan {
 
     bool compensation = false;  ///< a path per pixel for what VPLs and light samples leave out
 
+    /// Further rays of an edge pixel, even; 0: edges stay as primary rays find them.
+    std::uint32_t edge_samples = 0;
+
     bool adaptive = false;  ///< levels decide which pixels a component samples
     double threshold = 0.0;
     double luminance_scale = 100.0;
@@ -84,6 +93,10 @@ struct FramePlan {
     }
     [[nodiscard]] bool has_exact_direct() const {
         return punctual_lights > 0 || directional_lights > 0;
+    }
+    /// Some component needs the receivers of all pixels.
+    [[nodiscard]] bool uses_all_receivers() const {
+        return !adaptive || has_exact_direct() || (has_sampled_direct() && !adapts_direct());
     }
     [[nodiscard]] bool has_distant() const {
         return environment_samples > 0 || directional_lights > 0;

@@ -16,6 +16,9 @@ constexpr float curvature_share = 0.125F + 0.333F;
 /// Where only one neighbour is on the surface the difference to it stands in.
 constexpr float slope_share = 0.25F;
 
+/// Half the stride divides second differences, and with them the error, by this.
+constexpr float halving_gain = 4.0F;
+
 /// Offsets of the eight neighbours in the order of their bits.
 constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
@@ -59,6 +62,11 @@ float axis_error(std::span<const float> mean, std::size_t at, std::size_t step, 
     return 0.0F;
 }
 
+/// The larger error; one that is not a number is the largest.
+float worse(float a, float b) {
+    return a >= b || std::isnan(a) ? a : b;
+}
+
 }  // namespace
 
 std::vector<float> interpolation_errors(std::uint32_t columns, std::uint32_t rows,
@@ -91,11 +99,23 @@ LevelScheduler::LevelScheduler(const TileGrid& grid, const LevelSettings& settin
         if (mask_of(records[tile].middle) != 0)
             levels_[tile] = std::max(levels_[tile], Level::middle);
     }
-    fine_ = dilated(grid_, fine_);
+    fine_ = window_masks(grid_, fine_);
 }
 
-WorkList LevelScheduler::begin() {
-    return next_round();
+std::array<std::uint32_t, 3> LevelScheduler::tiles_by_level() const {
+    std::array<std::uint32_t, 3> counts{};
+    for (const Level level : levels_) ++counts.at(static_cast<std::size_t>(level));
+    return counts;
+}
+
+std::uint64_t LevelScheduler::samples() const {
+    std::uint64_t count = 0;
+    for (const TileMask mask : sampled_) count += static_cast<std::uint64_t>(std::popcount(mask));
+    return count;
+}
+
+bool LevelScheduler::has(Level level) const {
+    return std::find(levels_.begin(), levels_.end(), level) != levels_.end();
 }
 
 void LevelScheduler::require(std::span<const Level> least) {
@@ -123,11 +143,13 @@ void LevelScheduler::raise(Level examined, std::span<const float> errors) {
         const std::uint32_t x0 = tile % grid_.columns() * per_tile;
         const std::uint32_t y0 = tile / grid_.columns() * per_tile;
         // The next tile's first points bound this tile's last cells.
-        bool visible = false;
+        float error = 0.0F;
         for (std::uint32_t y = y0; y <= std::min(y0 + per_tile, rows - 1); ++y)
             for (std::uint32_t x = x0; x <= std::min(x0 + per_tile, columns - 1); ++x)
-                visible = visible || !(errors[std::size_t{y} * columns + x] < threshold);
-        if (visible) levels_[tile] = static_cast<Level>(static_cast<unsigned>(examined) + 1);
+                error = worse(error, errors[std::size_t{y} * columns + x]);
+        if (error < threshold) continue;
+        const bool both = examined == Level::middle || !(error < halving_gain * threshold);
+        levels_[tile] = both ? Level::full : Level::middle;
     }
 }
 

@@ -3,6 +3,7 @@
 #ifndef WEFT_SCHEDULE_LEVEL_SCHEDULER_H
 #define WEFT_SCHEDULE_LEVEL_SCHEDULER_H
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,7 +19,7 @@ struct LevelSettings {
     std::uint32_t interleave = 3;
     /// Largest error of interpolation, in just noticeable differences on the display; 0: every
     /// pixel is sampled.
-    double threshold = 1.0;
+    double threshold = 20.0;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1
 };
 
@@ -30,22 +31,30 @@ class LevelScheduler {
     LevelScheduler(const TileGrid& grid, const LevelSettings& settings,
                    std::span<const shared::TileRecord> records);
 
-    /// The first round: the coarse lattice, and what the geometry wants in any case.
-    [[nodiscard]] WorkList begin();
+    /// The pixels that the levels now ask for and that have no samples yet. The first round is the
+    /// coarse lattice, and what the geometry wants in any case.
+    [[nodiscard]] WorkList next_round();
+
+    /// Whether any tile has that level.
+    [[nodiscard]] bool has(Level level) const;
 
     /// Raises every tile to this level at least, before the next round.
     void require(std::span<const Level> least);
 
     /// The round after the lattice of `examined` (coarse or middle) has its samples: raises tiles
-    /// where interpolation would err visibly. `signal`: what lattice_signal.cl wrote for it.
+    /// where interpolation would err visibly, by two levels where one will not do. `signal`: what
+    /// lattice_signal.cl wrote for it.
     [[nodiscard]] WorkList refine(Level examined, std::span<const shared::float4> signal);
 
     [[nodiscard]] std::span<const Level> levels() const { return levels_; }
+    /// Tiles of each level.
+    [[nodiscard]] std::array<std::uint32_t, 3> tiles_by_level() const;
+    /// Pixels that have samples.
+    [[nodiscard]] std::uint64_t samples() const;
     /// Pixels that have samples, by tile.
     [[nodiscard]] std::span<const TileMask> sampled() const { return sampled_; }
 
   private:
-    [[nodiscard]] WorkList next_round();
     void raise(Level examined, std::span<const float> errors);
 
     TileGrid grid_;

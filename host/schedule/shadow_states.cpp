@@ -9,25 +9,6 @@ namespace {
 
 constexpr unsigned open_shift = 16;
 
-/// Groups that some sample of the tile or a neighbour saw, and did not see.
-struct Nearby {
-    std::uint32_t seen = 0;
-    std::uint32_t hidden = 0;
-};
-
-Nearby nearby(const TileGrid& grid, std::span<const shared::TileShadows> tiles,
-              std::uint32_t tile) {
-    const std::uint32_t x = tile % grid.columns();
-    const std::uint32_t y = tile / grid.columns();
-    Nearby result;
-    for (std::uint32_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, grid.rows() - 1); ++v)
-        for (std::uint32_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, grid.columns() - 1); ++u) {
-            result.seen |= tiles[v * grid.columns() + u].seen;
-            result.hidden |= tiles[v * grid.columns() + u].hidden;
-        }
-    return result;
-}
-
 }  // namespace
 
 std::uint32_t shadow_groups(std::uint32_t lights) {
@@ -35,19 +16,19 @@ std::uint32_t shadow_groups(std::uint32_t lights) {
 }
 
 ShadowState traced_state(std::uint32_t groups) {
-    return {static_cast<std::uint16_t>((1U << groups) - 1U), 0};
+    return {static_cast<std::uint16_t>((1U << groups) - 1U), 0, 0};
 }
 
-std::vector<ShadowState> shadow_states(const TileGrid& grid,
-                                       std::span<const shared::TileShadows> tiles,
+std::vector<ShadowState> shadow_states(std::span<const shared::TileShadows> tiles,
                                        std::uint32_t groups) {
     const std::uint32_t all = traced_state(groups).trace;
-    std::vector<ShadowState> states(tiles.size());
-    for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
-        const Nearby near = nearby(grid, tiles, tile);
-        const std::uint32_t open = near.seen & ~near.hidden & tiles[tile].open;
-        states[tile].trace = static_cast<std::uint16_t>(near.seen & ~open & all);
-        states[tile].open = static_cast<std::uint16_t>(open & all);
+    std::vector<ShadowState> states;
+    states.reserve(tiles.size());
+    for (const shared::TileShadows& tile : tiles) {
+        const std::uint32_t open = tile.seen & ~tile.hidden & tile.open;
+        states.push_back({static_cast<std::uint16_t>(tile.seen & ~open & all),
+                          static_cast<std::uint16_t>(open & all),
+                          static_cast<std::uint16_t>(tile.seen & tile.hidden & ~tile.plain & all)});
     }
     return states;
 }
@@ -55,8 +36,12 @@ std::vector<ShadowState> shadow_states(const TileGrid& grid,
 std::vector<Level> shadow_levels(std::span<const ShadowState> states) {
     std::vector<Level> levels;
     levels.reserve(states.size());
-    for (const ShadowState& state : states)
-        levels.push_back(state.trace != 0 ? Level::full : Level::coarse);
+    for (const ShadowState& state : states) {
+        const bool unknown = (state.trace & ~state.penumbra) != 0;
+        levels.push_back(unknown               ? Level::full
+                         : state.penumbra != 0 ? Level::middle
+                                               : Level::coarse);
+    }
     return levels;
 }
 

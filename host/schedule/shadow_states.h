@@ -13,10 +13,12 @@
 namespace weft {
 
 /// What is to be done about each group of area lights: bit g of `trace` asks for rays, bit g of
-/// `open` says that all of it is seen; neither says that nothing of it is.
+/// `open` says that all of it is seen; neither says that nothing of it is. Of the groups to trace,
+/// those in `penumbra` are seen in part by every sample.
 struct ShadowState {
     std::uint16_t trace = 0;
     std::uint16_t open = 0;
+    std::uint16_t penumbra = 0;
 
     bool operator==(const ShadowState&) const = default;
 };
@@ -27,14 +29,14 @@ struct ShadowState {
 /// The state in which rays are traced to all groups.
 [[nodiscard]] ShadowState traced_state(std::uint32_t groups);
 
-/// The state of every tile from its first samples and those of its neighbours: rays where a light
-/// is seen by some and not by others, or seen by all but with something that may lie between; none
-/// where nothing can, or where nobody saw it.
-[[nodiscard]] std::vector<ShadowState> shadow_states(const TileGrid& grid,
-                                                     std::span<const shared::TileShadows> tiles,
+/// The state of every tile from what its first samples saw: rays where a light is seen by some and
+/// not by others, or by all but with something that may lie between; none where nothing can, or
+/// where nobody saw it.
+[[nodiscard]] std::vector<ShadowState> shadow_states(std::span<const shared::TileShadows> tiles,
                                                      std::uint32_t groups);
 
-/// The least level of every tile: full where rays are traced.
+/// The least level of every tile: full where rays are traced, because a shadow of any size may lie
+/// between samples; middle inside penumbrae, which change slowly.
 [[nodiscard]] std::vector<Level> shadow_levels(std::span<const ShadowState> states);
 
 /// For every block of the list the word that soft_shadows.cl reads: what its pixels' tiles agree

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace weft {
 namespace {
@@ -85,20 +86,31 @@ constexpr TileMask spilled(TileMask mask, int column, int row) {
     return part | part << edge | part >> edge;
 }
 
-/// At the right and lower border taps and windows move inwards, into the tile before where the
-/// picture cuts the last one off: then that one needs the same samples.
-std::vector<Level> with_borders(const TileGrid& grid, std::span<const Level> levels) {
-    std::vector<Level> result(levels.begin(), levels.end());
+/// The pixel, or the next one that is not the first or last of `size`.
+constexpr std::uint32_t inwards(std::uint32_t at, std::uint32_t size) {
+    return size < 3 ? at : std::clamp(at, 1U, size - 2);
+}
+
+using Lattices = std::uint8_t;  // a bit per level
+
+/// The lattices that each tile needs in itself and about it. At the right and lower border taps and
+/// windows move inwards, into the tile before where the picture cuts the last one off: then that
+/// one needs the same samples, beside those of its own level.
+std::vector<Lattices> lattices_with_borders(const TileGrid& grid, std::span<const Level> levels) {
+    std::vector<Lattices> result;
+    result.reserve(levels.size());
+    for (const Level level : levels)
+        result.push_back(static_cast<Lattices>(1U << static_cast<unsigned>(level)));
     const std::uint32_t columns = grid.columns();
-    const auto raise = [&](std::uint32_t tile, std::uint32_t from) {
-        result[tile] = std::max(result[tile], result[from]);
+    const auto share = [&](std::uint32_t tile, std::uint32_t from) {
+        result[tile] = static_cast<Lattices>(result[tile] | result[from]);
     };
     if (grid.width % TILE_EDGE != 0 && columns > 1)
         for (std::uint32_t row = 0; row < grid.rows(); ++row)
-            raise(row * columns + columns - 2, row * columns + columns - 1);
+            share(row * columns + columns - 2, row * columns + columns - 1);
     if (grid.height % TILE_EDGE != 0 && grid.rows() > 1)
         for (std::uint32_t column = 0; column < columns; ++column)
-            raise((grid.rows() - 2) * columns + column, (grid.rows() - 1) * columns + column);
+            share((grid.rows() - 2) * columns + column, (grid.rows() - 1) * columns + column);
     return result;
 }
 
@@ -120,16 +132,36 @@ std::vector<TileMask> dilated(const TileGrid& grid, std::span<const TileMask> ma
     return result;
 }
 
-std::vector<TileMask> required_masks(const TileGrid& grid, std::span<const Level> levels) {
-    const std::vector<Level> reached = with_borders(grid, levels);
-    std::vector<TileMask> result(levels.size(), lattice_mask(Level::coarse));
+std::vector<TileMask> window_masks(const TileGrid& grid, std::span<const TileMask> masks) {
+    // At the border a pixel's window is that of the next one inwards.
+    std::vector<TileMask> centres(masks.begin(), masks.end());
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
-        if (reached[tile] == Level::coarse) continue;
-        const Neighbourhood& needed = neighbourhoods.at(static_cast<std::size_t>(reached[tile]));
-        for_neighbours(grid, tile, [&](std::size_t other, int column, int row) {
-            result[other] |= needed[static_cast<std::size_t>(3 * (row + 1) + column + 1)];
-        });
+        const std::uint32_t left = tile % grid.columns() * TILE_EDGE;
+        const std::uint32_t top = tile / grid.columns() * TILE_EDGE;
+        const bool within =
+            left > 0 && top > 0 && left + TILE_EDGE < grid.width && top + TILE_EDGE < grid.height;
+        for (TileMask rest = within ? 0 : masks[tile]; rest != 0; rest &= rest - 1) {
+            const auto bit = static_cast<std::uint32_t>(std::countr_zero(rest));
+            const std::uint32_t x = inwards(left + bit % TILE_EDGE, grid.width);
+            const std::uint32_t y = inwards(top + bit / TILE_EDGE, grid.height);
+            centres[y / TILE_EDGE * grid.columns() + x / TILE_EDGE] |=
+                bit_of(static_cast<int>(x % TILE_EDGE), static_cast<int>(y % TILE_EDGE));
+        }
     }
+    return dilated(grid, centres);
+}
+
+std::vector<TileMask> required_masks(const TileGrid& grid, std::span<const Level> levels) {
+    const std::vector<Lattices> lattices = lattices_with_borders(grid, levels);
+    std::vector<TileMask> result(levels.size(), lattice_mask(Level::coarse));
+    for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
+        for (std::size_t level = 1; level < neighbourhoods.size(); ++level) {
+            if ((lattices[tile] >> level & 1U) == 0) continue;
+            const Neighbourhood& needed = neighbourhoods[level];
+            for_neighbours(grid, tile, [&](std::size_t other, int column, int row) {
+                result[other] |= needed[static_cast<std::size_t>(3 * (row + 1) + column + 1)];
+            });
+        }
     return result;
 }
 

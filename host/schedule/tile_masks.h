@@ -39,9 +39,15 @@ struct TileGrid {
 /// one pixel in every direction.
 [[nodiscard]] std::vector<TileMask> dilated(const TileGrid& grid, std::span<const TileMask> masks);
 
+/// Pixels in the discontinuity buffer's windows about those in `masks`: as `dilated`, but for
+/// windows at the picture's border, which are moved inwards.
+[[nodiscard]] std::vector<TileMask> window_masks(const TileGrid& grid,
+                                                 std::span<const TileMask> masks);
+
 /// Pixels of each tile that must have samples so that all tiles can be reconstructed at these
 /// levels: its own lattice points, and those of its neighbours' lattices within reach of their
-/// taps. The coarse lattice is always there. Monotone in every level.
+/// taps. The coarse lattice is always there. Raising a tile from the coarse level only adds pixels;
+/// a full one asks less of its neighbours than one at middle level.
 [[nodiscard]] std::vector<TileMask> required_masks(const TileGrid& grid,
                                                    std::span<const Level> levels);
 

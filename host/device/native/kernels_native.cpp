@@ -26,6 +26,8 @@ namespace {
 
 #include "../../../kernels/compose.cl"
 #include "../../../kernels/distant_light.cl"
+#include "../../../kernels/edge_masks.cl"
+#include "../../../kernels/edge_samples.cl"
 #include "../../../kernels/gbuffer.cl"
 #include "../../../kernels/lattice_signal.cl"
 #include "../../../kernels/light_samples.cl"

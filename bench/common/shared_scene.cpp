@@ -1,0 +1,26 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/common/shared_scene.h"
+
+namespace weft::bench {
+namespace {
+
+/// What users hold in place of the scene, which outlives them.
+class Placeholder : public TracedScene {};
+
+}  // namespace
+
+std::unique_ptr<TracedScene> SharedScene::make_scene(const TracedGeometry& geometry) {
+    if (!scene_) scene_ = inner_.make_scene(geometry);
+    return std::make_unique<Placeholder>();
+}
+
+bool SharedScene::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
+    const Launch passed{
+        launch.kernel,    launch.params, launch.scene == nullptr ? nullptr : scene_.get(),
+        launch.buffers,   launch.items,  launch.items_per_launch,
+        launch.first_item};
+    return inner_.run(passed, keep_going);
+}
+
+}  // namespace weft::bench

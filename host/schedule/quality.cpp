@@ -1,0 +1,23 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "schedule/quality.h"
+
+namespace weft {
+
+SamplingSettings sampling_of(Quality quality) {
+    SamplingSettings settings;
+    if (quality == Quality::draft) {
+        settings.threshold = 40.0;
+        settings.enough_support = 0.35;
+    }
+    if (quality == Quality::high) {
+        settings.threshold = 6.0;
+        settings.enough_support = 0.7;
+        settings.vpls_per_set = 256;
+        settings.samples_per_light = 16;
+        settings.max_samples_per_set = 1024;
+    }
+    return settings;
+}
+
+}  // namespace weft

@@ -1,0 +1,24 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Masks of edge pixels: two words a tile of TILE_EDGE x TILE_EDGE pixels, as in TileRecord.
+#ifndef WEFT_EDGES_H
+#define WEFT_EDGES_H
+
+#include "port.h"
+#include "types.h"
+
+static inline uint tile_columns(const Params* params) {
+    return (params->width + TILE_EDGE - 1u) / TILE_EDGE;
+}
+
+/// 1 where the masks have the pixel's bit.
+static inline int is_edge_pixel(const Params* params, GLOBAL const uint* edge_masks, uint pixel) {
+    uint x = pixel % params->width;
+    uint y = pixel / params->width;
+    uint tile = y / TILE_EDGE * tile_columns(params) + x / TILE_EDGE;
+    uint bit = y % TILE_EDGE * TILE_EDGE + x % TILE_EDGE;
+    return (int)(edge_masks[2u * tile + bit / 32u] >> (bit % 32u) & 1u);
+}
+
+#endif

@@ -1,0 +1,139 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Components to radiance, and radiance into the film. What is not finite or negative is counted,
+// set to 0 and never reaches the film. The film sums samples in compensated float pairs.
+#ifndef WEFT_FILM_H
+#define WEFT_FILM_H
+
+#include "discontinuity.h"
+#include "guard.h"
+
+// Irradiance as the components leave it; those that a frame does not have are never read.
+#define IRRADIANCE_ARGS                                         \
+    GLOBAL const uint *pixel_slot, GLOBAL const float4 *direct, \
+        GLOBAL const float *exact_irradiance, GLOBAL const float4 *indirect
+#define IRRADIANCE_MAKE(name)                 \
+    IrradianceBuffers name;                   \
+    name.pixel_slot = pixel_slot;             \
+    name.direct = direct;                     \
+    name.exact_irradiance = exact_irradiance; \
+    name.indirect = indirect
+
+#define SEEN_PIXELS_MAKE(name)   \
+    SeenPixels name;             \
+    name.ids = gb_ids;           \
+    name.position = gb_position; \
+    name.shading = gb_shading;   \
+    name.albedo = gb_albedo;     \
+    name.emission = gb_emission
+
+typedef struct {
+    GLOBAL const uint* pixel_slot;         // where exact irradiance is found
+    GLOBAL const float4* direct;           // by pixel
+    GLOBAL const float* exact_irradiance;  // by slot
+    GLOBAL const float4* indirect;         // by pixel
+} IrradianceBuffers;
+
+typedef struct {
+    float3 direct, indirect;
+} Irradiance;
+
+// What the primary rays through pixels found; see GBUFFER_ARGS.
+typedef struct {
+    GLOBAL const uint* ids;
+    GLOBAL const float4* position;
+    GLOBAL const float4* shading;
+    GLOBAL const float4* albedo;
+    GLOBAL const float4* emission;
+} SeenPixels;
+
+// What the film holds of one point of the picture.
+typedef struct {
+    float3 emission, direct, indirect;  // radiance
+    float3 albedo, normal;
+    float depth;  // scene units
+} FilmSample;
+
+static inline Irradiance no_irradiance(void) {
+    Irradiance e;
+    e.direct = f3(0.0f, 0.0f, 0.0f);
+    e.indirect = e.direct;
+    return e;
+}
+
+/// Irradiance of a pixel; `lit` says whether it shows a surface that reflects.
+static inline Irradiance pixel_irradiance(const Params* params, const IrradianceBuffers* buffers,
+                                          uint pixel, int lit) {
+    Irradiance e = no_irradiance();
+    if (HAS(params, FEATURE_SAMPLED_DIRECT)) e.direct = xyz(buffers->direct[pixel]);
+    if (HAS(params, FEATURE_EXACT_DIRECT) && lit != 0)
+        e.direct +=
+            slot_irradiance(buffers->exact_irradiance, params->slots, buffers->pixel_slot[pixel]);
+    if (HAS(params, FEATURE_INDIRECT)) e.indirect = xyz(buffers->indirect[pixel]);
+    return e;
+}
+
+/// What a surface under that irradiance sends to the camera; `depth` in kernel units.
+static inline FilmSample film_sample(const Params* params, GLOBAL NonfiniteCounter* nonfinite,
+                                     uint pixel, float3 emission, float3 albedo, Irradiance e,
+                                     float3 normal, float depth) {
+    FilmSample sample;
+    float3 reflectance = albedo * 0.318309886f;
+    sample.emission = guard(nonfinite, COMPONENT_EMISSION, pixel, emission);
+    sample.direct = guard(nonfinite, COMPONENT_DIRECT, pixel, reflectance * e.direct);
+    sample.indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * e.indirect);
+    sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
+    sample.normal = normal;
+    sample.depth =
+        guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth / params->unit, 0.0f, 0.0f)).x;
+    return sample;
+}
+
+/// What the pixel's own primary ray shows.
+static inline FilmSample pixel_sample(const Params* params, const SeenPixels* seen,
+                                      const IrradianceBuffers* buffers,
+                                      GLOBAL NonfiniteCounter* nonfinite, uint pixel) {
+    int lit = pixel_is_lit(seen->ids, seen->albedo, pixel);
+    Irradiance e = pixel_irradiance(params, buffers, pixel, lit);
+    return film_sample(params, nonfinite, pixel, xyz(seen->emission[pixel]),
+                       xyz(seen->albedo[pixel]), e, xyz(seen->shading[pixel]),
+                       seen->position[pixel].w);
+}
+
+/// Neumaier's compensated sum; the first sample starts it.
+static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, int starts,
+                               float x) {
+    float sum = starts != 0 ? 0.0f : high[at];
+    float rest = starts != 0 ? 0.0f : low[at];
+    float total = sum + x;
+    if (absolute(sum) >= absolute(x))
+        rest += (sum - total) + x;
+    else
+        rest += (x - total) + sum;
+    high[at] = total;
+    low[at] = rest;
+}
+
+static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, uint stride,
+                              int starts, float3 x) {
+    add_to_film(high, low, at, starts, x.x);
+    add_to_film(high, low, at + stride, starts, x.y);
+    add_to_film(high, low, at + 2u * stride, starts, x.z);
+}
+
+static inline void add_film_sample(const Params* params, GLOBAL float* film_high,
+                                   GLOBAL float* film_low, uint pixel, const FilmSample* sample) {
+    uint stride = FILM_STRIDE(params->width * params->height);
+    int starts = params->film_starts != 0u ? 1 : 0;
+    GLOBAL float* high = film_high + pixel;
+    GLOBAL float* low = film_low + pixel;
+    add_vector(high, low, FILM_EMISSION * stride, stride, starts, sample->emission);
+    add_vector(high, low, FILM_DIRECT * stride, stride, starts, sample->direct);
+    add_vector(high, low, FILM_INDIRECT * stride, stride, starts, sample->indirect);
+    add_vector(high, low, FILM_ALBEDO * stride, stride, starts, sample->albedo);
+    add_vector(high, low, FILM_NORMAL * stride, stride, starts, sample->normal);
+    add_to_film(high, low, FILM_DEPTH * stride, starts, sample->depth);
+}
+
+#endif
