@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "schedule/work_order.h"
 
 namespace weft {
@@ -58,38 +59,51 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
 void AdaptiveSampling::sample(FrameContext& frame, const char* component, const TileGeometry& tiles,
                               Buffer& irradiance, const Steps& steps) {
     const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
+    double host_ms = 0.0;
+    const auto round = [&](const auto& decide) {
+        const Stopwatch watch;
+        const bool any = take_round(frame, decide());
+        host_ms += watch.total();
+        if (any) run_round(frame, component, steps);
+    };
     write_buffer<std::uint32_t>(frame.executor, *pixel_slot_, no_slots_);
     work_ = {};
     scheduler_.emplace(grid_, settings_, tiles.records());
-    run_round(frame, component, scheduler_->next_round(), steps);
+    round([&] { return scheduler_->next_round(); });
     if (settings_.threshold > 0.0) {
         if (steps.least_levels) scheduler_->require(steps.least_levels());
-        for (const Level level : {Level::coarse, Level::middle})
-            run_round(frame, component,
-                      scheduler_->has(level)
-                          ? scheduler_->refine(level, signal(frame, component, level, irradiance))
-                          : scheduler_->next_round(),
-                      steps);
+        for (const Level level : {Level::coarse, Level::middle}) {
+            if (!scheduler_->has(level)) {
+                round([&] { return scheduler_->next_round(); });
+                continue;
+            }
+            const auto points = signal(frame, component, level, irradiance);
+            round([&] { return scheduler_->refine(level, points); });
+        }
     }
+    frame.add_host_stage("scheduling", component, host_ms);
     frame.params.slots = slots_before;
 }
 
-void AdaptiveSampling::run_round(FrameContext& frame, const char* component, const WorkList& round,
-                                 const Steps& steps) {
-    if (round.pixels.empty()) return;
+bool AdaptiveSampling::take_round(FrameContext& frame, const WorkList& round) {
+    if (round.pixels.empty()) return false;
     frame.executor.with_mapped(
         *frame.buffers.gbuffer[gbuffer_position], Access::read, [&](std::span<std::byte> bytes) {
             const std::span positions(reinterpret_cast<const shared::float4*>(bytes.data()),
                                       no_slots_.size());
             round_ = ordered_by_place(round, positions, frame.params.extent);
         });
-    const auto first = static_cast<std::uint32_t>(work_.pixels.size());
-    const auto count = static_cast<std::uint32_t>(round_.pixels.size());
     work_.pixels.insert(work_.pixels.end(), round_.pixels.begin(), round_.pixels.end());
     work_.block_sets.insert(work_.block_sets.end(), round_.block_sets.begin(),
                             round_.block_sets.end());
     write_buffer<std::uint32_t>(frame.executor, *slot_pixel_, work_.pixels);
     write_buffer<std::uint32_t>(frame.executor, *block_set_, work_.block_sets);
+    return true;
+}
+
+void AdaptiveSampling::run_round(FrameContext& frame, const char* component, const Steps& steps) {
+    const auto count = static_cast<std::uint32_t>(round_.pixels.size());
+    const auto first = static_cast<std::uint32_t>(work_.pixels.size()) - count;
     frame.run(KernelId::receivers, "receivers", component, false,
               with_gbuffer(frame.buffers, {slot_pixel_.get(), receivers_.get(), pixel_slot_.get()}),
               count, 0, first);

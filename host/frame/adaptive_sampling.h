@@ -71,8 +71,9 @@ class AdaptiveSampling {
     }
 
   private:
-    void run_round(FrameContext& frame, const char* component, const WorkList& round,
-                   const Steps& steps);
+    /// Orders a round and adds it to the work list on the device; returns whether it has any pixel.
+    bool take_round(FrameContext& frame, const WorkList& round);
+    void run_round(FrameContext& frame, const char* component, const Steps& steps);
     [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
                                                      Level level, Buffer& irradiance);
 

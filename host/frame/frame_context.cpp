@@ -10,12 +10,8 @@
 namespace weft {
 namespace {
 
-/// Counters of one frame; stages wrap around beyond it, each is read before it is reused.
+/// Counters that stages share out; all are read before the first is used again.
 constexpr std::uint32_t counter_slots = 32;
-
-shared::RayCounter take_counter(Executor& executor, Buffer& counters, std::uint32_t slot) {
-    return read_buffer<shared::RayCounter>(executor, counters, counter_slots)[slot];
-}
 
 }  // namespace
 
@@ -123,9 +119,13 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
                        const std::vector<Buffer*>& arguments, std::uint32_t items,
                        std::uint32_t items_per_launch, std::uint32_t first_item) {
     if (items == 0 || (ended_early_ && !finishing_)) return;
-    params.counter = static_cast<std::uint32_t>(stages_.size()) % counter_slots;
-    const std::vector<shared::RayCounter> zero(counter_slots);
-    write_buffer<shared::RayCounter>(executor, *buffers.counters, zero);
+    if (uncounted_.size() == counter_slots) count();
+    if (uncounted_.empty()) {
+        const std::vector<shared::RayCounter> zero(counter_slots);
+        write_buffer<shared::RayCounter>(executor, *buffers.counters, zero);
+    }
+    params.counter = static_cast<std::uint32_t>(uncounted_.size());
+    uncounted_.push_back(stages_.size());
     const Launch launch{kernel,    params, traces ? scene_buffers.traced.get() : nullptr,
                         arguments, items,  items_per_launch,
                         first_item};
@@ -133,10 +133,23 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
     const bool complete = executor.run(
         launch, [&](double done) { return finishing_ || !keep_going_ || keep_going_(name, done); });
     ended_early_ = ended_early_ || !complete;
-    const double ms = executor.take_milliseconds();
-    const auto counted = take_counter(executor, *buffers.counters, params.counter);
-    stages_.push_back({name, component, ms,
-                       std::uint64_t{counted.rays_high} << 32 | counted.rays_low, counted.misses});
+    stages_.push_back({name, component, executor.take_milliseconds(), 0, 0});
+}
+
+void FrameContext::add_host_stage(const char* stage, const char* component, double ms) {
+    stages_.push_back({stage, component, ms, 0, 0});
+}
+
+void FrameContext::count() {
+    if (uncounted_.empty()) return;
+    const auto counters =
+        read_buffer<shared::RayCounter>(executor, *buffers.counters, uncounted_.size());
+    for (std::size_t slot = 0; slot < uncounted_.size(); ++slot) {
+        StageStats& stage = stages_[uncounted_[slot]];
+        stage.rays = std::uint64_t{counters[slot].rays_high} << 32 | counters[slot].rays_low;
+        stage.misses = counters[slot].misses;
+    }
+    uncounted_.clear();
 }
 
 std::vector<Buffer*> with_geometry(const SceneBuffers& scene, const std::vector<Buffer*>& others) {

@@ -119,13 +119,23 @@ class FrameContext : public FrameInputs {
     }
 
     [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
-    [[nodiscard]] const std::vector<StageStats>& stages() const noexcept { return stages_; }
+    /// The stages so far, with what they counted.
+    [[nodiscard]] const std::vector<StageStats>& stages() {
+        count();
+        return stages_;
+    }
+    /// Records work of the host between stages.
+    void add_host_stage(const char* stage, const char* component, double ms);
 
     shared::Params params;
 
   private:
+    /// Reads the counters of the stages that have not been read.
+    void count();
+
     const KeepGoing& keep_going_;
     std::vector<StageStats> stages_;
+    std::vector<std::size_t> uncounted_;  ///< stages by counter
     bool ended_early_ = false;
     bool finishing_ = false;
 };

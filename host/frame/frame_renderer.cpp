@@ -4,7 +4,7 @@
 
 namespace weft {
 
-FrameStats frame_stats(const FrameContext& frame, double ms) {
+FrameStats frame_stats(FrameContext& frame, double ms) {
     FrameStats stats;
     stats.ms = ms;
     stats.stages = frame.stages();

@@ -38,7 +38,7 @@ struct FrameStats {
 };
 
 /// Statistics of a frame that has run; clears the counters of values that were not finite.
-[[nodiscard]] FrameStats frame_stats(const FrameContext& frame, double ms);
+[[nodiscard]] FrameStats frame_stats(FrameContext& frame, double ms);
 
 /// What makes a picture of a scene frame by frame, whatever the algorithm.
 class FrameRenderer {

@@ -175,7 +175,7 @@ void Renderer::for_adaptive(const Use& use) const {
     if (buffers_.adaptive_indirect) use("indirect", *buffers_.adaptive_indirect);
 }
 
-void Renderer::record(const FrameContext& frame, double ms) {
+void Renderer::record(FrameContext& frame, double ms) {
     stats_.push_back(frame_stats(frame, ms));
     stats_.back().picture = picture_;
     for_adaptive([&](const char* component, const AdaptiveSampling& sampling) {

@@ -53,7 +53,7 @@ class Renderer : public FrameRenderer {
   private:
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
-    void record(const FrameContext& frame, double ms);
+    void record(FrameContext& frame, double ms);
     /// Calls use(component's name, its sampling) for the components that a frame adapts.
     template <class Use>
     void for_adaptive(const Use& use) const;

@@ -24,7 +24,7 @@ struct SamplingSettings {
     double filter_cosine = 0.9;
     double filter_planes = 2.0;
     /// Of ais: errors of undersampling, in just noticeable differences, that are let pass.
-    double threshold = 20.0;
+    double threshold = 8.0;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1, for the same
     /// Of ais: share of its taps' weight that a pixel needs on its own surface, else it is sampled
     /// more densely.

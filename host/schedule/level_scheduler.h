@@ -19,7 +19,7 @@ struct LevelSettings {
     std::uint32_t interleave = 3;
     /// Largest error of interpolation, in just noticeable differences on the display; 0: every
     /// pixel is sampled.
-    double threshold = 20.0;
+    double threshold = 8.0;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1
 };
 

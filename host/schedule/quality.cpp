@@ -7,11 +7,11 @@ namespace weft {
 SamplingSettings sampling_of(Quality quality) {
     SamplingSettings settings;
     if (quality == Quality::draft) {
-        settings.threshold = 40.0;
+        settings.threshold = 20.0;
         settings.enough_support = 0.35;
     }
     if (quality == Quality::high) {
-        settings.threshold = 6.0;
+        settings.threshold = 3.0;
         settings.enough_support = 0.7;
         settings.vpls_per_set = 256;
         settings.samples_per_light = 16;

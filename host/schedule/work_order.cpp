@@ -9,15 +9,19 @@
 namespace weft {
 namespace {
 
-constexpr unsigned digit_bits = 10;
-constexpr unsigned digits = 3;
+constexpr unsigned cell_bits = 7;
+constexpr std::uint32_t cells = 1U << cell_bits;
+// Two passes sort all bits of a code.
+constexpr unsigned digit_bits = 11;
+constexpr unsigned digits = 2;
+static_assert(digits * digit_bits >= 3 * cell_bits);
 
 struct Entry {
     std::uint32_t code;
     std::uint32_t pixel;
 };
 
-/// Puts two zero bits before every bit of a number below 1024.
+/// Puts two zero bits before every bit of a number of up to ten bits.
 std::uint32_t spread(std::uint32_t x) {
     x = (x | x << 16) & 0x030000FFU;
     x = (x | x << 8) & 0x0300F00FU;
@@ -27,7 +31,9 @@ std::uint32_t spread(std::uint32_t x) {
 
 std::uint32_t cell(float coordinate, float extent) {
     const float share = 0.5F + 0.5F * coordinate / extent;
-    return share > 0.0F ? static_cast<std::uint32_t>(std::min(share * 1024.0F, 1023.0F)) : 0U;
+    return share > 0.0F ? static_cast<std::uint32_t>(std::min(share * static_cast<float>(cells),
+                                                              static_cast<float>(cells - 1)))
+                        : 0U;
 }
 
 /// Stable, by code: least significant digit first.
