@@ -140,7 +140,8 @@ WEFT_KERNEL(tile_shadows)
             add_sample(&params, pixel_slot[y * (int)params.width + x], packet_shadows, &shadows);
         }
     }
-    if (parts.complete != 0) {
+    // Where lights are chosen by power there may be thousands, and any sample may be of any.
+    if (parts.complete != 0 && params.samples_per_light > 0u) {
         for (uint group = 0u; group < params.shadow_groups; ++group) {
             if ((shadows.seen & ~shadows.hidden & 1u << group) == 0u) continue;
             if (group_is_open(scene, &params, &parts, light_boxes, group) != 0)
