@@ -54,7 +54,6 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     FramePlan plan;
     plan.sets = settings.interleave * settings.interleave;
     const bool interleaved = algorithm != Algorithm::ir;
-    plan.adaptive = algorithm == Algorithm::ais;
     if (algorithm == Algorithm::ais || algorithm == Algorithm::amax)
         plan.edge_samples = std::min(settings.edge_samples, MAX_EDGE_SAMPLES) / 2 * 2;
     plan.threshold = settings.threshold;
@@ -76,6 +75,9 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     if (scene.indirect && lights > 0 && scene.mean_reflectance > 0.0)
         plan_vpls(plan, settings, scene.mean_reflectance);
+    plan.adaptive =
+        algorithm == Algorithm::ais &&
+        (plan.has_indirect() || (plan.samples_per_set > 0 && plan.environment_samples == 0));
     plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,

@@ -71,7 +71,7 @@ struct FramePlan {
     /// Further rays of an edge pixel, even; 0: edges stay as primary rays find them.
     std::uint32_t edge_samples = 0;
 
-    bool adaptive = false;  ///< levels decide which pixels a component samples
+    bool adaptive = false;  ///< levels decide which pixels some component samples
     double threshold = 0.0;
     double luminance_scale = 100.0;
 
