@@ -76,6 +76,23 @@ TEST(FlatScene, UnitsArePowersOfTwoAndBringTheLargestToOne) {
     }
 }
 
+TEST(FlatScene, VerticesThatNoTriangleUsesCountForNothing) {
+    // In units of so small a quad the stray vertex would be infinite.
+    Mesh mesh = quad_mesh({0.0F, 0.0F, 0.0F}, {1e-30F, 0.0F, 0.0F}, {0.0F, 1e-30F, 0.0F});
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.material(glm::vec3(0.5F));
+    builder.add(mesh, grey);
+    const FlatScene alone = flatten(builder.scene);
+    builder.scene.meshes[0].positions.emplace_back(1e30F, -1e30F, 1e30F);
+    const FlatScene flat = flatten(builder.scene);
+    ASSERT_EQ(flat.positions.size(), alone.positions.size() + 1);
+    for (const shared::float4& p : flat.positions)
+        EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    EXPECT_EQ(flat.extent, alone.extent);
+    EXPECT_EQ(flat.radius, alone.radius);
+    EXPECT_EQ(flat.units.scale, alone.units.scale);
+}
+
 TEST(FlatScene, EmptySceneHasUnitsToo) {
     const FlatScene flat = flatten(Scene{});
     EXPECT_EQ(flat.units.scale, 1.0);

@@ -54,17 +54,32 @@ KernelUnits kernel_units(const Scene& scene) {
     units.centre = 0.5 * (low + high);
     const glm::dvec3 half = 0.5 * (high - low);
     const double largest = std::max(half.x, std::max(half.y, half.z));
-    if (largest > 0.0) units.scale = std::ldexp(1.0, -std::ilogb(largest));
+    // Beyond that the scale itself would be no number.
+    constexpr int most = 1000;
+    if (largest > 0.0) units.scale = std::ldexp(1.0, std::min(-std::ilogb(largest), most));
     return units;
 }
 
+/// Which vertices of a mesh a triangle uses.
+std::vector<bool> used_vertices(const Mesh& mesh) {
+    std::vector<bool> used(mesh.positions.size(), false);
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t vertex : triangle) used[vertex] = true;
+    return used;
+}
+
+/// Vertices that no triangle uses go to the centre: wherever they are, they must not count for the
+/// scene's extent, nor become infinite in its units.
 void append_vertices(const Mesh& mesh, const Instance& instance, const Attributes& attributes,
                      FlatScene& flat) {
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(instance.to_world)));
     const double side = instance.flip_normals ? -1.0 : 1.0;
+    const std::vector<bool> used = used_vertices(mesh);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3 p(flat.units.point(
-            glm::dvec3(instance.to_world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0))));
+        glm::vec3 p(0.0F);
+        if (used[i])
+            p = flat.units.point(
+                glm::dvec3(instance.to_world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0)));
         flat.positions.push_back({p.x, p.y, p.z, 0.0F});
         if (attributes.normals) {
             glm::dvec3 n(0.0);
