@@ -37,8 +37,9 @@ class FrameRecorder : public Executor {
         if (launch.kernel == KernelId::gbuffer) frame_.primary = launch.params;
         if (launch.kernel == KernelId::vpl_gather) keep_gather(launch);
         const Launch passed{
-            launch.kernel,  launch.params, launch.scene == nullptr ? nullptr : frame_.scene.get(),
-            launch.buffers, launch.items,  launch.items_per_launch};
+            launch.kernel,    launch.params, launch.scene == nullptr ? nullptr : frame_.scene.get(),
+            launch.buffers,   launch.items,  launch.items_per_launch,
+            launch.first_item};
         return inner_.run(passed, keep_going);
     }
     double take_milliseconds() override { return inner_.take_milliseconds(); }
