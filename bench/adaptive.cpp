@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,7 @@
 #include "image/png.h"
 #include "scene/flat_scene.h"
 #include "scene/load_scene.h"
+#include "schedule/quality.h"
 
 namespace {
 
@@ -52,6 +54,8 @@ struct Settings {
     std::uint32_t repetitions = 0;    ///< 0: by `quick`
     std::uint32_t reference_spp = 0;  ///< 0: by `quick`
     std::vector<double> thresholds;
+    std::optional<Quality> quality;
+    std::optional<double> support, roulette;
     std::vector<std::string> filters{"box", "centre"};
     std::vector<std::string> only;
 
@@ -74,11 +78,14 @@ struct Settings {
     }
     /// `igi`, `amax` and an `ais` for every threshold.
     [[nodiscard]] std::vector<FrameMethod> methods() const {
-        std::vector<FrameMethod> methods{{method_igi, Algorithm::igi, {}},
-                                         {method_amax, Algorithm::amax, {}}};
-        if (thresholds.empty()) methods.push_back({"ais", Algorithm::ais, {}});
+        SamplingSettings sampling = sampling_of(quality.value_or(Quality::preview));
+        if (support) sampling.enough_support = *support;
+        if (roulette) sampling.roulette = *roulette;
+        std::vector<FrameMethod> methods{{method_igi, Algorithm::igi, sampling},
+                                         {method_amax, Algorithm::amax, sampling}};
+        if (thresholds.empty()) methods.push_back({"ais", Algorithm::ais, sampling});
         for (const double threshold : thresholds) {
-            methods.push_back({fmt::format("ais-{:g}", threshold), Algorithm::ais, {}});
+            methods.push_back({fmt::format("ais-{:g}", threshold), Algorithm::ais, sampling});
             methods.back().sampling.threshold = threshold;
         }
         return methods;
@@ -103,6 +110,13 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--threshold", settings.thresholds,
                    "of ais; a row for each, the first is the summary's; default: the program's")
         ->check(CLI::Range(0.0, 1e6));
+    app.add_option("--quality", settings.quality, "settings of all methods")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Quality>{
+            {"draft", Quality::draft}, {"preview", Quality::preview}, {"high", Quality::high}}));
+    app.add_option("--support", settings.support, "of ais; default: that of the quality")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--roulette", settings.roulette, "of ais; default: that of the quality")
+        ->check(CLI::Range(0.0, 1e3));
     app.add_option("--references", settings.references, "folder of path-traced references");
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
         ->check(CLI::Range(1U, limits::max_samples_per_pixel));

@@ -3,14 +3,15 @@
 
 # Compiles the kernels natively, once per instruction set and number of lanes. Each variant lives
 # in a namespace of its own and exports one table function; generated/native_variants.def lists
-# them for the choice at run time.
+# them for the choice at run time, generated/native_kernels.def includes the kernels.
 include(CheckCXXCompilerFlag)
 
 # weft_native_variant(<target> <isa> <lanes> [compiler flags...])
 function(weft_native_variant target isa lanes)
   set(variant "weft_native_${isa}_${lanes}")
   add_library(${variant} OBJECT "${CMAKE_SOURCE_DIR}/host/device/native/kernels_native.cpp")
-  target_include_directories(${variant} PRIVATE "${CMAKE_SOURCE_DIR}/host" "${CMAKE_SOURCE_DIR}")
+  target_include_directories(${variant} PRIVATE "${CMAKE_SOURCE_DIR}/host" "${CMAKE_SOURCE_DIR}"
+                             "${WEFT_GENERATED_DIR}")
   target_link_libraries(${variant} PRIVATE weft_options weft_dependencies)
   target_compile_definitions(
     ${variant} PRIVATE WEFT_LANES=${lanes} WEFT_NATIVE_NAMESPACE=${variant}
@@ -28,6 +29,11 @@ function(weft_native_variant target isa lanes)
 endfunction()
 
 function(weft_add_native_kernels target)
+  file(GLOB kernels RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS
+       "${CMAKE_SOURCE_DIR}/kernels/*.cl")
+  list(TRANSFORM kernels REPLACE "(.+)" "#include \"\\1\"\n")
+  string(JOIN "" includes ${kernels})
+  file(CONFIGURE OUTPUT "${WEFT_GENERATED_DIR}/native_kernels.def" CONTENT "${includes}" @ONLY)
   # Kernels share argument lists that not all of them use whole. As an option of the file it comes
   # after -Wextra, which would turn the warning on again for clang++.
   set_source_files_properties(

@@ -18,10 +18,6 @@
 #endif
 
 typedef struct {
-    WFloat x, y, z;
-} WFloat3;
-
-typedef struct {
     NFloat x, y, z;
 } NFloat3;
 

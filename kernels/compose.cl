@@ -2,18 +2,148 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Every pixel's surface and irradiance to the film, but for edge pixels, which edge_samples.cl adds
-// where the frame has edge samples.
-#include "edges.h"
+// where the frame has edge samples. One work-item for LANES pixels of a row; where one of them is
+// not good (guard.h), or the row ends, pixel by pixel, with the same result.
 #include "film.h"
+#include "wide_pixels.h"
+
+// FilmSample of LANES pixels.
+typedef struct {
+    WFloat3 emission, direct, indirect, albedo, normal;
+    WFloat depth;
+} WideSample;
+
+static inline WFloat3 product(WFloat3 a, WFloat3 b) {
+    a.x = a.x * b.x;
+    a.y = a.y * b.y;
+    a.z = a.z * b.z;
+    return a;
+}
+
+static inline WMask is_good_lane(WFloat v) {
+    const WFloat zero = WIDE(0.0f), infinity = WIDE(M_INFINITY);
+    return (v >= zero) & (v < infinity);
+}
+
+/// Lanes that guard() lets pass.
+static inline WMask are_good(WFloat3 v) {
+    return is_good_lane(v.x) & is_good_lane(v.y) & is_good_lane(v.z);
+}
+
+/// Irradiance by direct light; see pixel_irradiance.
+static inline WFloat3 direct_irradiance(const Params* params, const SeenPixels* seen,
+                                        const IrradianceBuffers* buffers, uint first) {
+    WFloat3 e;
+    e.x = WIDE(0.0f);
+    e.y = e.x;
+    e.z = e.x;
+    if (HAS(params, FEATURE_EXACT_DIRECT)) {
+        float x[LANES], y[LANES], z[LANES];
+        for (uint lane = 0u; lane < LANES; ++lane) {
+            uint pixel = first + lane;
+            float3 one = pixel_irradiance(params, buffers, pixel,
+                                          pixel_is_lit(seen->ids, seen->albedo, pixel))
+                             .direct;
+            x[lane] = one.x;
+            y[lane] = one.y;
+            z[lane] = one.z;
+        }
+        e.x = wide_load(x, 0);
+        e.y = wide_load(y, 0);
+        e.z = wide_load(z, 0);
+    } else if (HAS(params, FEATURE_SAMPLED_DIRECT)) {
+        e = load_vectors(buffers->direct + first);
+    }
+    return e;
+}
+
+/// The samples of pixels from `first` on, and which of them are good.
+static inline WMask wide_sample(const Params* params, const SeenPixels* seen,
+                                const IrradianceBuffers* buffers, uint first, WideSample* sample) {
+    sample->albedo = load_vectors(seen->albedo + first);
+    sample->emission = load_vectors(seen->emission + first);
+    sample->normal = load_vectors(seen->shading + first);
+    sample->depth = load_fourth(seen->position + first) / params->unit;
+    WFloat3 reflectance;
+    reflectance.x = sample->albedo.x * M_INV_PI;
+    reflectance.y = sample->albedo.y * M_INV_PI;
+    reflectance.z = sample->albedo.z * M_INV_PI;
+    sample->direct = product(reflectance, direct_irradiance(params, seen, buffers, first));
+    WFloat3 indirect;
+    indirect.x = WIDE(0.0f);
+    indirect.y = indirect.x;
+    indirect.z = indirect.x;
+    if (HAS(params, FEATURE_INDIRECT)) indirect = load_vectors(buffers->indirect + first);
+    sample->indirect = product(reflectance, indirect);
+    return are_good(sample->emission) & are_good(sample->direct) & are_good(sample->indirect) &
+           are_good(sample->albedo) & is_good_lane(sample->depth);
+}
+
+/// add_to_film for LANES pixels but those of `others`, which keep what they have.
+static inline void add_wide(GLOBAL float* high, GLOBAL float* low, uint samples, WMask others,
+                            WFloat x) {
+    WFloat zero = WIDE(0.0f);
+    if (samples == 0u) {
+        // What others have before the first sample is undefined.
+        wide_store(zero + x, high, 0);
+        return;
+    }
+    WFloat sum = wide_load(high, 0);
+    WFloat before = samples == 1u ? zero : wide_load(low, 0);
+    WFloat total = sum + x;
+    WFloat size = VMAX(sum, -sum);
+    WFloat size_x = VMAX(x, -x);
+    WFloat rest = before + SELECT(size >= size_x, (sum - total) + x, (x - total) + sum);
+    wide_store(SELECT(others, sum, total), high, 0);
+    wide_store(SELECT(others, before, rest), low, 0);
+}
+
+static inline void add_wide_vector(GLOBAL float* high, GLOBAL float* low, uint stride, uint samples,
+                                   WMask others, WFloat3 x) {
+    add_wide(high, low, samples, others, x.x);
+    add_wide(high + stride, low + stride, samples, others, x.y);
+    add_wide(high + 2u * stride, low + 2u * stride, samples, others, x.z);
+}
+
+static inline void add_wide_sample(const Params* params, GLOBAL float* film_high,
+                                   GLOBAL float* film_low, uint first, WMask others,
+                                   const WideSample* sample) {
+    uint stride = FILM_STRIDE(params->width * params->height);
+    uint samples = film_samples(params);
+    GLOBAL float* high = film_high + first;
+    GLOBAL float* low = film_low + first;
+    add_wide_vector(high + FILM_EMISSION * stride, low + FILM_EMISSION * stride, stride, samples,
+                    others, sample->emission);
+    add_wide_vector(high + FILM_DIRECT * stride, low + FILM_DIRECT * stride, stride, samples,
+                    others, sample->direct);
+    add_wide_vector(high + FILM_INDIRECT * stride, low + FILM_INDIRECT * stride, stride, samples,
+                    others, sample->indirect);
+    add_wide_vector(high + FILM_ALBEDO * stride, low + FILM_ALBEDO * stride, stride, samples,
+                    others, sample->albedo);
+    add_wide_vector(high + FILM_NORMAL * stride, low + FILM_NORMAL * stride, stride, samples,
+                    others, sample->normal);
+    add_wide(high + FILM_DEPTH * stride, low + FILM_DEPTH * stride, samples, others, sample->depth);
+}
 
 WEFT_KERNEL(compose)
 (PARAMS, GBUFFER_ARGS, IRRADIANCE_ARGS, GLOBAL float* film_high, GLOBAL float* film_low,
  GLOBAL NonfiniteCounter* nonfinite, GLOBAL const uint* edge_masks) {
     if (GLOBAL_ID >= params.count) return;
-    uint pixel = params.first + GLOBAL_ID;
-    if (params.edge_samples != 0u && is_edge_pixel(&params, edge_masks, pixel) != 0) return;
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
-    FilmSample sample = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
-    add_film_sample(&params, film_high, film_low, pixel, &sample);
+    PixelRun run = pixel_run(&params, params.first + GLOBAL_ID);
+    uint edges = params.edge_samples != 0u ? run_bits(&params, edge_masks, &run) : 0u;
+    if (run.count == LANES) {
+        WideSample sample;
+        WMask good = wide_sample(&params, &seen, &buffers, run.first, &sample);
+        if (mask_all(good) != 0) {
+            add_wide_sample(&params, film_high, film_low, run.first, mask_of(edges), &sample);
+            return;
+        }
+    }
+    for (uint i = 0u; i < run.count; ++i) {
+        if ((edges >> i & 1u) != 0u) continue;
+        FilmSample sample = pixel_sample(&params, &seen, &buffers, nonfinite, run.first + i);
+        add_film_sample(&params, film_high, film_low, run.first + i, &sample);
+    }
 }

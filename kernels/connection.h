@@ -53,6 +53,15 @@ static inline WFloat wide_spot(WFloat cosine, float cos_inner, float cos_outer) 
     return x * x;
 }
 
+/// From the VPL to every receiver.
+static inline WFloat3 from_vpl(const ReceiverPacket* packet, GLOBAL const Vpl* vpl) {
+    WFloat3 d;
+    d.x = packet->position.x - vpl->position.x;
+    d.y = packet->position.y - vpl->position.y;
+    d.z = packet->position.z - vpl->position.z;
+    return d;
+}
+
 /// Geometry term of the connection for every lane, 0 where it carries nothing. `d` leads from the
 /// VPL to the receivers.
 static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* vpl, uint kind,

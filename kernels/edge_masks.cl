@@ -58,31 +58,72 @@ static inline int is_decided(const uint* mask, int x, int y) {
     return (int)(mask[bit / 32] >> (bit % 32) & 1u);
 }
 
+#define RIM_EDGE (TILE_EDGE + 2)  // a tile and the pixels about it
+
+// Triangles that those pixels show, and whose pixels are inside of the picture.
+typedef struct {
+    uint triangles[RIM_EDGE][RIM_EDGE];
+    int first_x, first_y, end_x, end_y;  // relative to the tile
+} TileTriangles;
+
+static inline void load_triangles(const Params* params, GLOBAL const uint* gb_ids, int left,
+                                  int top, TileTriangles* tile) {
+    int width = (int)params->width;
+    int height = (int)params->height;
+    tile->first_x = left > 0 ? -1 : 0;
+    tile->first_y = top > 0 ? -1 : 0;
+    tile->end_x = width - left < TILE_EDGE + 1 ? width - left : TILE_EDGE + 1;
+    tile->end_y = height - top < TILE_EDGE + 1 ? height - top : TILE_EDGE + 1;
+    for (int y = tile->first_y; y < tile->end_y; ++y) {
+        GLOBAL const uint* row = gb_ids + 2 * ((top + y) * width + left);
+        for (int x = tile->first_x; x < tile->end_x; ++x)
+            tile->triangles[y + 1][x + 1] = row[2 * x + 1];
+    }
+}
+
+/// Pixels of a row, from column -1 on, that show another triangle than the one (`dx`, `dy`) from
+/// them, both inside of the picture; a bit each.
+static inline uint row_differs(const TileTriangles* tile, int y, int dx, int dy) {
+    if (y + dy >= tile->end_y) return 0u;
+    const uint* row = tile->triangles[y + 1];
+    const uint* other = tile->triangles[y + 1 + dy];
+    uint bits = 0u;
+    for (int x = tile->first_x; x < tile->end_x; ++x) {
+        int to = x + dx;
+        if (to < tile->first_x || to >= tile->end_x) continue;
+        bits |= (row[x + 1] != other[to + 1] ? 1u : 0u) << (x + 1);
+    }
+    return bits;
+}
+
 WEFT_KERNEL(edge_masks)
 (PARAMS, GBUFFER_ARGS, GLOBAL const InstanceRecord* instances, GLOBAL uint* masks) {
     if (GLOBAL_ID >= params.count) return;
     uint tile = params.first + GLOBAL_ID;
     int width = (int)params.width;
-    int height = (int)params.height;
     int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
     int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;
+    TileTriangles triangles;
+    load_triangles(&params, gb_ids, left, top, &triangles);
     uint mask[2] = {0u, 0u};
-    // Each pair of neighbours once: a pixel with those to the right and below it.
-    for (int y = -1; y < TILE_EDGE; ++y) {
-        for (int x = -1; x <= TILE_EDGE; ++x) {
-            if (left + x < 0 || top + y < 0 || left + x >= width || top + y >= height) continue;
-            for (int k = 0; k < 4; ++k) {
-                int to_x = k == 3 ? x + 1 : x + k - 1;
-                int to_y = k == 3 ? y : y + 1;
-                if (left + to_x < 0 || left + to_x >= width || top + to_y >= height) continue;
-                if (is_decided(mask, x, y) != 0 && is_decided(mask, to_x, to_y) != 0) continue;
+    // Each pair of neighbours once: a pixel with those to the right and below it. Those of one
+    // triangle have no edge between them.
+    for (int y = triangles.first_y; y < TILE_EDGE && y < triangles.end_y; ++y) {
+        for (int k = 0; k < 4; ++k) {
+            int dx = k == 3 ? 1 : k - 1;
+            int dy = k == 3 ? 0 : 1;
+            uint pairs = row_differs(&triangles, y, dx, dy);
+            while (pairs != 0u) {
+                int x = (int)lowest_bit(pairs) - 1;
+                pairs &= pairs - 1u;
+                if (is_decided(mask, x, y) != 0 && is_decided(mask, x + dx, y + dy) != 0) continue;
                 uint a = (uint)((top + y) * width + left + x);
-                uint b = (uint)((top + to_y) * width + left + to_x);
+                uint b = (uint)((top + y + dy) * width + left + x + dx);
                 if (edge_between(&params, instances, gb_ids, gb_position, gb_normal, gb_shading,
                                  gb_albedo, gb_emission, a, b) == 0)
                     continue;
                 set_tile_bit(mask, x, y);
-                set_tile_bit(mask, to_x, to_y);
+                set_tile_bit(mask, x + dx, y + dy);
             }
         }
     }

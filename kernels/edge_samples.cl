@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Anti-aliasing of edge pixels: further primary rays, whose surfaces take the irradiance that is
-// there already, from a pixel close by that shows the same surface. One work-item per edge pixel.
+// there already, from a pixel close by that shows the same surface. One work-item for as many edge
+// pixels as fill a packet of rays.
 #include "camera.h"
 #include "counters.h"
 #include "film.h"
@@ -44,8 +45,8 @@ static inline PixelSurface hit_surface(const Params* params, const Surface* hit_
     return surface;
 }
 
-/// The pixel within `radius` about (`x`, `y`), a point of the film in pixels, that lies on the
-/// surface and is nearest to the point; NO_TRIANGLE where none does.
+/// The pixel within `radius` about `pixel` that lies on the surface and is nearest to (`x`, `y`), a
+/// point of the film inside of `pixel`, in pixels; NO_TRIANGLE where none does.
 static inline uint nearest_on_surface(const Params* params, const SeenPixels* seen,
                                       const PixelSurface* surface, uint pixel, float x, float y,
                                       int radius) {
@@ -53,6 +54,10 @@ static inline uint nearest_on_surface(const Params* params, const SeenPixels* se
     int row = (int)(pixel / params->width);
     uint nearest = NO_TRIANGLE;
     float least = RAY_INFINITY;
+    // No other pixel's point is nearer.
+    if (pixel_is_lit(seen->ids, seen->albedo, pixel) != 0 &&
+        on_surface(surface, seen->position, seen->shading, pixel) != 0)
+        return pixel;
     for (int j = row - radius; j <= row + radius; ++j) {
         for (int i = column - radius; i <= column + radius; ++i) {
             if (i < 0 || j < 0 || i >= (int)params->width || j >= (int)params->height) continue;
@@ -108,13 +113,11 @@ static inline uint irradiance_source(const Params* params, const SeenPixels* see
     return most_similar(params, seen, surface, pixel);
 }
 
-/// What is seen through the point (`x`, `y`) of `pixel`.
-static inline FilmSample trace_sample(const Params* params, Scene scene, const Geometry* geometry,
-                                      const SeenPixels* seen, const IrradianceBuffers* buffers,
-                                      GLOBAL NonfiniteCounter* nonfinite, uint pixel, float x,
-                                      float y, uint* misses) {
-    float3 direction = camera_direction(params, x, y);
-    Hit hit = trace_closest(scene, xyz(params->camera_origin), direction, RAY_INFINITY);
+/// What a ray through the point (`x`, `y`) of `pixel` in that direction shows.
+static inline FilmSample hit_sample(const Params* params, const Geometry* geometry,
+                                    const SeenPixels* seen, const IrradianceBuffers* buffers,
+                                    GLOBAL NonfiniteCounter* nonfinite, uint pixel, float x,
+                                    float y, float3 direction, Hit hit, uint* misses) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     Irradiance e = no_irradiance();
     if (hit.triangle == NO_TRIANGLE) {
@@ -140,35 +143,86 @@ static inline void add_share(FilmSample* sum, const FilmSample* sample, float sh
     sum->depth += sample->depth * share;
 }
 
+// The rays of a work-item, sample by sample of its pixels.
+#define MAX_ITEM_RAYS (LANES > MAX_EDGE_SAMPLES ? LANES : MAX_EDGE_SAMPLES)
+
+typedef struct {
+    float x[MAX_ITEM_RAYS], y[MAX_ITEM_RAYS];  // points of the film
+    float3 directions[MAX_ITEM_RAYS];
+    Hit hits[MAX_ITEM_RAYS];
+    uint count;
+} EdgeRays;
+
+/// The rays of edge pixels [first, end) of the list.
+static inline void make_edge_rays(const Params* params, GLOBAL const uint* edge_pixels, uint first,
+                                  uint end, EdgeRays* rays) {
+    rays->count = 0u;
+    for (uint at = first; at < end; ++at) {
+        uint pixel = edge_pixels[at];
+        int mirrored = (int)(hash_pair(params->seed, pixel) & 1u);
+        for (uint k = 0u; k < params->edge_samples; ++k) {
+            uint ray = rays->count++;
+            float x;
+            float y;
+            sample_offset(k, params->edge_samples + 1u, mirrored, &x, &y);
+            rays->x[ray] = x + (float)(pixel % params->width) + params->jitter_x;
+            rays->y[ray] = y + (float)(pixel / params->width) + params->jitter_y;
+            rays->directions[ray] = camera_direction(params, rays->x[ray], rays->y[ray]);
+        }
+    }
+}
+
+static inline void trace_edge_rays(const Params* params, Scene scene, EdgeRays* rays) {
+    for (uint first = 0u; first < rays->count; first += LANES) {
+        uint count = rays->count - first < LANES ? rays->count - first : LANES;
+        PacketDirections directions;
+        Hit hits[LANES];
+        for (uint lane = 0u; lane < LANES; ++lane) {
+            // Lanes that are not in use repeat a ray.
+            float3 direction = rays->directions[first + (lane < count ? lane : 0u)];
+            directions.x[lane] = direction.x;
+            directions.y[lane] = direction.y;
+            directions.z[lane] = direction.z;
+        }
+        uint active = 0xFFFFFFFFu >> (32u - count);
+        trace_closest_packet(scene, xyz(params->camera_origin), &directions, active, RAY_INFINITY,
+                             hits);
+        for (uint lane = 0u; lane < count; ++lane) rays->hits[first + lane] = hits[lane];
+    }
+}
+
 WEFT_KERNEL(edge_samples)
 (PARAMS, SCENE_ARGS, GEOMETRY_ARGS, GBUFFER_ARGS, IRRADIANCE_ARGS, GLOBAL const uint* edge_pixels,
  GLOBAL float* film_high, GLOBAL float* film_low, GLOBAL NonfiniteCounter* nonfinite,
  GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
-    uint pixel = edge_pixels[params.first + GLOBAL_ID];
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
-    uint count = params.edge_samples + 1u;
+    uint pixels = edge_pixels_of_item((uint)LANES, params.edge_samples);
+    uint first = (params.first + GLOBAL_ID) * pixels;
+    uint end = first + pixels < params.list_length ? first + pixels : params.list_length;
+    EdgeRays rays;
+    make_edge_rays(&params, edge_pixels, first, end, &rays);
+    trace_edge_rays(&params, scene, &rays);
+    float share = 1.0f / (float)(params.edge_samples + 1u);
     uint misses = 0u;
-    int mirrored = (int)(hash_pair(params.seed, pixel) & 1u);
-    float share = 1.0f / (float)count;
-    FilmSample sum = {f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f),
-                      f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f), 0.0f};
-    FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
-    add_share(&sum, &centre, share);
-    for (uint k = 0u; k < params.edge_samples; ++k) {
-        float x;
-        float y;
-        sample_offset(k, count, mirrored, &x, &y);
-        x += (float)(pixel % params.width) + params.jitter_x;
-        y += (float)(pixel / params.width) + params.jitter_y;
-        FilmSample sample = trace_sample(&params, scene, &geometry, &seen, &buffers, nonfinite,
-                                         pixel, x, y, &misses);
-        add_share(&sum, &sample, share);
+    uint ray = 0u;
+    for (uint at = first; at < end; ++at) {
+        uint pixel = edge_pixels[at];
+        FilmSample sum = {f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f), 0.0f};
+        FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
+        add_share(&sum, &centre, share);
+        for (uint k = 0u; k < params.edge_samples; ++k, ++ray) {
+            FilmSample sample =
+                hit_sample(&params, &geometry, &seen, &buffers, nonfinite, pixel, rays.x[ray],
+                           rays.y[ray], rays.directions[ray], rays.hits[ray], &misses);
+            add_share(&sum, &sample, share);
+        }
+        add_film_sample(&params, film_high, film_low, pixel, &sum);
     }
-    add_film_sample(&params, film_high, film_low, pixel, &sum);
-    count_rays(counters + params.counter, params.edge_samples);
+    count_rays(counters + params.counter, rays.count);
     if (misses > 0u) atomic_add_uint(&counters[params.counter].misses, misses);
 }

@@ -101,11 +101,21 @@ static inline FilmSample pixel_sample(const Params* params, const SeenPixels* se
                        seen->position[pixel].w);
 }
 
-/// Neumaier's compensated sum; the first sample starts it.
-static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, int starts,
+/// Samples that the film holds already: each frame adds one.
+static inline uint film_samples(const Params* params) {
+    return params->film_starts != 0u ? 0u : params->frame;
+}
+
+/// Neumaier's compensated sum, to which `samples` have been added. What is undefined before the
+/// first one is not read, and what is 0 after it is neither written nor read.
+static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, uint samples,
                                float x) {
-    float sum = starts != 0 ? 0.0f : high[at];
-    float rest = starts != 0 ? 0.0f : low[at];
+    if (samples == 0u) {
+        high[at] = 0.0f + x;
+        return;
+    }
+    float sum = high[at];
+    float rest = samples == 1u ? 0.0f : low[at];
     float total = sum + x;
     if (absolute(sum) >= absolute(x))
         rest += (sum - total) + x;
@@ -116,24 +126,24 @@ static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, i
 }
 
 static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, uint stride,
-                              int starts, float3 x) {
-    add_to_film(high, low, at, starts, x.x);
-    add_to_film(high, low, at + stride, starts, x.y);
-    add_to_film(high, low, at + 2u * stride, starts, x.z);
+                              uint samples, float3 x) {
+    add_to_film(high, low, at, samples, x.x);
+    add_to_film(high, low, at + stride, samples, x.y);
+    add_to_film(high, low, at + 2u * stride, samples, x.z);
 }
 
 static inline void add_film_sample(const Params* params, GLOBAL float* film_high,
                                    GLOBAL float* film_low, uint pixel, const FilmSample* sample) {
     uint stride = FILM_STRIDE(params->width * params->height);
-    int starts = params->film_starts != 0u ? 1 : 0;
+    uint samples = film_samples(params);
     GLOBAL float* high = film_high + pixel;
     GLOBAL float* low = film_low + pixel;
-    add_vector(high, low, FILM_EMISSION * stride, stride, starts, sample->emission);
-    add_vector(high, low, FILM_DIRECT * stride, stride, starts, sample->direct);
-    add_vector(high, low, FILM_INDIRECT * stride, stride, starts, sample->indirect);
-    add_vector(high, low, FILM_ALBEDO * stride, stride, starts, sample->albedo);
-    add_vector(high, low, FILM_NORMAL * stride, stride, starts, sample->normal);
-    add_to_film(high, low, FILM_DEPTH * stride, starts, sample->depth);
+    add_vector(high, low, FILM_EMISSION * stride, stride, samples, sample->emission);
+    add_vector(high, low, FILM_DIRECT * stride, stride, samples, sample->direct);
+    add_vector(high, low, FILM_INDIRECT * stride, stride, samples, sample->indirect);
+    add_vector(high, low, FILM_ALBEDO * stride, stride, samples, sample->albedo);
+    add_vector(high, low, FILM_NORMAL * stride, stride, samples, sample->normal);
+    add_to_film(high, low, FILM_DEPTH * stride, samples, sample->depth);
 }
 
 #endif

@@ -1,22 +1,16 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Primary visibility: one ray a pixel, through its centre or the frame's jittered point.
+// Primary visibility: one ray a pixel, through its centre or the frame's jittered point, in packets
+// of a small block of pixels. One work-item per block, row by row.
 #include "camera.h"
 #include "gbuffer.h"
 #include "surface.h"
 #include "trace.h"
 
-WEFT_KERNEL(gbuffer)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, GBUFFER_ARGS) {
-    if (GLOBAL_ID >= params.count) return;
-    uint pixel = params.first + GLOBAL_ID;
-    SCENE_MAKE(scene);
-    GEOMETRY_MAKE(geometry);
-    float3 origin = xyz(params.camera_origin);
-    float3 direction = camera_direction(&params, (float)(pixel % params.width) + params.jitter_x,
-                                        (float)(pixel / params.width) + params.jitter_y);
-    Hit hit = trace_closest(scene, origin, direction, RAY_INFINITY);
+/// What a pixel's ray in that direction met; `facet` is the triangle's.
+static inline void store_pixel(const Params* params, const Geometry* geometry, const Facet* facet,
+                               uint pixel, float3 direction, Hit hit, GBUFFER_ARGS) {
     gb_ids[2u * pixel] = NO_TRIANGLE;
     gb_ids[2u * pixel + 1u] = hit.triangle;
     if (hit.triangle == NO_TRIANGLE) {
@@ -25,15 +19,16 @@ WEFT_KERNEL(gbuffer)
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_emission[pixel] =
-            HAS(&params, FEATURE_ENVIRONMENT) ? params.environment : f4(0.0f, 0.0f, 0.0f, 0.0f);
+            HAS(params, FEATURE_ENVIRONMENT) ? params->environment : f4(0.0f, 0.0f, 0.0f, 0.0f);
         return;
     }
-    Surface surface = surface_at(&params, &geometry, hit, direction, params.texture_angle);
+    Surface surface = surface_on(params, geometry, facet, hit, direction, params->texture_angle);
     // The forward component of `direction` is 1, so t is the distance along the viewing axis.
     float depth = hit.t;
-    float distance = depth * length3(direction);
-    float facing = -dot3(surface.normal, direction) / length3(direction);
-    float footprint = distance * params.pixel_angle / m_max(facing, 0.05f);
+    float length = length3(direction);
+    float distance = depth * length;
+    float facing = -dot3(surface.normal, direction) / length;
+    float footprint = distance * params->pixel_angle / m_max(facing, 0.05f);
     float lit =
         surface.albedo.x > 0.0f || surface.albedo.y > 0.0f || surface.albedo.z > 0.0f ? 1.0f : 0.0f;
     gb_ids[2u * pixel] = surface.instance;
@@ -42,4 +37,46 @@ WEFT_KERNEL(gbuffer)
     gb_shading[pixel] = f4(surface.shading.x, surface.shading.y, surface.shading.z, 0.0f);
     gb_albedo[pixel] = f4(surface.albedo.x, surface.albedo.y, surface.albedo.z, lit);
     gb_emission[pixel] = f4(surface.emission.x, surface.emission.y, surface.emission.z, 0.0f);
+}
+
+WEFT_KERNEL(gbuffer)
+(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, GBUFFER_ARGS) {
+    if (GLOBAL_ID >= params.count) return;
+    uint block = params.first + GLOBAL_ID;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    float3 origin = xyz(params.camera_origin);
+    const uint block_width = pixel_block_width((uint)LANES);
+    const uint block_height = (uint)LANES / block_width;
+    uint blocks = (params.width + block_width - 1u) / block_width;
+    uint left = block % blocks * block_width;
+    uint top = block / blocks * block_height;
+    PacketDirections directions;
+    uint inside = 0u;
+    for (uint lane = 0u; lane < LANES; ++lane) {
+        uint x = left + lane % block_width;
+        uint y = top + lane / block_width;
+        float3 direction =
+            camera_direction(&params, (float)x + params.jitter_x, (float)y + params.jitter_y);
+        directions.x[lane] = direction.x;
+        directions.y[lane] = direction.y;
+        directions.z[lane] = direction.z;
+        if (x < params.width && y < params.height) inside |= 1u << lane;
+    }
+    Hit hits[LANES];
+    trace_closest_packet(scene, origin, &directions, inside, RAY_INFINITY, hits);
+    Facet facet;
+    uint facet_id = NO_TRIANGLE;
+    for (uint lane = 0u; lane < LANES; ++lane) {
+        if ((inside >> lane & 1u) == 0u) continue;
+        // Neighbours mostly show the same triangle.
+        if (hits[lane].triangle != facet_id) {
+            facet_id = hits[lane].triangle;
+            if (facet_id != NO_TRIANGLE) facet = facet_of(&geometry, facet_id);
+        }
+        uint pixel = (top + lane / block_width) * params.width + left + lane % block_width;
+        store_pixel(&params, &geometry, &facet, pixel,
+                    f3(directions.x[lane], directions.y[lane], directions.z[lane]), hits[lane],
+                    gb_ids, gb_position, gb_normal, gb_shading, gb_albedo, gb_emission);
+    }
 }

@@ -5,30 +5,14 @@
 // Params::samples samples of one pixel and adds them to the film's exact sums.
 #include "camera.h"
 #include "counters.h"
-#include "film_sums.h"
-#include "guard.h"
 #include "path.h"
+#include "path_film.h"
 
 #define ROULETTE_START 3u  // surfaces that every path may reach
 
-// One sample: what the film keeps of it.
-typedef struct {
-    float3 emission;
-    PathLight light;
-    float3 albedo, normal;
-    float depth;
-} PathSample;
-
 static inline PathSample trace_path(const Params* params, const PathScene* world, uint pixel,
                                     Random* random, uint* rays) {
-    PathSample sample;
-    float3 black = f3(0.0f, 0.0f, 0.0f);
-    sample.emission = black;
-    sample.light.direct = black;
-    sample.light.indirect = black;
-    sample.albedo = black;
-    sample.normal = black;
-    sample.depth = 0.0f;
+    PathSample sample = no_path_sample();
     float x = next_random(random);
     float y = next_random(random);
     if (params->through_centres != 0u) {
@@ -61,23 +45,6 @@ static inline PathSample trace_path(const Params* params, const PathScene* world
     return sample;
 }
 
-static inline void add_plane(GLOBAL uint* sums, uint pixels, uint plane, float value) {
-    add_to_sum(sums + plane * FILM_SUM_WORDS * pixels, pixels, FILM_SUM_WORDS, value,
-               FILM_SUM_SHIFT);
-}
-
-static inline void add_planes(GLOBAL uint* sums, uint pixels, uint plane, float3 value) {
-    add_plane(sums, pixels, plane, value.x);
-    add_plane(sums, pixels, plane + 1u, value.y);
-    add_plane(sums, pixels, plane + 2u, value.z);
-}
-
-static inline void add_square(GLOBAL uint* sums, uint pixels, uint channel, float value) {
-    GLOBAL uint* words =
-        sums + (FILM_PLANES * FILM_SUM_WORDS + channel * FILM_SQUARE_WORDS) * pixels;
-    add_to_sum(words, pixels, FILM_SQUARE_WORDS, value * value, FILM_SQUARE_SHIFT);
-}
-
 WEFT_KERNEL(path)
 (PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL uint* film_sums, GLOBAL RayCounter* counters,
  GLOBAL NonfiniteCounter* nonfinite) {
@@ -92,24 +59,7 @@ WEFT_KERNEL(path)
     for (uint i = 0u; i < params.samples; ++i) {
         Random random = make_random(params.seed, pixel, params.frame + i);
         PathSample sample = trace_path(&params, &world, pixel, &random, &rays);
-        // Scaled by a power of two, so that the sums' range fits the scene's light.
-        float3 emission =
-            guard(nonfinite, COMPONENT_EMISSION, pixel, sample.emission) * params.film_scale;
-        float3 direct =
-            guard(nonfinite, COMPONENT_DIRECT, pixel, sample.light.direct) * params.film_scale;
-        float3 indirect =
-            guard(nonfinite, COMPONENT_INDIRECT, pixel, sample.light.indirect) * params.film_scale;
-        add_planes(sums, pixels, FILM_EMISSION, emission);
-        add_planes(sums, pixels, FILM_DIRECT, direct);
-        add_planes(sums, pixels, FILM_INDIRECT, indirect);
-        add_planes(sums, pixels, FILM_ALBEDO,
-                   guard(nonfinite, COMPONENT_SURFACE, pixel, sample.albedo));
-        add_planes(sums, pixels, FILM_NORMAL, sample.normal);
-        add_plane(sums, pixels, FILM_DEPTH, sample.depth);
-        float3 beauty = emission + direct + indirect;
-        add_square(sums, pixels, 0u, beauty.x);
-        add_square(sums, pixels, 1u, beauty.y);
-        add_square(sums, pixels, 2u, beauty.z);
+        add_sample(&params, sums, pixels, pixel, &sample, nonfinite);
     }
     count_rays(counters + params.counter, rays);
 }

@@ -1,11 +1,12 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance of every pixel from undersampled tiles. `tile_stride` holds each tile's lattice (1, 2
-// or 4); pixels that need a finer one, by tile_geometry, use it. At stride 1 this is the
-// discontinuity buffer of reconstruct.cl. One work-item per tile.
-#include "discontinuity.h"
+// Irradiance of every pixel from undersampled tiles. `tile_height` holds each tile's level: 0, 1
+// and 2 for lattices of stride 4, 2 and 1, and between them the share of the finer of two where a
+// tile fades from one to the other. Pixels that need a finer lattice, by tile_geometry, use it. At
+// stride 1 this is the discontinuity buffer of reconstruct.cl. One work-item per tile.
 #include "lattice.h"
+#include "tile_window.h"
 
 /// Interpolates at a lit pixel of any tile: taps on other surfaces are left out.
 static inline float4 lattice_mean(const Params* params, GLOBAL const uint* gb_ids,
@@ -84,49 +85,157 @@ static inline void interpolate_smooth(const Params* params, GLOBAL const uint* p
     }
 }
 
+/// Interpolates all pixels of a tile inside the picture between the lattice points of a stride, as
+/// lattice_mean: `points` along an edge, the first of which lies one stride before the tile.
+static inline void lattice_means(const Params* params, GLOBAL const uint* gb_ids,
+                                 GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
+                                 GLOBAL const float4* gb_shading, const TileWindow* window,
+                                 GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
+                                 int left, int top, int stride, uint points,
+                                 CONSTANT_POINTER float* weights, TileMeans* means) {
+    SurfaceRow rows[TILE_EDGE];
+    MeanRow sums[TILE_EDGE];
+    for (uint y = 0u; y < TILE_EDGE; ++y) {
+        rows[y] = surface_row(window, y);
+        sums[y] = no_means();
+    }
+    for (uint j = 0u; j < points; ++j) {
+        for (uint i = 0u; i < points; ++i) {
+            int x = left + ((int)i - 1) * stride;
+            int y = top + ((int)j - 1) * stride;
+            uint other = (uint)(y * (int)params->width + x);
+            uint slot = pixel_slot[other];
+            if (slot == NO_TRIANGLE || pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
+            float3 e = slot_irradiance(irradiance, params->slots, slot);
+            float3 position = xyz(gb_position[other]);
+            float3 shading = xyz(gb_shading[other]);
+            NFloat across = node_load(weights + TILE_EDGE * i);
+            for (uint row = 0u; row < TILE_EDGE; ++row) {
+                float down = weights[TILE_EDGE * j + row];
+                if (down == 0.0f) continue;
+                NMask holds = row_holds(&rows[row], position, shading, params->filter_cosine);
+                NFloat share = across * down;
+                add_means(&sums[row], holds, share * e.x, share * e.y, share * e.z, share);
+            }
+        }
+    }
+    for (uint y = 0u; y < TILE_EDGE; ++y) store_means(&sums[y], y, means);
+}
+
+// Pixels of a tile by the lattice that they are interpolated from, as in TileRecord.
+typedef struct {
+    uint coarse[2], middle[2], full[2];
+} TileStrides;
+
+static inline TileStrides tile_strides(const TileRecord* record, uint stride) {
+    TileStrides strides;
+    for (uint word = 0u; word < 2u; ++word) {
+        uint lit = record->lit[word];
+        uint fine = stride == 1u ? lit : record->fine[word];
+        uint middle = stride == 2u ? lit : record->middle[word];
+        strides.full[word] = fine;
+        strides.middle[word] = middle & ~fine;
+        strides.coarse[word] = lit & ~middle & ~fine;
+    }
+    return strides;
+}
+
+/// The mean of one pixel where the tile's way of computing it does not serve.
+static inline float4 pixel_mean(const Params* params, GLOBAL const uint* gb_ids,
+                                GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
+                                GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
+                                GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
+                                int x, int y, int stride) {
+    uint pixel = (uint)(y * (int)params->width + x);
+    PixelSurface surface = pixel_surface(params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
+    float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
+    // What the coarse lattice serves, the middle one may miss.
+    for (int s = stride; s > 1 && s <= 4 && mean.w == 0.0f; s *= 2)
+        mean = lattice_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
+                            pixel_slot, irradiance, x, y, s);
+    if (mean.w == 0.0f)
+        mean = window_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface, pixel_slot,
+                           irradiance, pixel);
+    return mean;
+}
+
+/// All pixels of a tile by the lattice of that stride. `share` of it goes to what `filtered`
+/// already holds, all of it where that is 1.
+static inline void reconstruct_at(const Params* params, GLOBAL const uint* gb_ids,
+                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
+                                  GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
+                                  const TileRecord* record, const TileWindow* window,
+                                  GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
+                                  int left, int top, uint tile_stride, float share,
+                                  GLOBAL float4* filtered) {
+    TileStrides strides = tile_strides(record, tile_stride);
+    int inside = tile_is_inside(params, left, top);
+    TileMeans coarse, middle, full;
+    if (inside != 0 && (strides.coarse[0] | strides.coarse[1]) != 0u)
+        lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, window, pixel_slot,
+                      irradiance, left, top, 4, TILE_POINTS_4, tile_weights_4, &coarse);
+    if (inside != 0 && (strides.middle[0] | strides.middle[1]) != 0u)
+        lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, window, pixel_slot,
+                      irradiance, left, top, 2, TILE_POINTS_2, tile_weights_2, &middle);
+    if ((strides.full[0] | strides.full[1]) != 0u && params->filter_radius == 1u) {
+        TileSamples samples;
+        load_samples(params, pixel_slot, irradiance, left, top, &samples);
+        window_means(params, window, &samples, &full);
+    }
+    for (uint bit = 0u; bit < TILE_EDGE * TILE_EDGE; ++bit) {
+        int x = left + (int)(bit % TILE_EDGE);
+        int y = top + (int)(bit / TILE_EDGE);
+        if (x >= (int)params->width || y >= (int)params->height) continue;
+        uint word = bit / 32u;
+        uint mask = 1u << (bit % 32u);
+        float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
+        int stride = 0;
+        if ((strides.coarse[word] & mask) != 0u) {
+            stride = 4;
+            if (inside != 0) mean = mean_of(&coarse, bit);
+        } else if ((strides.middle[word] & mask) != 0u) {
+            stride = 2;
+            if (inside != 0) mean = mean_of(&middle, bit);
+        } else if ((strides.full[word] & mask) != 0u) {
+            stride = 1;
+            if (window_is_centred(params, x, y) != 0) mean = mean_of(&full, bit);
+        }
+        if (stride != 0 && mean.w == 0.0f)
+            mean = pixel_mean(params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading,
+                              pixel_slot, irradiance, x, y, stride);
+        uint pixel = (uint)(y * (int)params->width + x);
+        if (share < 1.0f) {
+            float3 coarser = xyz(filtered[pixel]);
+            float3 mixed = coarser + (xyz(mean) - coarser) * share;
+            mean = f4(mixed.x, mixed.y, mixed.z, mean.w);
+        }
+        filtered[pixel] = mean;
+    }
+}
+
 WEFT_KERNEL(reconstruct_tiles)
-(PARAMS, GBUFFER_ARGS, GLOBAL const TileRecord* tiles, GLOBAL const uint* tile_stride,
+(PARAMS, GBUFFER_ARGS, GLOBAL const TileRecord* tiles, GLOBAL const float* tile_height,
  GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance, GLOBAL float4* filtered) {
     if (GLOBAL_ID >= params.count) return;
     uint tile = params.first + GLOBAL_ID;
     TileRecord record = tiles[tile];
-    int stride = (int)tile_stride[tile];
-    int width = (int)params.width;
-    int height = (int)params.height;
-    uint columns = (params.width + TILE_EDGE - 1u) / TILE_EDGE;
-    int left = (int)(tile % columns) * TILE_EDGE;
-    int top = (int)(tile / columns) * TILE_EDGE;
-    if (stride == 4 && (record.flags & TILE_SMOOTH) != 0u) {
+    int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
+    int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;
+    uint level = (uint)tile_height[tile];
+    float finer_share = tile_height[tile] - (float)level;
+    int smooth = level == 0u && (record.flags & TILE_SMOOTH) != 0u ? 1 : 0;
+    if (smooth != 0)
         interpolate_smooth(&params, pixel_slot, irradiance, (uint)left, (uint)top, filtered);
-        return;
-    }
-    for (uint bit = 0u; bit < 64u; ++bit) {
-        int x = left + (int)(bit % TILE_EDGE);
-        int y = top + (int)(bit / TILE_EDGE);
-        if (x >= width || y >= height) continue;
-        uint pixel = (uint)(y * width + x);
-        uint word = bit / 32u;
-        uint mask = 1u << (bit % 32u);
-        if ((record.lit[word] & mask) == 0u) {
-            filtered[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
-            continue;
-        }
-        int own = stride;
-        if ((record.middle[word] & mask) != 0u && own > 2) own = 2;
-        if ((record.fine[word] & mask) != 0u) own = 1;
-        PixelSurface surface =
-            pixel_surface(&params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
-        float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
-        if (own > 1)
-            mean = lattice_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
-                                pixel_slot, irradiance, x, y, own);
-        // What the coarse lattice serves, the middle one may miss.
-        if (own == 2 && mean.w == 0.0f)
-            mean = lattice_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
-                                pixel_slot, irradiance, x, y, 4);
-        if (mean.w == 0.0f)
-            mean = window_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
-                               pixel_slot, irradiance, pixel);
-        filtered[pixel] = mean;
-    }
+    if (smooth != 0 && finer_share == 0.0f) return;
+    TileWindow window;
+    if ((record.lit[0] | record.lit[1]) != 0u)
+        load_window(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, left, top, 1,
+                    &window);
+    if (smooth == 0)
+        reconstruct_at(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &record,
+                       &window, pixel_slot, irradiance, left, top, 4u >> level, 1.0f, filtered);
+    if (finer_share > 0.0f)
+        reconstruct_at(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &record,
+                       &window, pixel_slot, irradiance, left, top, 2u >> level, finer_share,
+                       filtered);
 }

@@ -1,67 +1,127 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance from a set's points on the area lights, as vpl_gather, but with rays only where the
-// scheduler wants them. Lights are gathered in up to SHADOW_GROUPS groups; for each block of slots
-// `block_shadows` says of every group whether to trace (bit g), or that all of it is known to be
-// seen (bit 16 + g) or blocked (neither).
-//
-// `packet_shadows` tells which lanes of a packet saw a light of the group (low 16 bits) and for
-// which one was blocked (high 16 bits), SHADOW_GROUPS words a packet; only traced rays count.
+// Second look at area lights, for the blocks of receivers that `shadow_blocks` names: rays to all
+// points of a group's lights where `shadow_edges` says that a pixel is close to the end of its
+// shadow, and where that could be seen. The irradiance takes the place of that which
+// shadow_probes.cl made.
+#include "brightness.h"
 #include "connection.h"
 #include "counters.h"
 #include "shadow_groups.h"
 
+/// What is known of a packet's pixels.
+typedef struct {
+    uint shadows[LANES];
+    uint edges[LANES];
+    float reflectance[LANES];  // of luminance, over pi
+    float radiance[LANES];     // luminance, after the first look
+} PacketPixels;
+
+static inline void load_pixels(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
+                               GLOBAL const uint* pixel_shadows, GLOBAL const uint* shadow_edges,
+                               GLOBAL const float4* gb_albedo, GLOBAL const float* irradiance,
+                               PacketPixels* pixels) {
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        uint pixel = slot_pixel[slot + lane];
+        int valid = pixel != NO_TRIANGLE ? 1 : 0;
+        pixels->shadows[lane] = valid != 0 ? pixel_shadows[shadow_place(params, pixel)] : 0u;
+        pixels->edges[lane] = valid != 0 ? shadow_edges[pixel] : 0u;
+        float reflectance = valid != 0 ? luminance(xyz(gb_albedo[pixel])) * 0.318309886f : 0.0f;
+        pixels->reflectance[lane] = reflectance;
+        uint at = slot + lane;
+        float3 e =
+            f3(irradiance[at], irradiance[params->slots + at], irradiance[2u * params->slots + at]);
+        pixels->radiance[lane] = reflectance * luminance(e);
+    }
+}
+
+/// The lanes whose words have that bit.
+static inline WMask lanes_with(const uint* words, uint bit) {
+    uint lanes = 0u;
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) lanes |= (words[lane] >> bit & 1u) << lane;
+    return mask_of(lanes);
+}
+
+/// The `edge` lanes to which a group of lights, samples [first, end), means so much that a sample
+/// which has not been looked at could show: by what one look in a window changes, in just
+/// noticeable differences.
+static inline WMask visible_lanes(const Params* params, const ReceiverPacket* packet,
+                                  GLOBAL const Vpl* first, GLOBAL const Vpl* end,
+                                  const PacketPixels* pixels, GLOBAL const float* slopes,
+                                  WMask edge) {
+    WFloat zero = WIDE(0.0f);
+    WFloat sum = zero;
+    for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
+        WMask useful;
+        WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
+        sum = sum + SELECT(useful, g * luminance(xyz(vpl->flux)), zero);
+    }
+    float light[LANES];
+    wide_store(sum, light, 0);
+    uint lanes = 0u;
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        // The sum stands for one pixel of a window of gather_scale; half way through a penumbra
+        // half of what all of them give is there at least.
+        float change = pixels->reflectance[lane] * light[lane];
+        float there = m_max(pixels->radiance[lane], 0.5f * params->gather_scale * change);
+        int unseen = change * brightness_slope(slopes, there) < params->shadow_step ? 1 : 0;
+        lanes |= (unseen != 0 ? 0u : 1u) << lane;
+    }
+    return edge & mask_of(lanes);
+}
+
 WEFT_KERNEL(soft_shadows)
 (PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
- GLOBAL const uint* block_shadows, GLOBAL const Vpl* samples, GLOBAL float* irradiance,
- GLOBAL uint* packet_shadows, GLOBAL RayCounter* counters) {
+ GLOBAL const uint* slot_pixel, GLOBAL const uint* shadow_blocks, GLOBAL const Vpl* samples,
+ GLOBAL const uint* pixel_shadows, GLOBAL const uint* shadow_edges, GLOBAL const float* slopes,
+ GLOBAL const float4* gb_albedo, GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
-    uint number = params.first + GLOBAL_ID;
-    uint slot = number * (uint)LANES;
+    uint item = (params.first + GLOBAL_ID) * (uint)LANES;
+    uint block = shadow_blocks[item / PACKET_BLOCK];
+    uint slot = block * PACKET_BLOCK + item % PACKET_BLOCK;
     SCENE_MAKE(scene);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    uint states = block_shadows[slot / PACKET_BLOCK];
-    GLOBAL const Vpl* first = samples + params.list_first + set * params.list_stride;
+    PacketPixels pixels;
+    load_pixels(&params, slot_pixel, slot, pixel_shadows, shadow_edges, gb_albedo, irradiance,
+                &pixels);
+    uint set = (block_set[block] + params.set_rotation) % params.gather_sets;
+    GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
+    uint count = params.samples_per_light;
+    uint start = shadow_start(&params, slot_pixel, slot, set);
     WFloat zero = WIDE(0.0f);
     WFloat red = zero;
     WFloat green = zero;
     WFloat blue = zero;
     uint rays = 0u;
-    int anything = mask_any(packet.valid) ? 1 : 0;
     for (uint group = 0u; group < params.shadow_groups; ++group) {
-        uint seen = 0u;
-        uint hidden = 0u;
-        int traces = (states >> group & 1u) != 0u ? 1 : 0;
-        int open = (states >> (group + 16u) & 1u) != 0u ? 1 : 0;
-        uint end = anything != 0 && (traces != 0 || open != 0)
-                       ? shadow_group_start(&params, group + 1u)
-                       : 0u;
-        for (uint i = shadow_group_start(&params, group); i < end; ++i) {
-            GLOBAL const Vpl* vpl = first + i;
+        GLOBAL const Vpl* first = of_set + shadow_group_light(&params, group) * count;
+        GLOBAL const Vpl* end = of_set + shadow_group_light(&params, group + 1u) * count;
+        WMask edge = lanes_with(pixels.edges, group);
+        WMask hidden = lanes_with(pixels.shadows, group + SHADOW_HIDDEN);
+        GLOBAL const Vpl* known = end;
+        if (mask_any(edge))
+            edge = visible_lanes(&params, &packet, first, end, &pixels, slopes, edge);
+        // What the first look found; of several lights it does not say which one was hidden.
+        if (first + count == end) known = first + start;
+        for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
             float4 flux = vpl->flux;
             if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
-            WFloat3 d;
-            d.x = packet.position.x - vpl->position.x;
-            d.y = packet.position.y - vpl->position.y;
-            d.z = packet.position.z - vpl->position.z;
+            WFloat3 d = from_vpl(&packet, vpl);
             WMask useful;
             WFloat g = connection(&packet, vpl, VPL_SURFACE, d, &useful);
-            if (!mask_any(useful)) continue;
-            if (traces != 0) {
-                rays += mask_count(useful);
-                WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
-                hidden |= mask_bits(useful & blocked);
-                useful = useful & mask_not(blocked);
-                seen |= mask_bits(useful);
+            WMask blocked = hidden;
+            WMask unsure = useful & edge;
+            if (vpl != known && mask_any(unsure)) {
+                rays += mask_count(unsure);
+                WMask found = trace_any_packet(scene, xyz(vpl->position), d, unsure);
+                blocked = (hidden & mask_not(edge)) | (found & edge);
             }
-            g = SELECT(useful, g, zero);
+            g = SELECT(useful & mask_not(blocked), g, zero);
             red = red + g * flux.x;
             green = green + g * flux.y;
             blue = blue + g * flux.z;
         }
-        packet_shadows[number * SHADOW_GROUPS + group] = seen | hidden << 16;
     }
     wide_store(red * params.gather_scale, irradiance, slot);
     wide_store(green * params.gather_scale, irradiance, params.slots + slot);

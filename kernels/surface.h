@@ -40,23 +40,38 @@ static inline float3 texture_at(const Geometry* geometry, TextureRecord texture,
                           footprint * square_root(texels));
 }
 
-/// The surface at a hit of a ray that travels along `direction`. Textures are averaged over a cone
-/// of `angle` radians about the ray; 0 asks for full detail.
-static inline Surface surface_at(const Params* params, const Geometry* geometry, Hit hit,
-                                 float3 direction, float angle) {
+// What all hits of a triangle share.
+typedef struct {
+    Triangle triangle;
+    MaterialRecord material;
+    float3 a, b, c;  // vertices
+    float3 doubled_area, outside;
+} Facet;
+
+static inline Facet facet_of(const Geometry* geometry, uint id) {
+    Facet facet;
+    facet.triangle = geometry->triangles[id];
+    facet.material = geometry->materials[geometry->instances[facet.triangle.instance].material];
+    facet.a = xyz(geometry->positions[facet.triangle.v0]);
+    facet.b = xyz(geometry->positions[facet.triangle.v1]);
+    facet.c = xyz(geometry->positions[facet.triangle.v2]);
+    facet.doubled_area = cross3(facet.b - facet.a, facet.c - facet.a);
+    facet.outside = normalize3(facet.doubled_area);
+    return facet;
+}
+
+/// The surface at a hit, on that facet, of a ray that travels along `direction`. Textures are
+/// averaged over a cone of `angle` radians about the ray; 0 asks for full detail.
+static inline Surface surface_on(const Params* params, const Geometry* geometry, const Facet* facet,
+                                 Hit hit, float3 direction, float angle) {
     Surface surface;
-    Triangle triangle = geometry->triangles[hit.triangle];
-    MaterialRecord material = geometry->materials[geometry->instances[triangle.instance].material];
+    Triangle triangle = facet->triangle;
+    MaterialRecord material = facet->material;
     float w = 1.0f - hit.u - hit.v;
-    float3 a = xyz(geometry->positions[triangle.v0]);
-    float3 b = xyz(geometry->positions[triangle.v1]);
-    float3 c = xyz(geometry->positions[triangle.v2]);
-    float3 doubled_area = cross3(b - a, c - a);
-    float3 outside = normalize3(doubled_area);
-    surface.position = a * w + b * hit.u + c * hit.v;
+    surface.position = facet->a * w + facet->b * hit.u + facet->c * hit.v;
     surface.instance = triangle.instance;
-    surface.front = dot3(outside, direction) < 0.0f ? 1 : 0;
-    surface.normal = surface.front != 0 ? outside : -outside;
+    surface.front = dot3(facet->outside, direction) < 0.0f ? 1 : 0;
+    surface.normal = surface.front != 0 ? facet->outside : -facet->outside;
     surface.shading = surface.normal;
     if (HAS(params, FEATURE_SMOOTH_NORMALS)) {
         float3 smooth = normalize3(attribute3(geometry->normals, triangle.v0) * w +
@@ -68,7 +83,7 @@ static inline Surface surface_at(const Params* params, const Geometry* geometry,
     surface.albedo = xyz(material.albedo);
     if (HAS(params, FEATURE_TEXTURES) && material.texture != NO_TRIANGLE) {
         // A cone of width w covers w^2 / cos of the surface.
-        float slant = absolute(dot3(direction, doubled_area));
+        float slant = absolute(dot3(direction, facet->doubled_area));
         float width = angle * hit.t * length3(direction) * square_root(length3(direction));
         float footprint = slant > 0.0f ? width / square_root(slant) : 0.0f;
         surface.albedo *=
@@ -86,6 +101,13 @@ static inline Surface surface_at(const Params* params, const Geometry* geometry,
         (surface.front != 0 || (material.flags & MATERIAL_EMITS_BOTH_SIDES) != 0u))
         surface.emission = xyz(material.emission);
     return surface;
+}
+
+/// The same for a single hit.
+static inline Surface surface_at(const Params* params, const Geometry* geometry, Hit hit,
+                                 float3 direction, float angle) {
+    Facet facet = facet_of(geometry, hit.triangle);
+    return surface_on(params, geometry, &facet, hit, direction, angle);
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "bvh.h"
 #include "bvh_packet.h"
+#include "bvh_packet_closest.h"
 
 #ifdef __cplusplus
 #include "trace_native.h"
@@ -47,6 +48,21 @@ static inline int trace_any(Scene scene, float3 origin, float3 direction, float 
 /// Lanes of `active` whose segment from `origin` to `origin + d` is blocked before SHADOW_END.
 static inline WMask trace_any_packet(Scene scene, float3 origin, WFloat3 d, WMask active) {
     return bvh_any_packet(scene.nodes, scene.leaves, origin, d, active);
+}
+
+/// Closest hits within (0, t_max] of rays from one point, for the lanes of `active`.
+static inline void trace_closest_packet(Scene scene, float3 origin,
+                                        const PacketDirections* directions, uint active,
+                                        float t_max, Hit* hits) {
+#if LANES == 1
+    if (active != 0u)
+        hits[0] = bvh_closest(scene.nodes, scene.leaves, origin,
+                              f3(directions->x[0], directions->y[0], directions->z[0]), t_max);
+#else
+    ClosestPacket state;
+    bvh_closest_packet(scene.nodes, scene.leaves, origin, directions, active, t_max, &state);
+    for (uint lane = 0u; lane < LANES; ++lane) hits[lane] = lane_hit(&state, lane);
+#endif
 }
 
 #endif

@@ -12,7 +12,7 @@
 
 typedef const ::weft::NativeScene& Scene;
 
-/// The kernels' own BVH: always there for kernels that the executor knows to walk it (shaft.h).
+/// The kernels' own BVH, where the scene holds no Embree handle.
 static inline const BvhNode* own_nodes(Scene scene) {
     return static_cast<const BvhNode*>(scene.bvh_nodes);
 }
@@ -65,6 +65,23 @@ static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, fl
     if (scene.embree == nullptr)
         return bvh_closest(own_nodes(scene), own_leaves(scene), origin, direction, t_max);
     return embree_closest_by_id(scene, origin, direction, t_max);
+}
+
+static inline void trace_closest_packet(Scene scene, float3 origin,
+                                        const PacketDirections* directions, uint active,
+                                        float t_max, Hit* hits) {
+    if (scene.embree == nullptr && LANES > 1) {
+        ClosestPacket state;
+        bvh_closest_packet(own_nodes(scene), own_leaves(scene), origin, directions, active, t_max,
+                           &state);
+        for (uint lane = 0u; lane < LANES; ++lane) hits[lane] = lane_hit(&state, lane);
+        return;
+    }
+    for (uint lane = 0u; lane < LANES; ++lane)
+        if ((active >> lane & 1u) != 0u)
+            hits[lane] = trace_closest(
+                scene, origin, f3(directions->x[lane], directions->y[lane], directions->z[lane]),
+                t_max);
 }
 
 static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {

@@ -132,9 +132,44 @@ typedef struct {
 typedef struct {
     float4 position;  // xyz, offset to the lit side; w: bound on G, 1/unit^2
     float4 normal;    // xyz unit; w: kind (bits)
-    float4 flux;      // rgb: reflected flux over pi, summed over all sets; 0: unused
-    float4 cone;      // spot: cos_inner, cos_outer
+    float4 flux;  // rgb: reflected flux over pi, summed over all sets; 0: unused; w: of indirect
+                  // VPLs their random number for roulette, in (0, 1]
+    float4 cone;  // spot: cos_inner, cos_outer
 } Vpl;
+
+// A medium's densities and their bounds, floats of two buffers from `first` and `first_bound` on,
+// of nx ny nz voxels and bx by bz blocks; see host/scene/density_grid.h and majorant_grid.h.
+typedef struct {
+    uint nx, ny, nz;
+    uint first;
+    uint bx, by, bz;
+    uint first_bound;
+    uint block;      // voxels along the edge of a block, a power of two
+    float greatest;  // density
+    uint pad0, pad1;
+} DensityGridRecord;
+
+// Participating media (medium_walk.h). Space outside all boundaries, and what each boundary
+// encloses, is of one medium or clear. Where boundaries overlap, the lowest number counts: the
+// host numbers them by volume, the smallest first.
+#define MAX_MEDIUM_BOUNDARIES 32
+#define NO_MEDIUM 0xFFFFFFFFu
+
+typedef struct {
+    float4 sigma_t;    // rgb extinction, 1 / kernel unit
+    float4 albedo;     // rgb share of it that is scattered
+    float anisotropy;  // Henyey-Greenstein g
+    uint grid;         // NO_TRIANGLE: the same everywhere
+    uint pad0, pad1;
+} MediumRecord;
+
+typedef struct {
+    uint inside[MAX_MEDIUM_BOUNDARIES];  // medium or NO_MEDIUM, by boundary
+    uint outside;                        // of all boundaries
+    uint boundaries;                     // how many there are
+    uint around_camera;                  // a bit for each boundary that encloses the camera
+    float rounding;                      // how far rounding may move a boundary, kernel units
+} MediaRecord;
 
 // Tiles of the adaptive components, TILE_EDGE pixels square. A bit of a mask is a pixel, row by
 // row; the first word is the upper half.
@@ -158,13 +193,33 @@ typedef struct {
 // Most further rays of an edge pixel; an even number, since they lie about its centre in pairs.
 #define MAX_EDGE_SAMPLES 8u
 
-// What is known of a tile's light.
-typedef struct {
-    uint seen;    // groups that a sample of it, or of the coarse lattice close by, saw
-    uint hidden;  // of which such a sample was blocked
-    uint open;    // that nothing can lie before
-    uint plain;   // of which such a sample saw all, or nothing
-} TileShadows;
+/// Width of the block of pixels whose primary rays make a packet (gbuffer.cl), in pixels; its
+/// height is `lanes` over that.
+static inline uint pixel_block_width(uint lanes) {
+    return lanes >= 8u ? 4u : (lanes >= 4u ? 2u : 1u);
+}
+
+/// Edge pixels that one work-item of edge_samples.cl takes: as many as fill a packet.
+static inline uint edge_pixels_of_item(uint lanes, uint samples) {
+    return lanes > samples ? lanes / samples : 1u;
+}
+
+// Slopes of brightness_slope by the leading bits of a float: sign, exponent and three bits of the
+// mantissa, up to infinity; within 6 % of any slope.
+#define SLOPE_DROPPED_BITS 20u
+#define SLOPE_ENTRIES (0x7F800000u >> SLOPE_DROPPED_BITS)
+
+// First bit of the groups that a pixel did not see, above those that it saw.
+#define SHADOW_HIDDEN 16u
+// Pixels to every side among which all must have seen the same of a light.
+#define SHADOW_REACH 2u
+// Pixels of a row that a work-item of shadow_edges.cl takes.
+#define SHADOW_RUN 16u
+
+/// Words of a row of what pixels saw (shadow_groups.h): a margin to both sides, and whole runs.
+static inline uint shadow_pitch(uint width) {
+    return (width + SHADOW_RUN - 1u) / SHADOW_RUN * SHADOW_RUN + 2u * SHADOW_REACH;
+}
 
 // Counters of one launch, 64 bit in two halves.
 typedef struct {
@@ -255,7 +310,11 @@ typedef struct {
     uint shadow_groups;                         // groups of area lights
     float enough_support;  // of the weight of a lattice's taps, what a pixel needs on its surface
     uint edge_samples;     // further rays of an edge pixel, even; 0: none
-    uint pad0;
+    float roulette;        // share of the mean contribution below which VPLs are traced by chance
+    float shadow_step;     // change of one look at a light that stays unseen, in just noticeable
+                           // differences
+    uint interleave;       // edge of the squares of pixels that hold every set once
+    uint pad[2];
 } Params;
 
 #endif

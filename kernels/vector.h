@@ -8,6 +8,11 @@
 
 #include "maths.h"
 
+// LANES vectors.
+typedef struct {
+    WFloat x, y, z;
+} WFloat3;
+
 /// Scalar product.
 static inline float dot3(float3 a, float3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;

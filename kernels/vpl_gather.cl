@@ -4,8 +4,29 @@
 // Irradiance from a set's VPLs, in packets: LANES pixels of one set connect to one VPL at a time.
 // Serves indirect VPLs, points on area lights and punctual lights alike; the launch says which
 // stretch of the buffer belongs to a set.
+//
+// Where Params::roulette is above 0, VPLs that would add little are traced by chance, and then
+// count for more (Russian roulette, Arvo and Kirk 1990). A VPL's random number is the same for all
+// receivers, so that what roulette adds to the error is smooth but for steps of the size of one
+// small contribution.
 #include "connection.h"
 #include "counters.h"
+
+/// `roulette` times the mean over a list of VPLs of what each adds to every lane's luminance where
+/// nothing lies between.
+static inline WFloat roulette_level(const Params* params, const ReceiverPacket* packet,
+                                    GLOBAL const Vpl* vpl, uint count) {
+    WFloat zero = WIDE(0.0f);
+    WFloat sum = zero;
+    for (uint i = 0u; i < count; ++i, ++vpl) {
+        float weight = luminance(xyz(vpl->flux));
+        if (!(weight > 0.0f)) continue;
+        WMask useful;
+        WFloat g = connection(packet, vpl, as_bits(vpl->normal.w), from_vpl(packet, vpl), &useful);
+        sum = sum + SELECT(useful, g * weight, zero);
+    }
+    return sum * (params->roulette / (float)count);
+}
 
 WEFT_KERNEL(vpl_gather)
 (PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
@@ -22,15 +43,20 @@ WEFT_KERNEL(vpl_gather)
     WFloat blue = zero;
     uint rays = 0u;
     uint count = mask_any(packet.valid) ? params.list_length : 0u;
+    WFloat level = zero;
+    if (params.roulette > 0.0f && count > 0u) level = roulette_level(&params, &packet, vpl, count);
     for (uint i = 0u; i < count; ++i, ++vpl) {
         float4 flux = vpl->flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
-        WFloat3 d;
-        d.x = packet.position.x - vpl->position.x;
-        d.y = packet.position.y - vpl->position.y;
-        d.z = packet.position.z - vpl->position.z;
+        WFloat3 d = from_vpl(&packet, vpl);
         WMask useful;
         WFloat g = connection(&packet, vpl, as_bits(vpl->normal.w), d, &useful);
+        if (params.roulette > 0.0f) {
+            // A contribution below the level survives in proportion to it, and is the level then.
+            WFloat least = level / luminance(xyz(flux));
+            useful = useful & (g >= least * flux.w);
+            g = VMAX(g, least);
+        }
         if (!mask_any(useful)) continue;
         rays += mask_count(useful);
         WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);

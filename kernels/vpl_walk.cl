@@ -70,11 +70,17 @@ static inline LightPath emit_path(const Params* params, const Geometry* geometry
 }
 
 static inline void store_vpl(GLOBAL Vpl* vpl, float3 position, float3 normal, float3 flux,
-                             float bound) {
+                             float bound, float roulette) {
     vpl->position = f4(position.x, position.y, position.z, bound);
     vpl->normal = f4(normal.x, normal.y, normal.z, from_bits(VPL_SURFACE));
-    vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);
+    vpl->flux = f4(flux.x, flux.y, flux.z, roulette);
     vpl->cone = f4(0.0f, 0.0f, 0.0f, 0.0f);
+}
+
+/// Number of a VPL in (0, 1]: those of consecutive VPLs, and so of a pixel's, cover it evenly.
+static inline float roulette_number(uint seed, uint vpl) {
+    uint bits = hash_bits(seed) + vpl * 2654435769u;  // 2^32 over the golden ratio
+    return (float)((bits >> 8) + 1u) * 5.9604645e-8f;
 }
 
 WEFT_KERNEL(vpl_walk)
@@ -105,7 +111,8 @@ WEFT_KERNEL(vpl_walk)
         }
         if (hit.triangle == NO_TRIANGLE) {
             // Every survivor's slot is written, so that no VPL of an earlier frame stays.
-            store_vpl(vpl, f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 1.0f), f3(0.0f, 0.0f, 0.0f), 0.0f);
+            store_vpl(vpl, f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 1.0f), f3(0.0f, 0.0f, 0.0f), 0.0f,
+                      1.0f);
             alive = 0;
             continue;
         }
@@ -117,7 +124,9 @@ WEFT_KERNEL(vpl_walk)
             surface.position + surface.normal * surface_offset(surface.position, params.extent);
         float survival = (float)params.paths_per_set / (float)params.survivors[bounce];
         store_vpl(vpl, path.origin, surface.normal, path.flux * (share * survival * 0.318309886f),
-                  params.vpl_bound);
+                  params.vpl_bound,
+                  roulette_number(params.seed, block * params.vpls_per_set +
+                                                   params.first_vpl[bounce] + path_in_set));
         if (bounce + 1u < params.bounces) {
             float u = radical_inverse(bounce_primes[2u * bounce], index, params.seed);
             float v = radical_inverse(bounce_primes[2u * bounce + 1u], index, params.seed);

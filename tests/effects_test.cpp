@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "components/component.h"
+#include "counting_executor.h"
 #include "device/executor.h"
 #include "render_fixture.h"
 
@@ -56,8 +58,8 @@ std::set<std::string> kernel_names(const FlatScene& flat, const RenderSettings& 
 }
 
 const std::set<std::string> always{"gbuffer", "receivers", "compose", "edge_masks", "edge_samples"};
-const std::set<std::string> area{"tile_geometry", "light_samples",  "soft_shadows",
-                                 "tile_shadows",  "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> area{"light_samples", "shadow_probes", "shadow_edges", "soft_shadows",
+                                 "reconstruct"};
 const std::set<std::string> punctual{"light_samples", "vpl_gather"};
 const std::set<std::string> indirect{"tile_geometry", "vpl_walk", "vpl_gather", "lattice_signal",
                                      "reconstruct_tiles"};
@@ -147,6 +149,118 @@ TEST(Effects, NoBufferForWhatIsNotThere) {
     EXPECT_EQ(bytes({}, true, true), bytes({}, false, false));
     EXPECT_EQ(bytes({.lamp = true, .black = true}, true, true),
               bytes({.lamp = true, .black = true}, true, false));
+}
+
+/// All that two frames of a scene make a device do, and what comes of it.
+struct Deeds {
+    std::vector<std::string> kernels;
+    std::vector<std::uint32_t> features;
+    std::vector<test::CountingExecutor::Run> runs;
+    std::vector<test::CountingExecutor::Allocation> allocations;
+    std::size_t bytes = 0;
+    Rendering rendering;
+};
+
+Deeds deeds_of(const FlatScene& flat, const RenderSettings& how) {
+    test::CountingExecutor executor(test::make_executor(test::Backend::own_bvh));
+    Renderer renderer(executor, flat, test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2), how);
+    for (int frame = 0; frame < 2; ++frame) EXPECT_TRUE(renderer.render_frame({}));
+    return {executor.kernels(),
+            executor.features(),
+            executor.runs(),
+            executor.allocations(),
+            executor.allocated_bytes(),
+            {renderer.image(), renderer.stats(), renderer.plan()}};
+}
+
+std::vector<std::uint64_t> rays_of(const Rendering& rendering) {
+    std::vector<std::uint64_t> rays;
+    for (const FrameStats& frame : rendering.stats)
+        for (const StageStats& stage : frame.stages) rays.push_back(stage.rays);
+    return rays;
+}
+
+/// The components without those that have to be asked for: the program before they joined it.
+std::vector<ComponentKind> components_by_default() {
+    std::vector<ComponentKind> kinds;
+    for (const ComponentKind& kind : components())
+        if (kind.choice != Choice::on_request) kinds.push_back(kind);
+    return kinds;
+}
+
+TEST(Effects, FramesRunTheKernelsThatWereBuilt) {
+    for (const Case& of : cases()) {
+        const Deeds deeds = deeds_of(flat_scene(of.contents), settings_of(of));
+        std::set<std::string> run;
+        for (const auto& [kernel, first, items] : deeds.runs) run.insert(kernel);
+        EXPECT_EQ(std::set<std::string>(deeds.kernels.begin(), deeds.kernels.end()), of.kernels)
+            << of.name;
+        // Without any surface that reflects there is nothing to sample, and without anything in the
+        // way of light nothing to look at again.
+        run.insert("soft_shadows");
+        if (of.kernels.count("soft_shadows") == 0) run.erase("soft_shadows");
+        if (of.contents.black)
+            EXPECT_TRUE(std::includes(of.kernels.begin(), of.kernels.end(), run.begin(), run.end()))
+                << of.name;
+        else
+            EXPECT_EQ(run, of.kernels) << of.name;
+    }
+}
+
+// A program with further components that nobody asks for does what one without them does: the same
+// kernels and features, the same launches over the same work-items, the same buffers, the same
+// rays, the same picture.
+TEST(Effects, AComponentThatIsNotAskedForChangesNothing) {
+    const std::vector<ComponentKind> without = components_by_default();
+    ASSERT_LT(without.size(), components().size());  // or nothing would be compared
+    for (const Case& of : cases())
+        for (const Algorithm algorithm : {Algorithm::ais, Algorithm::igi}) {
+            SCOPED_TRACE(of.name);
+            RenderSettings how = settings_of(of);
+            how.algorithm = algorithm;
+            how.sampling.compensation = true;
+            const FlatScene flat = flat_scene(of.contents);
+            const Deeds with = deeds_of(flat, how);
+            how.components = without;
+            const Deeds bare = deeds_of(flat, how);
+            EXPECT_EQ(with.kernels, bare.kernels);
+            EXPECT_EQ(with.features, bare.features);
+            EXPECT_EQ(with.runs, bare.runs);
+            EXPECT_EQ(with.allocations, bare.allocations);
+            EXPECT_EQ(with.bytes, bare.bytes);
+            EXPECT_EQ(rays_of(with.rendering), rays_of(bare.rendering));
+            EXPECT_EQ(test::differing_values(with.rendering.image, bare.rendering.image), 0U);
+        }
+}
+
+/// The picture without the layers of components that have to be asked for.
+Image without_requested(Image image) {
+    std::erase_if(image.layers, [](const Layer& layer) {
+        for (const std::string_view name : choosable_components(Choice::on_request))
+            if (layer.name.starts_with(name)) return true;
+        return false;
+    });
+    return image;
+}
+
+TEST(Effects, AComponentThatIsAskedForLeavesTheOthersAlone) {
+    for (const Case& of : cases()) {
+        SCOPED_TRACE(of.name);
+        const FlatScene flat = flat_scene(of.contents);
+        RenderSettings how = settings_of(of);
+        const Deeds bare = deeds_of(flat, how);
+        for (const std::string_view name : choosable_components(Choice::on_request)) {
+            how.requested = {std::string(name)};
+            const Deeds with = deeds_of(flat, how);
+            // It does something, or this would compare nothing.
+            EXPECT_GT(with.runs.size(), bare.runs.size());
+            EXPECT_GT(with.bytes, bare.bytes);
+            EXPECT_GT(with.rendering.image.layers.size(), bare.rendering.image.layers.size());
+            EXPECT_EQ(test::differing_values(bare.rendering.image,
+                                             without_requested(with.rendering.image)),
+                      0U);
+        }
+    }
 }
 
 }  // namespace

@@ -88,6 +88,16 @@ TEST(Film, CompensationCounts) {
     EXPECT_EQ(value(image, "", 1, 3), static_cast<float>(3.0 * 8388608.5));
 }
 
+TEST(Film, OneSampleHasNoRest) {
+    const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 1.0F);
+    const Image written = resolve_film(numbered(), low, width, height, 1);
+    const Image absent = resolve_film(numbered(), {}, width, height, 1);
+    for (std::size_t p = 0; p < pixels; ++p) {
+        EXPECT_EQ(value(written, "direct", 0, p), numbered()[3 * FILM_STRIDE(pixels) + p]);
+        EXPECT_EQ(value(absent, "direct", 0, p), value(written, "direct", 0, p));
+    }
+}
+
 TEST(Film, WithoutSamplesNothingIsDividedByZero) {
     const std::vector<float> none(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
     const Image image = resolve_film(none, none, width, height, 0);

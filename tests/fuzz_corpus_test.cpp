@@ -17,6 +17,8 @@
 #include "image/read_png.h"
 #include "scene/image_file.h"
 #include "scene/load_scene.h"
+#include "scene/nanovdb_reader.h"
+#include "scene/vol_reader.h"
 #include "tests/fuzz/readers.h"
 #include "tests/temporary_folder.h"
 
@@ -82,6 +84,10 @@ void read_valid(const std::string& kind, const TemporaryFolder& folder, const fs
         static_cast<void>(decode_hdr(bytes, "picture"));
     else if (kind == "png")
         static_cast<void>(decode_png(bytes, "picture"));
+    else if (kind == "vol")
+        static_cast<void>(decode_vol(bytes, "grid", ignored));
+    else if (kind == "nanovdb")
+        static_cast<void>(decode_nanovdb(bytes, "", "grid", ignored));
     else if (kind == "exr")
         static_cast<void>(read_exr(copy));
     else

@@ -2,24 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #if WEFT_HAS_OPENCL
 
-#define CL_HPP_ENABLE_EXCEPTIONS
-#define CL_HPP_MINIMUM_OPENCL_VERSION 120
-#define CL_HPP_TARGET_OPENCL_VERSION 120
 #include <gtest/gtest.h>
 
-#include <CL/opencl.hpp>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/opencl_probe.h"
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
@@ -94,25 +90,8 @@ WEFT_KERNEL(evaluate)(GLOBAL const float* xs, GLOBAL const float* ys, GLOBAL flo
 )
 // clang-format on
 
+namespace weft {
 namespace {
-
-/// A file of kernels/ with its includes put in place, each once.
-std::string expand(const std::string& name, std::set<std::string>& done) {
-    if (!done.insert(name).second) return "";
-    std::ifstream file(std::string(WEFT_SOURCE_DIR) + "/kernels/" + name);
-    EXPECT_TRUE(file.is_open()) << name;
-    std::string text;
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with("#include \"")) {
-            // The C++ half must stay out: its text would not even pass the device's preprocessor.
-            const std::string inner = line.substr(10, line.find('"', 10) - 10);
-            text += inner == "port_native.h" ? "" : expand(inner, done);
-        } else {
-            text += line + '\n';
-        }
-    }
-    return text;
-}
 
 struct Inputs {
     std::vector<float> x, y;
@@ -162,18 +141,9 @@ std::vector<float> run_native(const Inputs& inputs) {
 std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     std::set<std::string> done;
     const std::string source = expand("vector.h", done) + std::string(kernel_text);
-    std::string options = "-cl-std=CL1.2 -DLANES=1 -DRESULTS=" + std::to_string(RESULTS);
-    if ((device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0) {
-        options += " -cl-fp32-correctly-rounded-divide-sqrt";
-    }
     const cl::Context context(device);
-    cl::Program program(context, source);
-    try {
-        program.build(options.c_str());
-    } catch (const cl::Error&) {
-        ADD_FAILURE() << program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
-        return {};
-    }
+    const cl::Program program =
+        build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
     const cl::CommandQueue queue(context, device);
     std::vector<float> results(inputs.x.size() * RESULTS);
     const cl::Buffer x(context, inputs.x.begin(), inputs.x.end(), true);
@@ -184,39 +154,9 @@ std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     kernel.setArg(1, y);
     kernel.setArg(2, out);
     kernel.setArg(3, static_cast<cl_uint>(inputs.x.size()));
-    constexpr std::size_t local_size = 8;
-    const std::size_t padded = (inputs.x.size() + local_size - 1) / local_size * local_size;
-    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(local_size));
+    run_items(queue, kernel, inputs.x.size());
     queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
     return results;
-}
-
-std::vector<cl::Device> all_devices() {
-    std::vector<cl::Device> devices;
-    std::vector<cl::Platform> platforms;
-    try {
-        cl::Platform::get(&platforms);
-    } catch (const cl::Error&) {
-        return {};
-    }
-    for (const cl::Platform& platform : platforms) {
-        std::vector<cl::Device> found;
-        try {
-            platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
-        } catch (const cl::Error&) {
-            continue;
-        }
-        devices.insert(devices.end(), found.begin(), found.end());
-    }
-    return devices;
-}
-
-/// Whether the device promises what kernels/maths.h asks of the arithmetic.
-bool rounds_correctly(const cl::Device& device) {
-    const auto config = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
-    const bool cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
-    return (config & CL_FP_DENORM) != 0 &&
-           (cpu || (config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0);
 }
 
 TEST(MathsOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
@@ -226,10 +166,7 @@ TEST(MathsOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
         tried = true;
         const std::string name = device.getInfo<CL_DEVICE_NAME>();
         SCOPED_TRACE(name);
-        const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
-        // An interpreter needs seconds for what a device does in milliseconds.
-        const bool slow = platform.getInfo<CL_PLATFORM_NAME>().find("grind") != std::string::npos;
-        const Inputs inputs = make_inputs(slow ? 20'000 : 1'000'000);
+        const Inputs inputs = make_inputs(is_interpreter(device) ? 20'000 : 1'000'000);
         const std::vector<float> expected = run_native(inputs);
         const std::vector<float> got = run_device(device, inputs);
         ASSERT_EQ(got.size(), expected.size());
@@ -249,5 +186,6 @@ TEST(MathsOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
 }
 
 }  // namespace
+}  // namespace weft
 
 #endif

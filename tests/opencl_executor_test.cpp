@@ -27,16 +27,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every test works with a program cache of its own.
+/// Every test works with a program cache of its own, and with one lane, so that a work-item of
+/// composition is a pixel.
 class OpenclExecutor : public testing::Test {
   protected:
     void SetUp() override {
         if (const char* old = std::getenv("WEFT_CACHE_DIR")) old_folder_ = old;
         ::setenv("WEFT_CACHE_DIR", folder_.path().c_str(), 1);
+        if (const char* old = std::getenv("WEFT_LANES")) old_lanes_ = old;
+        ::setenv("WEFT_LANES", "1", 1);
         if (opencl_devices().empty()) GTEST_SKIP() << "there is no OpenCL device";
         executor_ = make();
     }
     void TearDown() override {
+        if (old_lanes_.empty())
+            ::unsetenv("WEFT_LANES");
+        else
+            ::setenv("WEFT_LANES", old_lanes_.c_str(), 1);
         if (old_folder_.empty())
             ::unsetenv("WEFT_CACHE_DIR");
         else
@@ -49,6 +56,7 @@ class OpenclExecutor : public testing::Test {
 
     TemporaryFolder folder_;
     std::string old_folder_;
+    std::string old_lanes_;
     std::unique_ptr<Executor> executor_;
 };
 
@@ -89,6 +97,7 @@ class Counting {
         params.width = pixels_;
         params.height = 1;
         params.unit = 1.0F;
+        params.frame = 2;  // the film holds samples that this one adds to
         std::vector<Buffer*> arguments;
         for (const auto& buffer : buffers_) arguments.push_back(buffer.get());
         return executor_.run(

@@ -51,7 +51,7 @@ TEST(Options, RenderDefaults) {
     const RenderOptions options = render({});
     EXPECT_EQ(options.scene, "scenes/box.gltf");
     EXPECT_EQ(options.output, "box.exr");
-    EXPECT_EQ(options.algorithm, Algorithm::igi);
+    EXPECT_EQ(options.algorithm, Algorithm::ais);
     EXPECT_EQ(options.tile, 64u);
     EXPECT_EQ(options.seed, 0u);
     EXPECT_EQ(options.exposure_ev, 0.0);
@@ -134,9 +134,11 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
                              "--resume",
                              "--pixel-filter",
                              "--vpl-compensation",
-                             "--quality"})
+                             "--quality",
+                             "--frame-time",
+                             "--overlays"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
-    for (const char* name : {"--frame-time", "--preset", "media", "tic"})
+    for (const char* name : {"--preset", "media", "tic"})
         EXPECT_EQ(help.find(name), std::string::npos) << name;
     EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
 }
@@ -201,11 +203,37 @@ TEST(Options, ReadsTimes) {
         EXPECT_EQ(render_refusal({"--time", text}).find("--time: "), 0u) << text;
 }
 
+TEST(Options, FrameTimesAreOfAdaptiveSampling) {
+    EXPECT_FALSE(render({}).frame_seconds);
+    EXPECT_DOUBLE_EQ(render({"--frame-time", "40ms"}).frame_seconds.value(), 0.04);
+    EXPECT_DOUBLE_EQ(render({"--algorithm", "ais", "--frame-time", "40ms"}).frame_seconds.value(),
+                     0.04);
+    for (const char* text : {"40", "0ms", "-1s", "infs"})
+        EXPECT_EQ(
+            render_refusal({"--algorithm", "ais", "--frame-time", text}).find("--frame-time: "), 0u)
+            << text;
+    EXPECT_EQ(render_refusal({"--algorithm", "igi", "--frame-time", "40ms"}),
+              "--frame-time: is for adaptive sampling, expected --algorithm ais");
+    EXPECT_DOUBLE_EQ(
+        options_json(render({"--algorithm", "ais", "--frame-time", "2.5s"}))["frame_time"]
+            .get<double>(),
+        2.5);
+}
+
 TEST(Options, ReadsSizes) {
     EXPECT_EQ(render({"--size", "32768x8192"}).size->width, 32768u);
     for (const char* text : {"640", "640x", "x480", "0x480", "640x0", "-1x5", "640X480", "1x2x3",
                              "640 x 480", "32769x1", "32768x32768", "4294967297x1"})
         EXPECT_EQ(render_refusal({"--size", text}).find("--size: "), 0u) << text;
+}
+
+TEST(Options, ComponentsThatHaveToBeAskedForAreNotOfPathTracing) {
+    const RenderOptions options = render({"--components", "occlusion,direct"});
+    EXPECT_EQ(options.components, (std::vector<std::string>{"direct", "occlusion"}));
+    EXPECT_TRUE(options.names_component("occlusion"));
+    EXPECT_FALSE(options.names_component("indirect") || render({}).names_component("occlusion"));
+    EXPECT_EQ(render_refusal({"--algorithm", "path", "--components", "direct,occlusion"}),
+              "--components: path tracing has no occlusion, expected direct, indirect");
 }
 
 TEST(Options, RefusesBadListsAndNames) {
@@ -312,12 +340,12 @@ TEST(Options, RefusesBadLines) {
 
 TEST(Options, JsonHoldsEveryOption) {
     const nlohmann::json defaults = options_json(render({}));
-    for (const char* name :
-         {"backend", "device", "threads", "size", "camera", "components", "spp", "time", "stats"})
+    for (const char* name : {"backend", "device", "threads", "size", "camera", "components", "spp",
+                             "time", "frame_time", "stats"})
         EXPECT_TRUE(defaults.contains(name) && defaults[name].is_null()) << name;
     EXPECT_EQ(defaults["scene"], "scenes/box.gltf");
     EXPECT_EQ(defaults["output"], "box.exr");
-    EXPECT_EQ(defaults["algorithm"], "igi");
+    EXPECT_EQ(defaults["algorithm"], "ais");
     EXPECT_EQ(defaults["tile"], 64);
     EXPECT_EQ(defaults["seed"], 0);
     EXPECT_EQ(defaults["exposure"], 0.0);

@@ -13,6 +13,7 @@
 
 #include "bvh_meshes.h"
 #include "ray_batch.h"
+#include "ray_fans.h"
 #include "ray_oracle.h"
 #include "watertight.h"
 
@@ -22,59 +23,14 @@ namespace weft {
 namespace {
 
 using test::Backend;
+using test::Fan;
+using test::fans;
 using test::PacketBatch;
+using test::random_index;
+using test::random_point;
 using test::RayGeometry;
+using test::soup;
 using test::Uniform;
-
-glm::vec3 random_point(Uniform& uniform, float low, float high) {
-    const float x = uniform(low, high);
-    const float y = uniform(low, high);
-    return {x, y, uniform(low, high)};
-}
-
-std::size_t random_index(Uniform& uniform, std::size_t count) {
-    return std::min(count - 1,
-                    static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
-}
-
-RayGeometry soup() {
-    const test::BvhMesh mesh = test::random_soup(150, 0.15F, 21);
-    return {mesh.positions, mesh.triangles};
-}
-
-/// Segments that start at one point, a multiple of PACKET_BLOCK.
-struct Fan {
-    glm::vec3 origin{0.0F};
-    std::vector<glm::vec3> ends;  // minus the origin
-};
-
-/// Coherent, all around, straddling axes, and with components that are zero or next to it.
-std::vector<Fan> fans(std::size_t count, std::uint32_t seed) {
-    constexpr std::array small{
-        0.0F, -0.0F, 1e-30F, -1e-30F, std::numeric_limits<float>::denorm_min(), -1e-40F};
-    Uniform uniform(seed);
-    std::vector<Fan> all(count);
-    for (std::size_t f = 0; f < count; ++f) {
-        Fan& fan = all[f];
-        fan.origin = random_point(uniform, -0.2F, 1.2F);
-        const glm::vec3 middle = random_point(uniform, 0.0F, 1.0F) - fan.origin;
-        const int axis = static_cast<int>(f % 3);
-        for (std::size_t i = 0; i < std::size_t{4} * PACKET_BLOCK; ++i) {
-            glm::vec3 d = random_point(uniform, -1.5F, 1.5F);
-            if (f % 4 == 0) d = middle + 0.1F * d;
-            if (f % 4 == 1) {  // about an axis
-                d *= 0.02F;
-                d[axis] = uniform(0.5F, 1.5F);
-            }
-            if (f % 4 == 2) {
-                d[axis] = small.at(random_index(uniform, small.size()));
-                if (i % 3 == 0) d[(axis + 1) % 3] = small.at(random_index(uniform, small.size()));
-            }
-            fan.ends.push_back(d);
-        }
-    }
-    return all;
-}
 
 /// Fans one after the other in blocks of their own.
 PacketBatch in_order(const std::vector<Fan>& all) {

@@ -139,7 +139,8 @@ TEST_F(ProgramFrames, EveryFrameIsThePictureFromThere) {
 
 TEST_F(ProgramFrames, FramesStandOnTheirOwn) {
     // Half a second is between two keys. Nothing depends on which frames were asked for.
-    const std::vector<std::string> rate{"--backend", "embree", "--frame-rate", "2", "--frames"};
+    const std::vector<std::string> rate{"--backend",    "embree", "--algorithm", "igi",
+                                        "--frame-rate", "2",      "--frames"};
     const auto run = [&](const std::string& output, const std::string& range) {
         std::vector<std::string> options = rate;
         options.push_back(range);
@@ -167,8 +168,8 @@ TEST_F(ProgramFrames, ThirtyFramesAreASecond) {
 TEST_F(ProgramFrames, StatisticsHoldAllFrames) {
     const ProgramResult result =
         run_program(command("moving.gltf", "out.png",
-                            {"--backend", "native", "--spp", "2", "--frames", "7:10",
-                             "--frame-rate", "12.5", "--stats", at("stats.json")}));
+                            {"--backend", "native", "--algorithm", "igi", "--spp", "2", "--frames",
+                             "7:10", "--frame-rate", "12.5", "--stats", at("stats.json")}));
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json stats = json::parse(text_of_file(at("stats.json")));
     std::vector<int> numbers;

@@ -96,7 +96,8 @@ TEST_F(ProgramRender, WritesPicturesOnEveryBackend) {
 TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
     for (const std::string& backend : backends()) {
         SCOPED_TRACE(backend);
-        const json stats = stats_of(box("x.png", {"--backend", backend, "--spp", "2"}));
+        const json stats =
+            stats_of(box("x.png", {"--backend", backend, "--algorithm", "igi", "--spp", "2"}));
         EXPECT_EQ(stats.at("backend"), backend);
         EXPECT_EQ(stats.at("device").at("backend"), backend);
         EXPECT_TRUE(stats.at("nonfinite").empty());
@@ -130,10 +131,11 @@ TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
 TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
     const json chosen = stats_of(box("x.png", {"--backend", "embree"}))["options"];
     for (const auto& [name, value] : chosen.items()) {
-        const bool has_no_default = name == "time" || name == "samples" || name == "target_error" ||
-                                    name == "resume" || name == "frames";
+        const bool has_no_default = name == "time" || name == "frame_time" || name == "samples" ||
+                                    name == "target_error" || name == "resume" || name == "frames";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
+    EXPECT_EQ(chosen.at("algorithm"), "ais");
     EXPECT_EQ(chosen.at("size"), json({48, 40}));
     EXPECT_EQ(chosen.at("backend"), "embree");
     EXPECT_EQ(chosen.at("camera"), "camera");
@@ -155,7 +157,9 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
 TEST_F(ProgramRender, OnlyWhatIsCalledForIsBuilt) {
     const auto kernels_of = [&](const std::vector<std::string>& more) {
         std::vector<std::string> names;
-        const json stats = stats_of(box("x.exr", more));
+        std::vector<std::string> all{"--algorithm", "igi"};
+        all.insert(all.end(), more.begin(), more.end());
+        const json stats = stats_of(box("x.exr", all));
         for (const json& kernel : stats["kernels"]) names.push_back(kernel["name"]);
         return names;
     };
@@ -175,6 +179,22 @@ TEST_F(ProgramRender, OnlyWhatIsCalledForIsBuilt) {
     }
 }
 
+TEST_F(ProgramRender, InfoListsWhatIsBuiltWhereNothingElseIsAskedFor) {
+    for (const char* scene : {"cornell-box.gltf", "gallery.gltf"}) {
+        SCOPED_TRACE(scene);
+        const json info = json::parse(run_program({"info", "--json", shipped_scene(scene)}).out);
+        const json stats = stats_of({"render", shipped_scene(scene), "-o", at("x.png"), "--size",
+                                     "16x16", "--backend", "native", "--progress", "none"});
+        json built = json::array();
+        for (const json& kernel : stats["kernels"]) built.push_back(kernel["name"]);
+        EXPECT_EQ(info["kernels"], built);
+        EXPECT_EQ(info["components"], stats["options"]["components"]);
+        // Adaptive sampling decides by tiles, and smooths edges.
+        for (const char* kernel : {"tile_geometry", "lattice_signal", "edge_samples"})
+            EXPECT_NE(std::find(built.begin(), built.end(), kernel), built.end()) << kernel;
+    }
+}
+
 TEST_F(ProgramRender, ScenesWithoutTexturesBuildNoTextureCode) {
     if (backends().back() != "opencl") GTEST_SKIP() << "there is no OpenCL device";
     const auto features_of = [](const json& kernel) {
@@ -184,7 +204,8 @@ TEST_F(ProgramRender, ScenesWithoutTexturesBuildNoTextureCode) {
         return at == std::string::npos ? 0xFFFFFFFFUL : std::stoul(flags.substr(at + name.size()));
     };
     const json plain = stats_of(box("x.png", {"--backend", "opencl"}));
-    EXPECT_EQ(plain["kernels"].size(), 7u);
+    const ProgramResult info = run_program({"info", "--json", shipped_scene("cornell-box.gltf")});
+    EXPECT_EQ(plain["kernels"].size(), json::parse(info.out)["kernels"].size());
     for (const json& kernel : plain["kernels"]) EXPECT_EQ(features_of(kernel) & 1UL, 0u) << kernel;
     bool textured = false;
     const json gallery =
@@ -196,19 +217,21 @@ TEST_F(ProgramRender, ScenesWithoutTexturesBuildNoTextureCode) {
 }
 
 TEST_F(ProgramRender, ThreadsAndTilesChangeNothing) {
-    for (const std::string& backend : backends()) {
-        SCOPED_TRACE(backend);
-        const auto image = [&](const std::vector<std::string>& more) {
-            std::vector<std::string> all{"--backend", backend, "--spp", "2"};
-            all.insert(all.end(), more.begin(), more.end());
-            EXPECT_EQ(run_program(box("x.exr", all)).exit_code, 0);
-            return read_exr(at("x.exr"));
-        };
-        const Image one = image({"--threads", "1"});
-        EXPECT_TRUE(same_values(image({"--threads", "2"}), one));
-        EXPECT_TRUE(same_values(image({"--tile", "7"}), one));
-        EXPECT_FALSE(same_values(image({"--seed", "1"}), one));
-    }
+    for (const std::string& backend : backends())
+        for (const std::string algorithm : {"ais", "igi"}) {
+            SCOPED_TRACE(backend + " " + algorithm);
+            const auto image = [&](const std::vector<std::string>& more) {
+                std::vector<std::string> all{"--backend", backend, "--algorithm",
+                                             algorithm,   "--spp", "2"};
+                all.insert(all.end(), more.begin(), more.end());
+                EXPECT_EQ(run_program(box("x.exr", all)).exit_code, 0);
+                return read_exr(at("x.exr"));
+            };
+            const Image one = image({"--threads", "1"});
+            EXPECT_TRUE(same_values(image({"--threads", "2"}), one));
+            EXPECT_TRUE(same_values(image({"--tile", "7"}), one));
+            EXPECT_FALSE(same_values(image({"--seed", "1"}), one));
+        }
 }
 
 TEST_F(ProgramRender, MissingFoldersAreCodeFive) {

@@ -143,11 +143,34 @@ TEST(Program, InfoOfAnEmptySceneAndOfMedia) {
                      "<scene version=\"3.0.0\">\n<shape type=\"cube\"><bsdf type=\"null\"/>"
                      "<medium name=\"interior\" type=\"homogeneous\"/></shape>\n</scene>\n"));
     EXPECT_EQ(media["media"], 1);
+    EXPECT_EQ(media["medium_list"],
+              json::array({"homogeneous (homogeneous, extinction 1, albedo 0.75, g 0)"}));
     EXPECT_EQ(media["triangles"], 0);  // the boundary is no surface
     const json effects = media["effects"];
     EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [](const json& effect) {
         return effect.get<std::string>().starts_with("participating media");
     }));
+}
+
+TEST(Program, MediaAreClearAirButForPathTracing) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write(
+        "fog.xml",
+        "<scene version=\"3.0.0\">\n<shape type=\"cube\"><bsdf type=\"null\"/>"
+        "<medium name=\"interior\" type=\"homogeneous\"/></shape>\n"
+        "<emitter type=\"constant\"/>\n"
+        "<sensor type=\"perspective\"><transform name=\"to_world\"><lookat origin=\"0,0,4\" "
+        "target=\"0,0,0\" up=\"0,1,0\"/></transform></sensor>\n</scene>\n");
+    for (const std::string algorithm : {"igi", "ais", "path"}) {
+        const ProgramResult result =
+            run_program({"render", scene, "--size", "8x8", "--spp", "1", "--backend", "embree",
+                         "--algorithm", algorithm, "-o", (folder.path() / "a.exr").string()});
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_EQ(result.err.find("participating media are simulated by --algorithm path only, "
+                                  "the picture is that of clear air") == std::string::npos,
+                  algorithm == "path")
+            << result.err;
+    }
 }
 
 TEST(Program, NamesThatAreNotUtf8AreNoError) {

@@ -93,13 +93,20 @@ class RayQueries {
         : executor_(executor),
           scene_(executor.make_scene(
               {geometry.positions, geometry.triangles, geometry.extent() * padding})) {
-        constexpr std::array kernels{KernelId::query_closest, KernelId::query_any,
-                                     KernelId::query_packet};
+        constexpr std::array kernels{KernelId::query_closest, KernelId::query_closest_packet,
+                                     KernelId::query_any, KernelId::query_packet};
         executor_.build(kernels, 0);
     }
 
     [[nodiscard]] std::vector<RayHit> closest(const RayBatch& rays) const {
         return run_rays<RayHit>(KernelId::query_closest, rays);
+    }
+    /// The same in packets of consecutive rays, which start at one point; their number is a
+    /// multiple of PACKET_BLOCK. Rays with t_max 0 are left out, the others have no end.
+    [[nodiscard]] std::vector<RayHit> closest_packets(const RayBatch& rays) const {
+        return run<RayHit>(KernelId::query_closest_packet, rays.origins,
+                           std::span<const shared::float4>(rays.directions), rays.size(),
+                           rays.size() / executor_.lanes());
     }
     /// 1 for rays that are blocked before their t_max.
     [[nodiscard]] std::vector<int> any(const RayBatch& rays) const {

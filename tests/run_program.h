@@ -73,6 +73,8 @@ class RunningProgram {
     RunningProgram(const RunningProgram&) = delete;
     RunningProgram& operator=(const RunningProgram&) = delete;
 
+    [[nodiscard]] pid_t process() const { return process_; }
+
     void send(int signal) const { ::kill(process_, signal); }
 
     /// Waits until standard error holds that many lines; false where the program ends or hangs

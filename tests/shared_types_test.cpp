@@ -90,8 +90,10 @@ std::map<std::string, std::size_t> host_sizes() {
             {"LightRecord", sizeof(LightRecord)},
             {"EmissiveTriangle", sizeof(EmissiveTriangle)},
             {"Vpl", sizeof(Vpl)},
+            {"DensityGridRecord", sizeof(DensityGridRecord)},
+            {"MediumRecord", sizeof(MediumRecord)},
+            {"MediaRecord", sizeof(MediaRecord)},
             {"TileRecord", sizeof(TileRecord)},
-            {"TileShadows", sizeof(TileShadows)},
             {"RayCounter", sizeof(RayCounter)},
             {"NonfiniteCounter", sizeof(NonfiniteCounter)},
             {"Params", sizeof(Params)}};

@@ -253,5 +253,25 @@ TEST(WorkList, RegionsOfMasksFollowEachOtherAndStandAlone) {
     EXPECT_EQ(all.block_sets, parts.block_sets);
 }
 
+TEST(WorkList, ASpreadListKeepsSetsAndPartsNeighbours) {
+    for (const std::uint32_t n : {1U, 3U}) {
+        const WorkList list = make_spread_work_list(41, 29, n, 32);
+        std::vector<std::uint32_t> seen(41 * 29, 0);
+        for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
+            const std::uint32_t pixel = list.pixels[slot];
+            if (pixel == NO_TRIANGLE) continue;
+            ++seen[pixel];
+            const std::uint32_t x = pixel % 41;
+            const std::uint32_t y = pixel / 41;
+            EXPECT_EQ(list.block_sets[slot / PACKET_BLOCK], x % n + n * (y % n));
+            // All of a block have the same place in squares of twice the interleaving.
+            const std::uint32_t first = list.pixels[slot / PACKET_BLOCK * PACKET_BLOCK];
+            EXPECT_EQ(x % (2 * n), first % 41 % (2 * n));
+            EXPECT_EQ(y % (2 * n), first / 41 % (2 * n));
+        }
+        for (const std::uint32_t count : seen) EXPECT_EQ(count, 1U);
+    }
+}
+
 }  // namespace
 }  // namespace weft

@@ -36,10 +36,8 @@ class FrameRecorder : public Executor {
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override {
         if (launch.kernel == KernelId::gbuffer) frame_.primary = launch.params;
         if (launch.kernel == KernelId::vpl_gather) keep_gather(launch);
-        const Launch passed{
-            launch.kernel,    launch.params, launch.scene == nullptr ? nullptr : frame_.scene.get(),
-            launch.buffers,   launch.items,  launch.items_per_launch,
-            launch.first_item};
+        Launch passed = launch;
+        if (launch.scene != nullptr) passed.scene = frame_.scene.get();
         return inner_.run(passed, keep_going);
     }
     double take_milliseconds() override { return inner_.take_milliseconds(); }
@@ -77,6 +75,7 @@ class FrameRecorder : public Executor {
 
 RecordedFrame record_frame(Executor& executor, const FlatScene& scene, const Camera& camera) {
     RenderSettings settings;
+    settings.algorithm = Algorithm::igi;
     settings.sampling.interleave = 3;
     settings.sampling.vpls_per_set = 64;
     if (!plan_for(scene, settings).has_indirect())

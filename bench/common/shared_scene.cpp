@@ -16,10 +16,8 @@ std::unique_ptr<TracedScene> SharedScene::make_scene(const TracedGeometry& geome
 }
 
 bool SharedScene::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
-    const Launch passed{
-        launch.kernel,    launch.params, launch.scene == nullptr ? nullptr : scene_.get(),
-        launch.buffers,   launch.items,  launch.items_per_launch,
-        launch.first_item};
+    Launch passed = launch;
+    if (launch.scene != nullptr) passed.scene = scene_.get();
     return inner_.run(passed, keep_going);
 }
 

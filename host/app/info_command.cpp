@@ -4,6 +4,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "app/commands.h"
@@ -16,7 +17,7 @@ namespace weft {
 namespace {
 
 /// What the scene calls for, in words.
-std::vector<std::string> effects_of(const Scene& scene, const FlatScene& flat) {
+std::vector<std::string> effects_of(const FlatScene& flat) {
     constexpr std::array<std::pair<std::uint32_t, const char*>, 8> names{{
         {FEATURE_AREA_LIGHTS, "area lights"},
         {FEATURE_PUNCTUAL_LIGHTS, "point lights"},
@@ -32,18 +33,33 @@ std::vector<std::string> effects_of(const Scene& scene, const FlatScene& flat) {
         if ((flat.features & bit) != 0) effects.emplace_back(name);
     if (!flat.lights.empty() && flat.mean_reflectance > 0.0)
         effects.emplace_back("diffuse interreflection");
-    if (!scene.media.empty()) effects.emplace_back("participating media (not simulated)");
+    if (flat.media.present())
+        effects.emplace_back("participating media (simulated by --algorithm path)");
     return effects;
+}
+
+/// A medium in one line.
+std::string describe(const Medium& medium) {
+    const auto colour = [](const glm::vec3& c) {
+        return c.r == c.g && c.g == c.b ? fmt::format("{:g}", c.r)
+                                        : fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b);
+    };
+    return fmt::format("{} ({}, extinction {}, albedo {}, g {:g})", medium.name,
+                       medium.density_file.empty() ? "homogeneous" : "density grid, not simulated",
+                       colour(medium.sigma_t * medium.scale), colour(medium.albedo),
+                       medium.anisotropy);
 }
 
 nlohmann::json info_json(const Scene& scene) {
     const FlatScene flat = flatten(scene);
     const FramePlan plan = plan_for(flat, RenderSettings{});
     std::vector<std::string> active;
-    for (const Component& component : components())
-        if (component.called_for(plan)) active.emplace_back(component.name);
+    for (const ComponentKind& kind : components())
+        if (kind.called_for(plan)) active.emplace_back(kind.name);
     std::vector<std::string> kernels;
     for (const KernelId kernel : kernels_of(plan)) kernels.emplace_back(kernel_name(kernel));
+    std::vector<std::string> media;
+    for (const Medium& medium : scene.media) media.push_back(describe(medium));
     std::vector<std::string> cameras;
     for (const Camera& camera : scene.cameras) cameras.push_back(camera.name);
     return {{"scene", scene.source},
@@ -54,8 +70,9 @@ nlohmann::json info_json(const Scene& scene) {
             {"textures", scene.textures.size()},
             {"lights", flat.lights.size()},
             {"media", scene.media.size()},
+            {"medium_list", media},
             {"cameras", cameras},
-            {"effects", effects_of(scene, flat)},
+            {"effects", effects_of(flat)},
             {"components", active},
             {"kernels", kernels}};
 }
@@ -71,15 +88,17 @@ std::string printable(std::string text) {
 
 std::string info_text(const nlohmann::json& info) {
     std::string lines;
-    for (const char* key : {"scene", "triangles", "meshes", "instances", "materials", "textures",
-                            "lights", "media", "cameras", "effects", "components", "kernels"}) {
+    for (const char* key :
+         {"scene", "triangles", "meshes", "instances", "materials", "textures", "lights",
+          "medium_list", "cameras", "effects", "components", "kernels"}) {
         std::string text;
         if (info[key].is_array())
             for (const auto& entry : info[key])
                 text += (text.empty() ? "" : ", ") + entry.get<std::string>();
         else
             text = info[key].is_string() ? info[key].get<std::string>() : info[key].dump();
-        lines += fmt::format("{:<11} {}\n", key, text.empty() ? "none" : printable(text));
+        const std::string_view label = key == std::string_view("medium_list") ? "media" : key;
+        lines += fmt::format("{:<11} {}\n", label, text.empty() ? "none" : printable(text));
     }
     return lines;
 }

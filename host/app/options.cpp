@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -11,9 +14,11 @@
 #include "app/command_line.h"
 #include "app/compare_options.h"
 #include "app/merge_options.h"
+#include "app/overlay_output.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "components/component.h"
 
 namespace weft {
 namespace {
@@ -26,7 +31,6 @@ constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "
 constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
-constexpr std::array<std::string_view, 2> component_names = {"direct", "indirect"};
 constexpr std::array<std::string_view, 5> command_names = {"render", "merge", "compare", "info",
                                                            "devices"};
 constexpr double max_exposure_ev = 100.0;
@@ -39,7 +43,8 @@ void add_render(CLI::App& app) {
               "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
     add_value(render, "--algorithm", "NAME",
-              "ais, amax, igi, ir or path, the reference (default: igi)");
+              fmt::format("ais, amax, igi, ir or path, the reference (default: {})",
+                          to_string(default_algorithm)));
     add_flag(render, "--vpl-compensation",
              "Adds by path tracing what virtual lights leave out (not with path)");
     add_value(render, "--quality", "NAME",
@@ -54,7 +59,9 @@ void add_render(CLI::App& app) {
     add_value(render, "--size", "WxH", "Size of the picture (default: the scene's, else 512x512)");
     add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
     add_frames(render);
-    add_value(render, "--components", "LIST", "Any of direct,indirect (default: all)");
+    add_value(render, "--components", "LIST",
+              fmt::format("Any of {} (default: {})", fmt::join(choosable_components(), ","),
+                          fmt::join(choosable_components(Choice::by_default), ",")));
     add_value(render, "--spp", "N", "Samples per pixel (default: 1, or what fits into --time)");
     add_value(render, "--samples", "A:B",
               "Only samples A to B - 1 of a path-traced picture, for `weft merge`");
@@ -66,8 +73,10 @@ void add_render(CLI::App& app) {
               "Of path tracing: box, or centre: every sample through the pixel's centre (default: "
               "box)");
     add_value(render, "--time", "T", "Total wall time, such as 300ms, 2.5s or 2m");
+    add_value(render, "--frame-time", "T", "Of ais: wall time of each frame, such as 300ms");
     add_value(render, "--seed", "N", "Seed of all random numbers (default: 0)");
     add_value(render, "--exposure", "EV|auto", "Exposure of a PNG in stops (default: 0)");
+    add_overlays(render);
     add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
     add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
 }
@@ -187,6 +196,8 @@ void read_sampling(const CLI::App& command, RenderOptions& options) {
         options.spp = parse_unsigned("--spp", *text, 1, limits::max_samples_per_pixel);
     if (const auto text = value_of(command, "--time"))
         options.time_seconds = parse_duration("--time", *text);
+    if (const auto text = value_of(command, "--frame-time"))
+        options.frame_seconds = parse_duration("--frame-time", *text);
     if (const auto text = value_of(command, "--seed"))
         options.seed = parse_unsigned("--seed", *text, 0, max_uint);
 }
@@ -221,6 +232,14 @@ void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
     }
     if (const auto text = value_of(command, "--pixel-filter"))
         options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;
+    if (options.frame_seconds && options.algorithm != Algorithm::ais)
+        throw usage_error("--frame-time: is for adaptive sampling, expected --algorithm ais");
+    if (options.algorithm == Algorithm::path && options.components)
+        for (const std::string_view name : choosable_components(Choice::on_request))
+            if (options.names_component(name))
+                throw usage_error(
+                    fmt::format("--components: path tracing has no {}, expected {}", name,
+                                fmt::join(choosable_components(Choice::by_default), ", ")));
     options.compensation = command.count("--vpl-compensation") > 0;
     if (options.compensation && options.algorithm == Algorithm::path)
         throw usage_error(
@@ -239,7 +258,7 @@ void read_picture(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--size")) options.size = parse_size("--size", *text);
     options.camera = value_of(command, "--camera");
     if (const auto text = value_of(command, "--components"))
-        options.components = parse_name_list("--components", *text, component_names);
+        options.components = parse_name_list("--components", *text, choosable_components());
     if (const auto text = value_of(command, "--exposure")) {
         if (*text == "auto")
             options.exposure_ev.reset();
@@ -271,6 +290,7 @@ RenderOptions read_render(const CLI::App& command) {
             throw usage_error("--stats: names the same file as " +
                               std::string(other == options.scene ? "the scene" : "--output"));
     read_frames(command, options);
+    read_overlays(command, options);
     return options;
 }
 
@@ -297,6 +317,11 @@ std::string_view to_string(Backend backend) {
 
 std::string_view to_string(ProgressMode mode) {
     return progress_names.at(static_cast<std::size_t>(mode));
+}
+
+bool RenderOptions::names_component(std::string_view name) const {
+    return components &&
+           std::find(components->begin(), components->end(), name) != components->end();
 }
 
 ParsedCommand parse_command_line(int argc, const char* const* argv) {
@@ -353,7 +378,9 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["vpl_compensation"] = options.compensation;
     json["pixel_filter"] = filter_names.at(options.through_centres ? 1 : 0);
     json["time"] = json_or_null(options.time_seconds);
+    json["frame_time"] = json_or_null(options.frame_seconds);
     json["seed"] = options.seed;
+    json["overlays"] = options.overlays;
     json["exposure"] = options.exposure_ev ? nlohmann::json(*options.exposure_ev) : "auto";
     json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
     json["progress"] = to_string(options.progress);

@@ -35,7 +35,7 @@ enum class Backend { opencl, embree, native };
 struct RenderOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< ends in .exr or .png, in any case
-    Algorithm algorithm = Algorithm::igi;
+    Algorithm algorithm = default_algorithm;
     Quality quality = Quality::preview;
     bool compensation = false;  ///< of igi and ir
     std::optional<Backend> backend;
@@ -46,17 +46,22 @@ struct RenderOptions {
     std::optional<std::string> camera;     ///< else the scene's first
     std::optional<FrameRange> frames;      ///< of the animation; else one picture of it at rest
     double frame_rate = 30.0;              ///< frames per second, above 0
-    std::optional<std::vector<std::string>> components;  ///< subset of direct, indirect
+    std::optional<std::vector<std::string>> components;  ///< of choosable_components
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
     std::optional<SampleRange> samples;                  ///< of path tracing: these only
     std::optional<double> target_error;                  ///< of path tracing: ends there, above 0
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
     bool through_centres = false;                 ///< of path tracing
     std::optional<double> time_seconds;           ///< total wall time, above 0
+    std::optional<double> frame_seconds;          ///< of ais: wall time of each frame, above 0
     std::uint32_t seed = 0;
+    bool overlays = false;                    ///< of ais: PNG pictures of what was sampled, and why
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
+
+    /// Whether --components is given and lists this one.
+    [[nodiscard]] bool names_component(std::string_view name) const;
 };
 
 /// `weft info`.

@@ -10,9 +10,11 @@
 #include "app/choose_executor.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/overlay_output.h"
 #include "app/print.h"
 #include "app/render_path.h"
 #include "app/stats_json.h"
+#include "app/thread_limit.h"
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
@@ -37,16 +39,15 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.seed = options.seed;
     settings.sampling = sampling_of(options.quality);
     settings.sampling.compensation = options.compensation;
+    settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
     // How many samples a time limit allows is not known before; textures stay sharp for many.
     constexpr std::uint32_t timed_samples = 16;
     settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
     if (options.components) {
-        const auto wanted = [&](const char* name) {
-            return std::find(options.components->begin(), options.components->end(), name) !=
-                   options.components->end();
-        };
-        settings.direct = wanted("direct");
-        settings.indirect = wanted("indirect");
+        settings.direct = options.names_component("direct");
+        settings.indirect = options.names_component("indirect");
+        for (const std::string_view name : choosable_components(Choice::on_request))
+            if (options.names_component(name)) settings.requested.emplace_back(name);
     }
     return settings;
 }
@@ -151,6 +152,8 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     used.components.emplace();
     if (settings.direct) used.components->emplace_back("direct");
     if (settings.indirect) used.components->emplace_back("indirect");
+    used.components->insert(used.components->end(), settings.requested.begin(),
+                            settings.requested.end());
     if (!used.spp) used.spp = static_cast<std::uint32_t>(renderer.samples());
     return used;
 }
@@ -249,13 +252,13 @@ RenderOptions options_of_frame(const RenderOptions& options, std::uint32_t frame
 /// one of several is not. Returns how many are finished.
 std::uint32_t render_pictures(const PictureMaker& maker, const Scene& scene, const Camera& camera,
                               const RenderOptions& options, Progress& progress, Stopwatch& watch,
-                              RunTimes& times) {
+                              RunTimes& times, Diagnostics& diagnostics) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
     const std::uint32_t count = frames.end - frames.first;
     for (std::uint32_t done = 0; done < count; ++done) {
         const std::uint32_t frame = frames.first + done;
         if (done > 0 && interrupt_flag()) return done;
-        if (done > 0) maker.renderer->set_camera(camera_of_frame(scene, camera, options, frame));
+        if (done > 0) maker.renderer->move_camera(camera_of_frame(scene, camera, options, frame));
         progress.begin_part(static_cast<double>(done) / count, 1.0 / count);
         const RenderOptions wanted = options_of_frame(options, frame, watch);
         Image image;
@@ -264,6 +267,7 @@ std::uint32_t render_pictures(const PictureMaker& maker, const Scene& scene, con
         if (!complete && options.frames) return done;
         if (complete) progress.update(1.0, "writing");
         write_picture(wanted, image, *maker.renderer);
+        if (options.overlays) write_overlays(wanted, image, diagnostics);
         times.write_ms += watch.lap();
         if (!complete) return done;
     }
@@ -283,6 +287,7 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     check_folder(options.output);
     if (options.stats) check_folder(*options.stats);
     const InterruptGuard guard;
+    const ThreadLimit limit(options.threads);
     Progress progress(options.progress, stderr);
     RunTimes times;
     progress.update(0.0, "reading");
@@ -292,6 +297,10 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
     if (flat.lights.empty())
         diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
+    if (flat.media.present() && options.algorithm != Algorithm::path)
+        diagnostics.warn(scene.source,
+                         "participating media are simulated by --algorithm path only, the picture "
+                         "is that of clear air");
     check_frames(scene, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");
@@ -303,7 +312,7 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
         picture_maker(*executor, flat, camera_of_frame(scene, camera, options, frames.first),
                       options, settings, progress, watch);
     const std::uint32_t finished =
-        render_pictures(maker, scene, camera, options, progress, watch, times);
+        render_pictures(maker, scene, camera, options, progress, watch, times, diagnostics);
     const FrameRenderer& renderer = *maker.renderer;
     const std::uint32_t pictures = frames.end - frames.first;
     const bool complete = finished == pictures;

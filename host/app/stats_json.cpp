@@ -32,7 +32,8 @@ nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
         nonfinite[component_names[c]] = frame.nonfinite[c].count;
     nlohmann::json levels = nlohmann::json::object();
     for (const LevelStats& level : frame.levels)
-        levels[level.component] = {{"tiles", level.tiles}, {"samples", level.samples}};
+        levels[level.component] = {
+            {"tiles", level.tiles}, {"samples", level.samples}, {"gain", level.gain}};
     return {{"frame", first_frame + frame.picture},
             {"ms", frame.ms},
             {"rays", frame.rays},

@@ -3,13 +3,62 @@
 #include "components/component.h"
 
 #include <algorithm>
-#include <array>
+#include <set>
 
 namespace weft {
 
-std::span<const Component> components() {
-    static const std::array all{direct_component(), indirect_component(), vpl_residual_component()};
+std::span<const ComponentKind> components() {
+    static const ComponentKind all[] = {
+#define WEFT_COMPONENT(stem) stem##_component(),
+#include "components/components.def"
+#undef WEFT_COMPONENT
+    };
     return all;
+}
+
+std::vector<std::string_view> choosable_components(Choice choice) {
+    std::vector<std::string_view> names;
+    for (const ComponentKind& kind : components())
+        if (kind.choice == choice) names.emplace_back(kind.name);
+    return names;
+}
+
+std::vector<std::string_view> choosable_components() {
+    std::vector<std::string_view> names = choosable_components(Choice::by_default);
+    for (const std::string_view name : choosable_components(Choice::on_request))
+        names.push_back(name);
+    return names;
+}
+
+ComponentNeeds needs_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
+    ComponentNeeds all;
+    std::set<KernelId> kernels;
+    for (const ComponentKind& kind : kinds) {
+        if (!kind.called_for(plan)) continue;
+        const ComponentNeeds needs = kind.needs(plan);
+        kernels.insert(needs.kernels.begin(), needs.kernels.end());
+        all.features |= needs.features;
+        all.tiles = all.tiles || needs.tiles;
+        all.all_receivers = all.all_receivers || needs.all_receivers;
+    }
+    all.kernels.assign(kernels.begin(), kernels.end());
+    return all;
+}
+
+std::vector<ActiveComponent> make_components(std::span<const ComponentKind> kinds,
+                                             ComponentInputs inputs) {
+    std::vector<ActiveComponent> made;
+    for (const ComponentKind& kind : kinds) {
+        if (!kind.called_for(inputs.plan)) continue;
+        inputs.earlier = made;
+        made.push_back({kind.name, kind.make(inputs)});
+    }
+    return made;
+}
+
+std::unique_ptr<Buffer> dark_irradiance(Executor& executor, std::uint32_t slots, const char* what) {
+    const std::vector<float> zero(std::size_t{3} * slots, 0.0F);
+    return upload<float>(executor, zero, what);
 }
 
 std::uint32_t gather_items_per_launch(const Executor& executor, std::uint32_t list_length) {

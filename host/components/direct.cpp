@@ -1,100 +1,151 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "components/component.h"
+#include "components/interleaved_irradiance.h"
 #include "components/soft_shadows.h"
 
 namespace weft {
 namespace {
 
+constexpr const char* name = "direct";
+
 bool called_for(const FramePlan& plan) {
     return plan.has_sampled_direct() || plan.has_exact_direct();
 }
 
-std::vector<KernelId> kernels(const FramePlan& plan) {
-    std::vector<KernelId> list;
-    if (plan.light_sample_count() > 0) list.push_back(KernelId::light_samples);
+ComponentNeeds needs(const FramePlan& plan) {
     const bool adapts = plan.adapts_direct();
+    ComponentNeeds needs;
+    if (plan.has_sampled_direct()) {
+        needs = needs_of_interleaved(false);
+        needs.features |= FEATURE_SAMPLED_DIRECT;
+    }
+    if (plan.has_exact_direct()) {
+        needs.all_receivers = true;
+        needs.features |= FEATURE_EXACT_DIRECT;
+    }
+    if (plan.directional_lights > 0) needs.features |= FEATURE_DIRECTIONAL_LIGHTS;
+    std::vector<KernelId>& list = needs.kernels;
+    if (plan.light_sample_count() > 0) list.push_back(KernelId::light_samples);
     if ((plan.samples_per_set > 0 && !adapts) || plan.punctual_lights > 0)
         list.push_back(KernelId::vpl_gather);
     if (adapts)
-        list.insert(list.end(), {KernelId::soft_shadows, KernelId::tile_shadows,
-                                 KernelId::lattice_signal, KernelId::reconstruct_tiles});
+        list.insert(list.end(),
+                    {KernelId::shadow_probes, KernelId::shadow_edges, KernelId::soft_shadows});
     if (plan.has_distant()) list.push_back(KernelId::distant_light);
-    if (plan.has_sampled_direct() && !adapts) list.push_back(KernelId::reconstruct);
-    return list;
+    return needs;
 }
 
-void gather(FrameContext& frame, const char* stage, Buffer* irradiance, std::uint32_t first,
-            std::uint32_t stride, std::uint32_t length) {
-    const FrameBuffers& buffers = frame.buffers;
+/// Light that comes straight from area, point, spot and distant lights.
+class Direct : public Component {
+  public:
+    explicit Direct(const ComponentInputs& inputs);
+
+    void sample(FrameContext& frame) override;
+    void reconstruct(FrameContext& frame) override;
+
+    void hand_over(ComposedIrradiance& composed) const override {
+        composed.direct = filtered_.get();
+        composed.exact_direct = exact_irradiance_.get();
+    }
+    [[nodiscard]] std::optional<SlotIrradiance> slot_irradiance() const override {
+        if (!irradiance_) return {};
+        return all_slots(LightPart::direct, *irradiance_, shared_);
+    }
+    [[nodiscard]] const SamplingDecision* decision() const override { return soft_shadows_.get(); }
+
+  private:
+    void gather(FrameContext& frame, const char* stage, Buffer* irradiance, std::uint32_t first,
+                std::uint32_t stride, std::uint32_t length);
+    void sample_distant(FrameContext& frame);
+    void clear(FrameContext& frame, Buffer& irradiance);
+
+    const FrameBuffers& shared_;
+    std::unique_ptr<Buffer> samples_;     ///< of all sets; null without lights that are sampled
+    std::unique_ptr<Buffer> irradiance_;  ///< by slot, and
+    std::unique_ptr<Buffer> filtered_;    ///< by pixel; null without light that is filtered
+    std::unique_ptr<Buffer> exact_irradiance_;   ///< by slot; null without such lights
+    std::unique_ptr<SoftShadows> soft_shadows_;  ///< where area lights adapt
+};
+
+Direct::Direct(const ComponentInputs& inputs) : shared_(inputs.buffers) {
+    Executor& executor = inputs.executor;
+    const FramePlan& plan = inputs.plan;
+    if (plan.adapts_direct()) soft_shadows_ = std::make_unique<SoftShadows>(inputs);
+    if (plan.has_sampled_direct()) {
+        irradiance_ = dark_irradiance(executor, shared_.slots, "direct irradiance");
+        filtered_ = executor.allocate(inputs.pixels() * sizeof(shared::float4),
+                                      "filtered direct irradiance");
+    }
+    if (plan.has_exact_direct())
+        exact_irradiance_ = dark_irradiance(executor, shared_.slots, "exact direct irradiance");
+    if (plan.light_sample_count() > 0)
+        samples_ =
+            executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
+}
+
+void Direct::gather(FrameContext& frame, const char* stage, Buffer* irradiance, std::uint32_t first,
+                    std::uint32_t stride, std::uint32_t length) {
     frame.params.list_first = first;
     frame.params.list_stride = stride;
     frame.params.list_length = length;
-    frame.run(KernelId::vpl_gather, stage, "direct", true,
-              {buffers.receivers.get(), buffers.block_set.get(), buffers.light_samples.get(),
-               irradiance, buffers.counters.get()},
-              buffers.slots / frame.executor.lanes(),
+    frame.run(KernelId::vpl_gather, stage, name, true,
+              {shared_.receivers.get(), shared_.block_set.get(), samples_.get(), irradiance,
+               shared_.counters.get()},
+              shared_.slots / frame.executor.lanes(),
               gather_items_per_launch(frame.executor, length));
 }
 
-void sample_distant(FrameContext& frame) {
+void Direct::sample_distant(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
-    const FrameBuffers& buffers = frame.buffers;
     frame.params.list_first = plan.area_samples() + plan.punctual_lights;
     frame.params.list_stride = plan.environment_samples;
-    frame.run(KernelId::distant_light, "distant light", "direct", true,
-              {buffers.receivers.get(), buffers.block_set.get(), frame.scene_buffers.lights.get(),
-               buffers.or_nothing(buffers.light_samples), buffers.or_nothing(buffers.direct),
-               buffers.or_nothing(buffers.exact_direct), buffers.counters.get()},
-              buffers.slots);
+    frame.run(KernelId::distant_light, "distant light", name, true,
+              {shared_.receivers.get(), shared_.block_set.get(), frame.scene_buffers.lights.get(),
+               shared_.or_nothing(samples_), shared_.or_nothing(irradiance_),
+               shared_.or_nothing(exact_irradiance_), shared_.counters.get()},
+              shared_.slots);
 }
 
-void clear(FrameContext& frame, const std::unique_ptr<Buffer>& irradiance) {
-    const std::vector<float> zero(std::size_t{3} * frame.buffers.slots, 0.0F);
-    write_buffer<float>(frame.executor, *irradiance, zero);
+void Direct::clear(FrameContext& frame, Buffer& irradiance) {
+    const std::vector<float> zero(std::size_t{3} * shared_.slots, 0.0F);
+    write_buffer<float>(frame.executor, irradiance, zero);
 }
 
-void sample(FrameContext& frame) {
+void Direct::sample(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
-    const FrameBuffers& buffers = frame.buffers;
-    frame.run(KernelId::light_samples, "light samples", "direct", false,
+    frame.run(KernelId::light_samples, "light samples", name, false,
               with_geometry(frame.scene_buffers,
                             {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             buffers.or_nothing(buffers.light_samples)}),
+                             shared_.or_nothing(samples_)}),
               plan.light_sample_count());
     // What no gather writes, the distant lights add to.
-    if (buffers.direct && plan.samples_per_set == 0) clear(frame, buffers.direct);
-    if (buffers.exact_direct && plan.punctual_lights == 0) clear(frame, buffers.exact_direct);
-    if (buffers.soft_shadows) {
-        buffers.soft_shadows->sample(frame);
+    if (irradiance_ && plan.samples_per_set == 0) clear(frame, *irradiance_);
+    if (exact_irradiance_ && plan.punctual_lights == 0) clear(frame, *exact_irradiance_);
+    if (soft_shadows_) {
+        soft_shadows_->sample(frame, *samples_, *irradiance_);
     } else if (plan.samples_per_set > 0) {
         const bool all = plan.gather_sets == 1;
-        gather(frame, "area lights", buffers.direct.get(), 0, plan.samples_per_set,
+        gather(frame, "area lights", irradiance_.get(), 0, plan.samples_per_set,
                all ? plan.area_samples() : plan.samples_per_set);
     }
     if (plan.punctual_lights > 0)
-        gather(frame, "punctual lights", buffers.exact_direct.get(), plan.area_samples(), 0,
+        gather(frame, "punctual lights", exact_irradiance_.get(), plan.area_samples(), 0,
                plan.punctual_lights);
     if (plan.has_distant()) sample_distant(frame);
 }
 
-void reconstruct(FrameContext& frame) {
-    const FrameBuffers& buffers = frame.buffers;
-    if (!frame.plan.has_sampled_direct()) return;
-    if (buffers.soft_shadows) {
-        buffers.soft_shadows->reconstruct(frame);
-        return;
-    }
-    frame.run(KernelId::reconstruct, "reconstruction", "direct", false,
-              with_gbuffer(buffers, {buffers.pixel_slot.get(), buffers.direct.get(),
-                                     buffers.filtered_direct.get()}),
-              frame.params.width * frame.params.height);
+void Direct::reconstruct(FrameContext& frame) {
+    if (irradiance_) reconstruct_all(frame, name, *irradiance_, *filtered_);
+}
+
+std::unique_ptr<Component> make(const ComponentInputs& inputs) {
+    return std::make_unique<Direct>(inputs);
 }
 
 }  // namespace
 
-Component direct_component() {
-    return {"direct", called_for, kernels, sample, reconstruct};
+ComponentKind direct_component() {
+    return {name, Choice::by_default, called_for, needs, make};
 }
 
 }  // namespace weft

@@ -1,73 +1,91 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "components/component.h"
-#include "frame/adaptive_sampling.h"
+#include <utility>
+
+#include "components/interleaved_irradiance.h"
 
 namespace weft {
 namespace {
+
+constexpr const char* name = "indirect";
 
 bool called_for(const FramePlan& plan) {
     return plan.has_indirect();
 }
 
-std::vector<KernelId> kernels(const FramePlan& plan) {
-    if (plan.adaptive)
-        return {KernelId::vpl_walk, KernelId::vpl_gather, KernelId::lattice_signal,
-                KernelId::reconstruct_tiles};
-    return {KernelId::vpl_walk, KernelId::vpl_gather, KernelId::reconstruct};
+ComponentNeeds needs(const FramePlan& plan) {
+    ComponentNeeds needs = needs_of_interleaved(plan.adaptive);
+    needs.kernels.push_back(KernelId::vpl_walk);
+    needs.kernels.push_back(KernelId::vpl_gather);
+    needs.features = FEATURE_INDIRECT;
+    return needs;
 }
 
-void gather(FrameContext& frame, Buffer& receivers, Buffer& block_set, std::uint32_t first,
-            std::uint32_t count) {
+/// Diffuse interreflection from virtual point lights.
+class Indirect : public Component {
+  public:
+    explicit Indirect(const ComponentInputs& inputs)
+        : vpls_(inputs.executor.allocate(
+              std::size_t{inputs.plan.sets} * inputs.plan.vpls_per_set * sizeof(shared::Vpl),
+              "VPLs")),
+          irradiance_(inputs, name) {}
+
+    void sample(FrameContext& frame) override;
+    void reconstruct(FrameContext& frame) override { irradiance_.reconstruct(frame); }
+
+    void hand_over(ComposedIrradiance& composed) const override {
+        composed.indirect = &irradiance_.filtered();
+    }
+    [[nodiscard]] std::optional<SlotIrradiance> slot_irradiance() const override {
+        return irradiance_.slots_of(LightPart::indirect);
+    }
+    [[nodiscard]] const SamplingDecision* decision() const override {
+        return irradiance_.adaptive();
+    }
+
+  private:
+    void gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
+
+    std::unique_ptr<Buffer> vpls_;
+    InterleavedIrradiance irradiance_;
+};
+
+void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
     const FramePlan& plan = frame.plan;
     const std::uint32_t lanes = frame.executor.lanes();
     frame.params.list_first = 0;
     frame.params.list_stride = plan.vpls_per_set;
     frame.params.list_length = plan.vpls_per_set * (plan.gather_sets == 1 ? plan.sets : 1);
-    frame.run(KernelId::vpl_gather, "VPL gather", "indirect", true,
-              {&receivers, &block_set, frame.buffers.vpls.get(), frame.buffers.indirect.get(),
+    const float roulette_before =
+        std::exchange(frame.params.roulette, static_cast<float>(plan.roulette));
+    frame.run(KernelId::vpl_gather, "VPL gather", name, true,
+              {&slots.receivers, &slots.block_set, vpls_.get(), &slots.irradiance,
                frame.buffers.counters.get()},
-              count / lanes, gather_items_per_launch(frame.executor, frame.params.list_length),
-              first / lanes);
+              slots.count / lanes,
+              gather_items_per_launch(frame.executor, frame.params.list_length),
+              slots.first / lanes);
+    frame.params.roulette = roulette_before;
 }
 
-void sample(FrameContext& frame) {
+void Indirect::sample(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
-    const FrameBuffers& buffers = frame.buffers;
-    frame.run(KernelId::vpl_walk, "VPL walk", "indirect", true,
+    frame.run(KernelId::vpl_walk, "VPL walk", name, true,
               with_geometry(frame.scene_buffers,
                             {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             buffers.vpls.get(), buffers.counters.get()}),
+                             vpls_.get(), frame.buffers.counters.get()}),
               plan.sets * plan.paths_per_set);
-    if (AdaptiveSampling* const adaptive = buffers.adaptive_indirect.get()) {
-        adaptive->sample(frame, "indirect", *buffers.tiles, *buffers.indirect,
-                         {[&](std::uint32_t first, std::uint32_t count) {
-                              gather(frame, adaptive->receivers(), adaptive->block_set(), first,
-                                     count);
-                          },
-                          nullptr});
-    } else {
-        gather(frame, *buffers.receivers, *buffers.block_set, 0, buffers.slots);
-    }
+    irradiance_.sample(frame,
+                       [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); });
 }
 
-void reconstruct(FrameContext& frame) {
-    const FrameBuffers& buffers = frame.buffers;
-    if (buffers.adaptive_indirect) {
-        buffers.adaptive_indirect->reconstruct(frame, "indirect", *buffers.tiles, *buffers.indirect,
-                                               *buffers.filtered_indirect);
-        return;
-    }
-    frame.run(KernelId::reconstruct, "reconstruction", "indirect", false,
-              with_gbuffer(buffers, {buffers.pixel_slot.get(), buffers.indirect.get(),
-                                     buffers.filtered_indirect.get()}),
-              frame.params.width * frame.params.height);
+std::unique_ptr<Component> make(const ComponentInputs& inputs) {
+    return std::make_unique<Indirect>(inputs);
 }
 
 }  // namespace
 
-Component indirect_component() {
-    return {"indirect", called_for, kernels, sample, reconstruct};
+ComponentKind indirect_component() {
+    return {name, Choice::by_default, called_for, needs, make};
 }
 
 }  // namespace weft

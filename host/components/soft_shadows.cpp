@@ -3,136 +3,109 @@
 #include "components/soft_shadows.h"
 
 #include <algorithm>
-#include <glm/glm.hpp>
+#include <utility>
 
-#include "components/component.h"
+#include "base/stopwatch.h"
+#include "schedule/brightness.h"
 
 namespace weft {
 namespace {
 
-glm::dvec3 position(const FlatScene& scene, std::uint32_t vertex) {
-    const shared::float4& p = scene.positions[vertex];
-    return {p.x, p.y, p.z};
-}
+constexpr const char* name = "direct";
 
-shared::float4 corner(const glm::dvec3& p, double w) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-            static_cast<float>(w)};
-}
-
-/// Bounds of a light and, where its triangles keep to one plane, that plane.
-struct LightBox {
-    glm::dvec3 low{1e300};
-    glm::dvec3 high{-1e300};
-    glm::dvec3 normal{0.0};  ///< of its first triangle that has one
-    double nearest = 1e300;  ///< least and greatest offset along it
-    double farthest = -1e300;
-
-    void add(const glm::dvec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-        nearest = std::min(nearest, glm::dot(normal, p));
-        farthest = std::max(farthest, glm::dot(normal, p));
-    }
-};
-
-LightBox box_of(const FlatScene& scene, const shared::LightRecord& light) {
-    LightBox box;
-    const auto corners = [&](std::uint32_t i) {
-        const shared::Triangle& t = scene.triangles[scene.emissive[light.first + i].triangle];
-        return std::array{position(scene, t.v0), position(scene, t.v1), position(scene, t.v2)};
-    };
-    for (std::uint32_t i = 0; i < light.count && box.normal == glm::dvec3(0.0); ++i) {
-        const auto [a, b, c] = corners(i);
-        const glm::dvec3 normal = glm::cross(b - a, c - a);
-        if (glm::length(normal) > 0.0) box.normal = glm::normalize(normal);
-    }
-    for (std::uint32_t i = 0; i < light.count; ++i)
-        for (const glm::dvec3& p : corners(i)) box.add(p);
-    return box;
-}
+// What one look at a light may mean to the eye, in just noticeable differences, for its others to
+// be left out: a share of the threshold for interpolation, and at most so much.
+constexpr double step_share = 0.2;
+constexpr double largest_step = 2.0;
 
 }  // namespace
 
-std::vector<shared::float4> light_boxes(const FlatScene& scene) {
-    // Well inside of what a shaft counts as belonging to the plane.
-    constexpr double flatness = 0x1p-22;
-    std::vector<shared::float4> boxes;
-    for (std::uint32_t i = 0; i < scene.area_lights; ++i) {
-        const LightBox box = box_of(scene, scene.lights[i]);
-        const bool flat =
-            scene.lights[i].both_sides == 0 &&
-            box.farthest - box.nearest <= flatness * static_cast<double>(scene.extent);
-        boxes.push_back(corner(box.low, 0.0));
-        boxes.push_back(corner(box.high, 0.0));
-        boxes.push_back(flat ? corner(box.normal, box.nearest) : corner(glm::dvec3(0.0), 0.0));
+SoftShadows::SoftShadows(const ComponentInputs& inputs)
+    : executor_(inputs.executor),
+      shared_(inputs.buffers),
+      grid_{inputs.width, inputs.height},
+      groups_(std::min(inputs.scene.area_lights, SHADOW_GROUPS)),
+      pixel_block_(pixel_blocks(inputs.work, inputs.pixels())) {
+    const std::vector<std::uint32_t> nothing(
+        std::size_t{shared::shadow_pitch(grid_.width)} * (grid_.height + 2 * SHADOW_REACH), 0);
+    pixel_shadows_ = upload<std::uint32_t>(executor_, nothing, "shadows of pixels");
+    slopes_ = upload<float>(executor_, BrightnessSlope(inputs.plan.luminance_scale).table(),
+                            "brightness slopes");
+    const std::vector<std::uint32_t> none(inputs.pixels(), 0);
+    shadow_edges_ = upload<std::uint32_t>(executor_, none, "shadow edges");
+    shadow_blocks_ = executor_.allocate(shared_.slots / PACKET_BLOCK * sizeof(std::uint32_t),
+                                        "blocks of shadow edges");
+}
+
+void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
+    frame.params.shadow_groups = groups_;
+    look(frame, samples, irradiance);
+    edges_ = {};
+    if (frame.ended_early()) return;
+    const Stopwatch watch;
+    edges_ = find_edges();
+    write_buffer<std::uint32_t>(executor_, *shadow_blocks_, edges_.blocks);
+    frame.add_host_stage("scheduling", name, watch.total());
+    look_again(frame, samples, irradiance);
+}
+
+void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
+    frame.run(KernelId::shadow_probes, "shadow probes", name, true,
+              {shared_.receivers.get(), shared_.block_set.get(), shared_.slot_pixel.get(), &samples,
+               &irradiance, pixel_shadows_.get(), shared_.counters.get()},
+              shared_.slots / executor_.lanes(),
+              gather_items_per_launch(executor_, frame.plan.samples_per_set));
+    const std::uint32_t runs = (grid_.width + SHADOW_RUN - 1) / SHADOW_RUN * grid_.height;
+    frame.run(KernelId::shadow_edges, "shadow edges", name, false,
+              {pixel_shadows_.get(), shadow_edges_.get()}, runs);
+}
+
+ShadowEdges SoftShadows::find_edges() {
+    ShadowEdges found;
+    executor_.with_mapped(*shadow_edges_, Access::read, [&](std::span<std::byte> bytes) {
+        const std::span edges(reinterpret_cast<const std::uint32_t*>(bytes.data()),
+                              pixel_block_.size());
+        found = find_shadow_edges(grid_, edges, pixel_block_, shared_.slots / PACKET_BLOCK);
+    });
+    return found;
+}
+
+void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
+    const double gain = frame.budget != nullptr ? frame.budget->gain(name) : 1.0;
+    step_ = std::min(largest_step, step_share * gain * frame.plan.threshold);
+    frame.params.shadow_step = static_cast<float>(step_);
+    const auto blocks = static_cast<std::uint32_t>(edges_.blocks.size());
+    frame.run(
+        KernelId::soft_shadows, "area lights", name, true,
+        {shared_.receivers.get(), shared_.block_set.get(), shared_.slot_pixel.get(),
+         shadow_blocks_.get(), &samples, pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
+         shared_.gbuffer[gbuffer_albedo].get(), &irradiance, shared_.counters.get()},
+        blocks * (PACKET_BLOCK / executor_.lanes()),
+        gather_items_per_launch(executor_, frame.plan.samples_per_set));
+}
+
+bool SoftShadows::can_save() const {
+    return edges_.pixels > 0 && step_ < largest_step;
+}
+
+LevelCounts SoftShadows::counts() const {
+    LevelCounts counts;
+    for (const Level level : edges_.levels) ++counts.tiles[static_cast<std::size_t>(level)];
+    counts.samples = edges_.pixels;
+    return counts;
+}
+
+void SoftShadows::add_layers(const std::string& component, Image& image) const {
+    const auto edges = read_buffer<std::uint32_t>(executor_, *shadow_edges_, pixel_block_.size());
+    Layer level{component + ".level", "Y", std::vector<float>(edges.size())};
+    Layer samples{component + ".samples", "Y", std::vector<float>(edges.size())};
+    const std::uint32_t all = (1U << groups_) - 1U;
+    for (std::size_t pixel = 0; pixel < edges.size(); ++pixel) {
+        level.values[pixel] = edges[pixel] == 0 ? 0.0F : edges[pixel] == all ? 2.0F : 1.0F;
+        samples.values[pixel] = edges[pixel] == 0 ? 0.0F : 1.0F;
     }
-    return boxes;
-}
-
-SoftShadows::SoftShadows(Executor& executor, const FlatScene& scene, const TileGrid& grid,
-                         const LevelSettings& settings, std::uint32_t features)
-    : sampling_(executor, grid, settings, features), groups_(shadow_groups(scene.area_lights)) {
-    light_boxes_ = upload<shared::float4>(executor, light_boxes(scene), "light boxes");
-    const auto words = [&](std::size_t count, const char* what) {
-        return executor.allocate(count * sizeof(std::uint32_t), what);
-    };
-    packet_shadows_ =
-        words(std::size_t{slots()} / executor.lanes() * SHADOW_GROUPS, "shadows of packets");
-    block_shadows_ = words(slots() / PACKET_BLOCK, "shadow states");
-    tile_shadows_ = executor.allocate(grid.tiles() * sizeof(shared::TileShadows), "tile shadows");
-}
-
-void SoftShadows::sample(FrameContext& frame) {
-    states_.clear();
-    block_words_.clear();
-    frame.params.shadow_groups = frame.plan.samples_per_light > 0 ? groups_ : 1;
-    sampling_.sample(
-        frame, "direct", *frame.buffers.tiles, *frame.buffers.direct,
-        {[&](std::uint32_t first, std::uint32_t count) { gather(frame, first, count); },
-         [&] { return least_levels(frame); }});
-}
-
-void SoftShadows::gather(FrameContext& frame, std::uint32_t first, std::uint32_t count) {
-    const FrameBuffers& buffers = frame.buffers;
-    const std::uint32_t groups = frame.params.shadow_groups;
-    if (states_.empty()) {
-        block_words_.assign((first + count) / PACKET_BLOCK, traced_state(groups).trace);
-    } else {
-        const std::vector<std::uint32_t> words =
-            block_shadows(buffers.tiles->grid(), sampling_.last_round(), states_, groups);
-        block_words_.insert(block_words_.end(), words.begin(), words.end());
-    }
-    write_buffer<std::uint32_t>(frame.executor, *block_shadows_, block_words_);
-    const std::uint32_t lanes = frame.executor.lanes();
-    frame.params.list_first = 0;
-    frame.params.list_stride = frame.plan.samples_per_set;
-    frame.params.list_length = frame.plan.samples_per_set;
-    frame.run(KernelId::soft_shadows, "area lights", "direct", true,
-              {&sampling_.receivers(), &sampling_.block_set(), block_shadows_.get(),
-               buffers.light_samples.get(), buffers.direct.get(), packet_shadows_.get(),
-               buffers.counters.get()},
-              count / lanes, gather_items_per_launch(frame.executor, frame.params.list_length),
-              first / lanes);
-}
-
-std::vector<Level> SoftShadows::least_levels(FrameContext& frame) {
-    const TileGrid& grid = frame.buffers.tiles->grid();
-    const std::uint32_t groups = frame.params.shadow_groups;
-    frame.run(KernelId::tile_shadows, "shafts", "direct", true,
-              with_gbuffer(frame.buffers,
-                           {&frame.buffers.tiles->buffer(), &sampling_.pixel_slot(),
-                            packet_shadows_.get(), light_boxes_.get(), tile_shadows_.get()}),
-              grid.tiles());
-    const auto shadows =
-        read_buffer<shared::TileShadows>(frame.executor, *tile_shadows_, grid.tiles());
-    states_ = shadow_states(shadows, groups);
-    return shadow_levels(states_);
-}
-
-void SoftShadows::reconstruct(FrameContext& frame) {
-    sampling_.reconstruct(frame, "direct", *frame.buffers.tiles, *frame.buffers.direct,
-                          *frame.buffers.filtered_direct);
+    image.layers.push_back(std::move(level));
+    image.layers.push_back(std::move(samples));
 }
 
 }  // namespace weft

@@ -7,41 +7,40 @@
 #include <memory>
 #include <vector>
 
-#include "frame/adaptive_sampling.h"
-#include "schedule/shadow_states.h"
+#include "components/component.h"
+#include "frame/sampling_decision.h"
+#include "schedule/shadow_edges.h"
 
 namespace weft {
 
-/// Light of area lights with adaptive sampling: full density only in penumbrae and where something
-/// may lie between, rays only to lights that are neither all seen nor all hidden.
-class SoftShadows {
+/// Light of area lights at every pixel, with rays where they tell something: one to each light
+/// first, the others where the pixels about have not all found the same.
+class SoftShadows : public SamplingDecision {
   public:
-    SoftShadows(Executor& executor, const FlatScene& scene, const TileGrid& grid,
-                const LevelSettings& settings, std::uint32_t features);
+    explicit SoftShadows(const ComponentInputs& inputs);
 
-    /// Slots of the irradiance that `sample` makes.
-    [[nodiscard]] std::uint32_t slots() const { return sampling_.slots(); }
-    [[nodiscard]] const AdaptiveSampling& sampling() const { return sampling_; }
+    /// Fills `irradiance`, by slot of all receivers, from the lights' `samples`.
+    void sample(FrameContext& frame, Buffer& samples, Buffer& irradiance);
 
-    /// Irradiance by slot, into the frame's direct irradiance.
-    void sample(FrameContext& frame);
-    /// Irradiance by pixel.
-    void reconstruct(FrameContext& frame);
+    [[nodiscard]] LevelCounts counts() const override;
+    [[nodiscard]] bool can_save() const override;
+    [[nodiscard]] bool can_spend() const override { return edges_.pixels > 0; }
+    void add_layers(const std::string& component, Image& image) const override;
 
   private:
-    void gather(FrameContext& frame, std::uint32_t first, std::uint32_t count);
-    [[nodiscard]] std::vector<Level> least_levels(FrameContext& frame);
+    void look(FrameContext& frame, Buffer& samples, Buffer& irradiance);
+    [[nodiscard]] ShadowEdges find_edges();
+    void look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance);
 
-    AdaptiveSampling sampling_;
+    Executor& executor_;
+    const FrameBuffers& shared_;
+    TileGrid grid_;
     std::uint32_t groups_;
-    std::unique_ptr<Buffer> light_boxes_, packet_shadows_, block_shadows_, tile_shadows_;
-    std::vector<ShadowState> states_;         ///< by tile; none before they are known
-    std::vector<std::uint32_t> block_words_;  ///< of all rounds so far
+    double step_ = 0.0;  ///< of the last frame; Params::shadow_step
+    std::vector<std::uint32_t> pixel_block_;
+    std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, shadow_blocks_, slopes_;
+    ShadowEdges edges_;
 };
-
-/// Lower corner, upper corner and plane (unit normal, offset; 0 where it is not flat, or shines to
-/// both sides) of every area light, kernel units.
-[[nodiscard]] std::vector<shared::float4> light_boxes(const FlatScene& scene);
 
 }  // namespace weft
 

@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <utility>
 
-#include "components/component.h"
-#include "components/soft_shadows.h"
+#include "components/interleaved_irradiance.h"
 
 namespace weft {
 namespace {
@@ -12,55 +12,127 @@ bool called_for(const FramePlan& plan) {
     return plan.compensation;
 }
 
-std::vector<KernelId> kernels(const FramePlan&) {
-    return {KernelId::vpl_residual};
+ComponentNeeds needs(const FramePlan& plan) {
+    ComponentNeeds needs;
+    needs.kernels = {KernelId::vpl_residual};
+    if (plan.undersamples()) {
+        needs.kernels.push_back(KernelId::filter_residual);
+        needs.all_receivers = true;
+    }
+    return needs;
 }
 
-// What a launch adds to; see vpl_residual.cl.
-constexpr std::uint32_t to_direct = 1;
-constexpr std::uint32_t to_indirect = 2;
-
-void run(FrameContext& frame, std::uint32_t parts, Buffer& receivers, Buffer& slot_pixel,
-         std::uint32_t slots, std::uint32_t stride) {
-    const FrameBuffers& buffers = frame.buffers;
-    const std::uint32_t slots_before = std::exchange(frame.params.slots, stride);
-    frame.params.list_length = parts;
-    frame.run(KernelId::vpl_residual, "VPL residual", "", true,
-              with_geometry(frame.scene_buffers,
-                            {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             &receivers, &slot_pixel, buffers.or_nothing(buffers.direct),
-                             buffers.or_nothing(buffers.indirect), buffers.counters.get()}),
-              slots);
-    frame.params.slots = slots_before;
+/// What a launch adds to; see vpl_residual.cl.
+std::uint32_t bit_of(LightPart part) {
+    return part == LightPart::direct ? 1 : 2;
 }
 
-void run(FrameContext& frame, std::uint32_t parts, const AdaptiveSampling& sampling) {
-    run(frame, parts, sampling.receivers(), sampling.slot_pixel(), sampling.slots_used(),
-        sampling.slots());
+/// Irradiance that the same paths are added to: of the same receivers.
+struct Receivers {
+    std::uint32_t parts = 0;
+    SlotIrradiance slots;
+    Buffer* direct;
+    Buffer* indirect;
+};
+
+/// What virtual lights and light samples leave out, one path a pixel. Where a component samples
+/// every pixel it is added to those samples. Where it does not, paths at its samples would each
+/// stand for many pixels, as specks of their size: there every pixel has a path of its own, which
+/// is filtered apart.
+class VplResidual : public Component {
+  public:
+    explicit VplResidual(const ComponentInputs& inputs);
+
+    void sample(FrameContext& frame) override;
+    void reconstruct(FrameContext& frame) override;
+
+  private:
+    /// By slot of all pixels: for a part whose own samples are fewer.
+    struct Apart {
+        LightPart part;
+        std::unique_ptr<Buffer> irradiance;
+    };
+
+    [[nodiscard]] SlotIrradiance target(const SlotIrradiance& slots) const;
+    [[nodiscard]] std::vector<Receivers> receivers() const;
+
+    const FrameBuffers& shared_;
+    std::vector<const Component*> others_;
+    std::vector<Apart> apart_;
+};
+
+VplResidual::VplResidual(const ComponentInputs& inputs) : shared_(inputs.buffers) {
+    for (const ActiveComponent& earlier : inputs.earlier) {
+        others_.push_back(earlier.component.get());
+        const std::optional<SlotIrradiance> slots = earlier.component->slot_irradiance();
+        if (slots && slots->undersampled)
+            apart_.push_back(
+                {slots->part, dark_irradiance(inputs.executor, shared_.slots, "VPL residual")});
+    }
 }
 
-void sample(FrameContext& frame) {
-    const FrameBuffers& buffers = frame.buffers;
-    std::uint32_t rest = 0;
-    if (buffers.soft_shadows)
-        run(frame, to_direct, buffers.soft_shadows->sampling());
-    else if (frame.plan.has_sampled_direct())
-        rest |= to_direct;
-    if (buffers.adaptive_indirect)
-        run(frame, to_indirect, *buffers.adaptive_indirect);
-    else if (frame.plan.has_indirect())
-        rest |= to_indirect;
-    if (rest != 0)
-        run(frame, rest, *buffers.receivers, *buffers.slot_pixel, buffers.slots, buffers.slots);
+/// Where paths for these samples are added.
+SlotIrradiance VplResidual::target(const SlotIrradiance& slots) const {
+    if (!slots.undersampled) return slots;
+    const auto own = std::find_if(apart_.begin(), apart_.end(),
+                                  [&](const Apart& apart) { return apart.part == slots.part; });
+    return all_slots(slots.part, *own->irradiance, shared_);
 }
 
-/// The irradiance it was added to is reconstructed by its own component.
-void reconstruct(FrameContext&) {}
+std::vector<Receivers> VplResidual::receivers() const {
+    Buffer* const nothing = shared_.nothing.get();
+    std::vector<Receivers> all;
+    for (const Component* other : others_) {
+        const std::optional<SlotIrradiance> samples = other->slot_irradiance();
+        if (!samples) continue;
+        const SlotIrradiance slots = target(*samples);
+        auto same = std::find_if(all.begin(), all.end(), [&](const Receivers& known) {
+            return known.slots.receivers == slots.receivers;
+        });
+        if (same == all.end()) same = all.insert(all.end(), {0, slots, nothing, nothing});
+        same->parts |= bit_of(slots.part);
+        (slots.part == LightPart::direct ? same->direct : same->indirect) = slots.irradiance;
+    }
+    return all;
+}
+
+void VplResidual::sample(FrameContext& frame) {
+    const std::vector<float> zero(std::size_t{3} * shared_.slots, 0.0F);
+    for (const Apart& apart : apart_) write_buffer<float>(frame.executor, *apart.irradiance, zero);
+    for (const Receivers& to : receivers()) {
+        const std::uint32_t slots_before = std::exchange(frame.params.slots, to.slots.stride);
+        frame.params.list_length = to.parts;
+        frame.run(
+            KernelId::vpl_residual, "VPL residual", "", true,
+            with_geometry(frame.scene_buffers,
+                          {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
+                           to.slots.receivers, to.slots.slot_pixel, to.direct, to.indirect,
+                           frame.buffers.counters.get()}),
+            to.slots.slots);
+        frame.params.slots = slots_before;
+    }
+}
+
+void VplResidual::reconstruct(FrameContext& frame) {
+    const ComposedIrradiance& composed = shared_.irradiance;
+    for (const Apart& apart : apart_) {
+        Buffer* const filtered =
+            apart.part == LightPart::direct ? composed.direct : composed.indirect;
+        frame.run(
+            KernelId::filter_residual, "reconstruction", "", false,
+            with_gbuffer(shared_, {shared_.pixel_slot.get(), apart.irradiance.get(), filtered}),
+            frame.params.width * frame.params.height);
+    }
+}
+
+std::unique_ptr<Component> make(const ComponentInputs& inputs) {
+    return std::make_unique<VplResidual>(inputs);
+}
 
 }  // namespace
 
-Component vpl_residual_component() {
-    return {"VPL residual", called_for, kernels, sample, reconstruct};
+ComponentKind vpl_residual_component() {
+    return {"VPL residual", Choice::unnamed, called_for, needs, make};
 }
 
 }  // namespace weft

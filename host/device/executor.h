@@ -80,6 +80,9 @@ struct Launch {
     std::uint32_t items = 0;
     std::uint32_t items_per_launch = 0;  ///< 0: the kernel's own chunk
     std::uint32_t first_item = 0;
+    /// Where given, what it takes on the device is added here, by take_milliseconds at the latest,
+    /// which must be called while it is there.
+    double* milliseconds = nullptr;
 };
 
 /// What building a kernel took.

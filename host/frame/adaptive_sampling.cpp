@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "frame/level_layers.h"
 #include "schedule/work_order.h"
 
 namespace weft {
@@ -35,12 +36,35 @@ void TileGeometry::examine(FrameContext& frame) {
     frame.run(KernelId::tile_geometry, "tile geometry", "", false,
               with_gbuffer(frame.buffers, {buffer_.get()}), grid_.tiles());
     records_ = read_buffer<shared::TileRecord>(frame.executor, *buffer_, grid_.tiles());
+    ordered_masks_.clear();
+}
+
+const WorkList& TileGeometry::ordered(FrameContext& frame, std::span<const TileMask> masks,
+                                      const WorkList& round) {
+    if (!std::equal(masks.begin(), masks.end(), ordered_masks_.begin(), ordered_masks_.end())) {
+        ordered_ = ordered_round(frame, round);
+        ordered_masks_.assign(masks.begin(), masks.end());
+    }
+    return ordered_;
+}
+
+WorkList ordered_round(FrameContext& frame, const WorkList& round) {
+    WorkList ordered;
+    frame.executor.with_mapped(
+        *frame.buffers.gbuffer[gbuffer_position], Access::read, [&](std::span<std::byte> bytes) {
+            const std::span positions(reinterpret_cast<const shared::float4*>(bytes.data()),
+                                      std::size_t{frame.params.width} * frame.params.height);
+            ordered = ordered_by_place(round, positions, frame.params.extent);
+        });
+    return ordered;
 }
 
 AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
                                    const LevelSettings& settings, std::uint32_t features)
     : grid_(grid),
       settings_(settings),
+      slope_(settings.luminance_scale),
+      memory_(grid.tiles()),
       slots_(most_slots(grid, settings.interleave)),
       no_slots_(std::size_t{grid.width} * grid.height, NO_TRIANGLE) {
     const auto words = [&](std::size_t count, const char* what) {
@@ -51,48 +75,65 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
     pixel_slot_ = words(no_slots_.size(), "adaptive pixel slots");
     block_set_ = words(slots_ / PACKET_BLOCK, "adaptive sample sets");
     receivers_ = words(planes * slots_, "adaptive receivers");
-    tile_stride_ = words(grid.tiles(), "tile levels");
+    tile_height_ = words(grid.tiles(), "tile levels");
     signal_ = executor.allocate(lattice_points(grid, Level::middle) * sizeof(shared::float4),
                                 "lattice signal");
 }
 
-void AdaptiveSampling::sample(FrameContext& frame, const char* component, const TileGeometry& tiles,
+void AdaptiveSampling::sample(FrameContext& frame, const char* component, TileGeometry& tiles,
                               Buffer& irradiance, const Steps& steps) {
     const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
     double host_ms = 0.0;
     const auto round = [&](const auto& decide) {
         const Stopwatch watch;
-        const bool any = take_round(frame, decide());
+        const bool any = take_round(frame, tiles, decide());
         host_ms += watch.total();
         if (any) run_round(frame, component, steps);
     };
+    begin(frame);
     write_buffer<std::uint32_t>(frame.executor, *pixel_slot_, no_slots_);
     work_ = {};
-    scheduler_.emplace(grid_, settings_, tiles.records());
+    LevelSettings settings = settings_;
+    if (frame.budget != nullptr) settings.threshold *= frame.budget->gain(component);
+    scheduler_.emplace(grid_, settings, tiles.records());
     round([&] { return scheduler_->next_round(); });
     if (settings_.threshold > 0.0) {
         if (steps.least_levels) scheduler_->require(steps.least_levels());
+        const std::vector<Level> held = memory_.held();
         for (const Level level : {Level::coarse, Level::middle}) {
+            scheduler_->hold(held, level == Level::coarse ? Level::middle : Level::full);
+            if (level == Level::middle) scheduler_->fade_from(fade_.earlier());
             if (!scheduler_->has(level)) {
                 round([&] { return scheduler_->next_round(); });
                 continue;
             }
             const auto points = signal(frame, component, level, irradiance);
-            round([&] { return scheduler_->refine(level, points); });
+            round([&] { return scheduler_->refine(level, points, slope_); });
+        }
+        if (!frame.ended_early()) {
+            memory_.add(scheduler_->verdict());
+            fade_.show(scheduler_->heights());
         }
     }
     frame.add_host_stage("scheduling", component, host_ms);
     frame.params.slots = slots_before;
 }
 
-bool AdaptiveSampling::take_round(FrameContext& frame, const WorkList& round) {
+void AdaptiveSampling::begin(const FrameContext& frame) {
+    if (frame.begins == FrameContext::Begins::sequence) {
+        memory_.begin_sequence();
+        fade_.begin_sequence();
+    }
+    if (frame.begins == FrameContext::Begins::picture) {
+        memory_.begin_picture();
+        fade_.begin_picture();
+    }
+}
+
+bool AdaptiveSampling::take_round(FrameContext& frame, TileGeometry& tiles, const WorkList& round) {
     if (round.pixels.empty()) return false;
-    frame.executor.with_mapped(
-        *frame.buffers.gbuffer[gbuffer_position], Access::read, [&](std::span<std::byte> bytes) {
-            const std::span positions(reinterpret_cast<const shared::float4*>(bytes.data()),
-                                      no_slots_.size());
-            round_ = ordered_by_place(round, positions, frame.params.extent);
-        });
+    round_ = work_.pixels.empty() ? tiles.ordered(frame, scheduler_->sampled(), round)
+                                  : ordered_round(frame, round);
     work_.pixels.insert(work_.pixels.end(), round_.pixels.begin(), round_.pixels.end());
     work_.block_sets.insert(work_.block_sets.end(), round_.block_sets.begin(),
                             round_.block_sets.end());
@@ -122,16 +163,17 @@ std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const 
 void AdaptiveSampling::reconstruct(FrameContext& frame, const char* component,
                                    const TileGeometry& tiles, Buffer& irradiance,
                                    Buffer& filtered) {
-    std::vector<std::uint32_t> strides;
-    strides.reserve(grid_.tiles());
-    for (const Level level : scheduler_->levels()) strides.push_back(stride_of(level));
-    write_buffer<std::uint32_t>(frame.executor, *tile_stride_, strides);
+    write_buffer<float>(frame.executor, *tile_height_, scheduler_->heights());
     const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
     frame.run(KernelId::reconstruct_tiles, "reconstruction", component, false,
-              with_gbuffer(frame.buffers, {&tiles.buffer(), tile_stride_.get(), pixel_slot_.get(),
+              with_gbuffer(frame.buffers, {&tiles.buffer(), tile_height_.get(), pixel_slot_.get(),
                                            &irradiance, &filtered}),
               grid_.tiles());
     frame.params.slots = slots_before;
+}
+
+void AdaptiveSampling::add_layers(const std::string& component, Image& image) const {
+    add_level_layers(component, *scheduler_, image);
 }
 
 }  // namespace weft

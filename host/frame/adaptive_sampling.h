@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "frame/frame_context.h"
+#include "frame/sampling_decision.h"
+#include "schedule/level_fade.h"
 #include "schedule/level_scheduler.h"
 
 namespace weft {
@@ -26,14 +28,24 @@ class TileGeometry {
     [[nodiscard]] std::span<const shared::TileRecord> records() const { return records_; }
     [[nodiscard]] Buffer& buffer() const { return *buffer_; }
 
+    /// Pixels in the order of ordered_by_place. Components of a frame mostly begin with the same
+    /// pixels: `masks`, those of `round`, are compared with what was ordered last.
+    [[nodiscard]] const WorkList& ordered(FrameContext& frame, std::span<const TileMask> masks,
+                                          const WorkList& round);
+
   private:
     TileGrid grid_;
     std::unique_ptr<Buffer> buffer_;
     std::vector<shared::TileRecord> records_;
+    std::vector<TileMask> ordered_masks_;
+    WorkList ordered_;
 };
 
+/// A round on the device's G-buffer, in the order of ordered_by_place.
+[[nodiscard]] WorkList ordered_round(FrameContext& frame, const WorkList& round);
+
 /// Samples of one component where its scheduler wants them: executes what LevelScheduler decides.
-class AdaptiveSampling {
+class AdaptiveSampling : public SamplingDecision {
   public:
     /// What a component does in a frame.
     struct Steps {
@@ -49,39 +61,48 @@ class AdaptiveSampling {
 
     /// Slots that a frame needs at most; the stride of this component's planes.
     [[nodiscard]] std::uint32_t slots() const { return slots_; }
+    /// Whether pixels may go without samples.
+    [[nodiscard]] bool undersamples() const { return settings_.threshold > 0.0; }
     [[nodiscard]] Buffer& receivers() const { return *receivers_; }
     [[nodiscard]] Buffer& block_set() const { return *block_set_; }
     [[nodiscard]] Buffer& slot_pixel() const { return *slot_pixel_; }
     [[nodiscard]] Buffer& pixel_slot() const { return *pixel_slot_; }
-    /// The round that is being gathered.
-    [[nodiscard]] const WorkList& last_round() const { return round_; }
 
     /// All rounds of a frame: `irradiance` by slot, made by `steps`.
-    void sample(FrameContext& frame, const char* component, const TileGeometry& tiles,
-                Buffer& irradiance, const Steps& steps);
+    void sample(FrameContext& frame, const char* component, TileGeometry& tiles, Buffer& irradiance,
+                const Steps& steps);
 
     /// Irradiance by slot to irradiance of every pixel.
     void reconstruct(FrameContext& frame, const char* component, const TileGeometry& tiles,
                      Buffer& irradiance, Buffer& filtered);
 
-    /// Of the last frame.
-    [[nodiscard]] const LevelScheduler& scheduler() const { return *scheduler_; }
+    [[nodiscard]] LevelCounts counts() const override {
+        return {scheduler_->tiles_by_level(), scheduler_->samples()};
+    }
+    [[nodiscard]] bool can_save() const override { return scheduler_->can_save(); }
+    [[nodiscard]] bool can_spend() const override { return scheduler_->can_spend(); }
+    void add_layers(const std::string& component, Image& image) const override;
     [[nodiscard]] std::uint32_t slots_used() const {
         return static_cast<std::uint32_t>(work_.pixels.size());
     }
 
   private:
+    /// Tells the memory of what the frame is the first.
+    void begin(const FrameContext& frame);
     /// Orders a round and adds it to the work list on the device; returns whether it has any pixel.
-    bool take_round(FrameContext& frame, const WorkList& round);
+    bool take_round(FrameContext& frame, TileGeometry& tiles, const WorkList& round);
     void run_round(FrameContext& frame, const char* component, const Steps& steps);
     [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
                                                      Level level, Buffer& irradiance);
 
     TileGrid grid_;
     LevelSettings settings_;
+    BrightnessSlope slope_;
+    LevelHysteresis memory_;
+    LevelFade fade_;
     std::uint32_t slots_;
     std::unique_ptr<Buffer> slot_pixel_, pixel_slot_, block_set_, receivers_;
-    std::unique_ptr<Buffer> tile_stride_, signal_;
+    std::unique_ptr<Buffer> tile_height_, signal_;
     std::vector<std::uint32_t> no_slots_;
     std::optional<LevelScheduler> scheduler_;
     WorkList round_;

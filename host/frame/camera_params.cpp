@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "scene/field_of_view.h"
 #include "scene/validate_scene.h"
+#include "schedule/halton.h"
 
 namespace weft {
 namespace {
@@ -16,39 +18,6 @@ namespace {
 shared::float4 to_float4(const glm::dvec3& v) {
     const glm::vec3 f(v);
     return {f.x, f.y, f.z, 0.0F};
-}
-
-/// Tangent of half the vertical field of view.
-double vertical_tangent(const Camera& camera, double aspect) {
-    const double tangent = std::tan(0.5 * camera.fov);
-    switch (camera.fov_axis) {
-        case FovAxis::y:
-            return tangent;
-        case FovAxis::x:
-            return tangent / aspect;
-        case FovAxis::smaller:
-            return aspect >= 1.0 ? tangent : tangent / aspect;
-        case FovAxis::larger:
-            return aspect >= 1.0 ? tangent / aspect : tangent;
-        case FovAxis::diagonal:
-            return tangent / std::sqrt(1.0 + aspect * aspect);
-    }
-    return tangent;
-}
-
-double radical_inverse(std::uint32_t base, std::uint32_t index) {
-    double value = 0.0;
-    double digit = 1.0 / base;
-    for (; index > 0; index /= base, digit /= base) value += digit * (index % base);
-    return value;
-}
-
-/// A number in [0, 1) from two words.
-double shift_of(std::uint32_t seed, std::uint32_t axis) {
-    std::uint64_t x = (std::uint64_t{seed} << 1 | axis) + 0x9e3779b97f4a7c15ULL;
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
-    return static_cast<double>((x ^ x >> 31) >> 11) * 0x1.0p-53;
 }
 
 }  // namespace
@@ -93,8 +62,8 @@ void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::Pa
     params.jitter_y = 0.5F;
     if (single) return;
     const auto shifted = [&](std::uint32_t base, std::uint32_t axis) {
-        const double x = radical_inverse(base, frame) + shift_of(seed, axis);
-        return std::min(static_cast<float>(x - std::floor(x)), 0.99999994F);
+        const double x = shifted_halton(base, frame, shift_of(seed, axis));
+        return std::min(static_cast<float>(x), 0.99999994F);
     };
     params.jitter_x = shifted(2, 0);
     params.jitter_y = shifted(3, 1);

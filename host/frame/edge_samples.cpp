@@ -49,6 +49,9 @@ void EdgeSamples::sample(FrameContext& frame) {
     const float share = std::sqrt(static_cast<float>(frame.params.edge_samples) + 1.0F);
     const float whole_pixel =
         std::exchange(frame.params.texture_angle, frame.params.texture_angle / share);
+    frame.params.list_length = pixels_;
+    const std::uint32_t pixels_per_item =
+        shared::edge_pixels_of_item(frame.executor.lanes(), frame.params.edge_samples);
     frame.run(
         KernelId::edge_samples, "edge samples", "", true,
         with_geometry(
@@ -57,7 +60,7 @@ void EdgeSamples::sample(FrameContext& frame) {
                          with_irradiance(
                              buffers, {list_.get(), buffers.film_high.get(), buffers.film_low.get(),
                                        buffers.nonfinite.get(), buffers.counters.get()}))),
-        pixels_);
+        (pixels_ + pixels_per_item - 1) / pixels_per_item);
     frame.params.texture_angle = whole_pixel;
 }
 

@@ -14,7 +14,8 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     const double share = 1.0 / std::max(1U, samples);
     const auto mean = [&](std::size_t plane, std::size_t pixel) {
         const std::size_t at = plane * FILM_STRIDE(pixels) + pixel;
-        return (static_cast<double>(high[at]) + static_cast<double>(low[at])) * share;
+        const double rest = samples > 1 ? static_cast<double>(low[at]) : 0.0;
+        return (static_cast<double>(high[at]) + rest) * share;
     };
     Image image;
     image.width = width;

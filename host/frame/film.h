@@ -11,7 +11,8 @@
 namespace weft {
 
 /// Means of the film's compensated sums (`high` + `low`, FILM_* planes) over `samples` frames, as
-/// layers. Beauty is emission + direct + indirect.
+/// layers. Beauty is emission + direct + indirect. A single sample leaves nothing to compensate:
+/// `low` is not read then, and may be empty.
 [[nodiscard]] Image resolve_film(std::span<const float> high, std::span<const float> low,
                                  std::uint32_t width, std::uint32_t height, std::uint32_t samples);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame/frame_context.h"
 
-#include "components/soft_shadows.h"
+#include "base/error.h"
+#include "frame/adaptive_sampling.h"
 #include "frame/edge_samples.h"
 #include "kernels/receivers.h"
 #include "scene/mip_levels.h"
@@ -47,19 +48,14 @@ std::size_t receiver_planes(std::uint32_t features) {
     return (features & FEATURE_SMOOTH_NORMALS) != 0 ? RECEIVER_PLANES_SMOOTH : RECEIVER_PLANES_FLAT;
 }
 
-FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene, const FramePlan& plan,
-                            const WorkList& work, std::uint32_t width, std::uint32_t height,
-                            std::uint32_t features) {
+FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const WorkList& work,
+                            std::uint32_t width, std::uint32_t height, std::uint32_t features,
+                            bool tiles) {
     FrameBuffers frame = allocate_counters(executor);
     const std::size_t pixels = std::size_t{width} * height;
     frame.slots = static_cast<std::uint32_t>(work.pixels.size());
     const auto floats = [&](std::size_t count, const char* what) {
         return executor.allocate(count * sizeof(float), what);
-    };
-    // What an interrupted frame leaves out is dark, not undefined.
-    const auto dark = [&](std::uint32_t slots, const char* what) {
-        const std::vector<float> zero(std::size_t{3} * slots, 0.0F);
-        return upload<float>(executor, zero, what);
     };
     frame.gbuffer.push_back(floats(2 * pixels, "G-buffer ids"));
     for (const char* what : {"G-buffer positions", "G-buffer normals", "G-buffer shading normals",
@@ -70,31 +66,7 @@ FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene, const Fr
     frame.block_set = upload<std::uint32_t>(executor, work.block_sets, "sample sets");
     frame.pixel_slot = floats(pixels, "pixel slots");
     frame.receivers = floats(receiver_planes(features) * frame.slots, "receivers");
-    if (plan.adaptive) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
-    const LevelSettings levels{plan.interleave, plan.threshold, plan.luminance_scale};
-    if (plan.has_sampled_direct()) {
-        if (plan.adapts_direct())
-            frame.soft_shadows = std::make_unique<SoftShadows>(executor, scene, frame.tiles->grid(),
-                                                               levels, features);
-        frame.direct = dark(plan.adapts_direct() ? frame.soft_shadows->slots() : frame.slots,
-                            "direct irradiance");
-        frame.filtered_direct = floats(4 * pixels, "filtered direct irradiance");
-    }
-    if (plan.has_exact_direct()) frame.exact_direct = dark(frame.slots, "exact direct irradiance");
-    if (plan.light_sample_count() > 0)
-        frame.light_samples =
-            executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
-    if (plan.has_indirect()) {
-        if (plan.adaptive) {
-            frame.adaptive_indirect =
-                std::make_unique<AdaptiveSampling>(executor, frame.tiles->grid(), levels, features);
-        }
-        frame.indirect = dark(plan.adaptive ? frame.adaptive_indirect->slots() : frame.slots,
-                              "indirect irradiance");
-        frame.filtered_indirect = floats(4 * pixels, "filtered indirect irradiance");
-        frame.vpls = executor.allocate(
-            std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
-    }
+    if (tiles) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
     if (plan.edge_samples > 0) frame.edges = std::make_unique<EdgeSamples>(executor, width, height);
     frame.film_high = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
     frame.film_low = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
@@ -126,18 +98,38 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
     }
     params.counter = static_cast<std::uint32_t>(uncounted_.size());
     uncounted_.push_back(stages_.size());
-    const Launch launch{kernel,    params, traces ? scene_buffers.traced.get() : nullptr,
-                        arguments, items,  items_per_launch,
-                        first_item};
+    stages_.push_back({stage, component, 0.0, 0, 0});
+    const Launch launch{kernel,
+                        params,
+                        traces ? scene_buffers.traced.get() : nullptr,
+                        arguments,
+                        items,
+                        items_per_launch,
+                        first_item,
+                        &stages_.back().ms};
     const std::string name = stage;
     const bool complete = executor.run(
         launch, [&](double done) { return finishing_ || !keep_going_ || keep_going_(name, done); });
     ended_early_ = ended_early_ || !complete;
-    stages_.push_back({name, component, executor.take_milliseconds(), 0, 0});
 }
 
 void FrameContext::add_host_stage(const char* stage, const char* component, double ms) {
     stages_.push_back({stage, component, ms, 0, 0});
+}
+
+FrameContext::~FrameContext() {
+    // Launches that still run have places in `stages_` to write to.
+    try {
+        (void)executor.take_milliseconds();
+    } catch (const Error&) {
+        // What the device has to say of them it has said, or will say to the next frame.
+    }
+}
+
+const std::deque<StageStats>& FrameContext::stages() {
+    (void)executor.take_milliseconds();
+    count();
+    return stages_;
 }
 
 void FrameContext::count() {
@@ -168,9 +160,10 @@ std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<B
 
 std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
                                      const std::vector<Buffer*>& others) {
-    std::vector<Buffer*> all{frame.pixel_slot.get(), frame.or_nothing(frame.filtered_direct),
-                             frame.or_nothing(frame.exact_direct),
-                             frame.or_nothing(frame.filtered_indirect)};
+    const ComposedIrradiance& irradiance = frame.irradiance;
+    std::vector<Buffer*> all{frame.pixel_slot.get(), frame.or_nothing(irradiance.direct),
+                             frame.or_nothing(irradiance.exact_direct),
+                             frame.or_nothing(irradiance.indirect)};
     all.insert(all.end(), others.begin(), others.end());
     return all;
 }

@@ -3,6 +3,7 @@
 #ifndef WEFT_FRAME_FRAME_CONTEXT_H
 #define WEFT_FRAME_FRAME_CONTEXT_H
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "device/executor.h"
 #include "scene/flat_scene.h"
+#include "schedule/frame_budget.h"
 #include "schedule/frame_plan.h"
 #include "schedule/work_list.h"
 
@@ -26,24 +28,25 @@ struct SceneBuffers {
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
 
-class AdaptiveSampling;
 class EdgeSamples;
-class SoftShadows;
 class TileGeometry;
 
-/// What a frame works in; the order of `gbuffer` is that of GBUFFER_ARGS. Buffers that the plan
-/// does not call for are null.
+/// The irradiance that composition adds up: buffers of the components, null where there is none.
+struct ComposedIrradiance {
+    Buffer* direct = nullptr;        ///< by pixel, float4
+    Buffer* exact_direct = nullptr;  ///< by slot of all pixels, three planes
+    Buffer* indirect = nullptr;      ///< by pixel, float4
+};
+
+/// What all stages and components of a frame share; the order of `gbuffer` is that of GBUFFER_ARGS.
+/// Buffers that the plan does not call for are null.
 struct FrameBuffers {
     std::vector<std::unique_ptr<Buffer>> gbuffer;
     std::unique_ptr<Buffer> slot_pixel, pixel_slot, block_set, receivers;
-    std::unique_ptr<Buffer> vpls, light_samples;
-    std::unique_ptr<Buffer> direct, exact_direct, indirect;      ///< irradiance by slot
-    std::unique_ptr<Buffer> filtered_direct, filtered_indirect;  ///< by pixel
     std::unique_ptr<Buffer> film_high, film_low;
-    std::unique_ptr<TileGeometry> tiles;                  ///< where the plan is adaptive
-    std::unique_ptr<AdaptiveSampling> adaptive_indirect;  ///< likewise; `indirect` has its slots
-    std::unique_ptr<SoftShadows> soft_shadows;            ///< likewise; `direct` has its slots
-    std::unique_ptr<EdgeSamples> edges;                   ///< where the plan has edge samples
+    std::unique_ptr<TileGeometry> tiles;  ///< where a component adapts
+    std::unique_ptr<EdgeSamples> edges;   ///< where the plan has edge samples
+    ComposedIrradiance irradiance;
     std::unique_ptr<Buffer> counters, nonfinite;
     std::unique_ptr<Buffer> nothing;  ///< stands in for buffers that the plan does not call for
     std::uint32_t slots = 0;
@@ -54,18 +57,22 @@ struct FrameBuffers {
     ~FrameBuffers();
 
     /// The buffer, or `nothing`.
+    [[nodiscard]] Buffer* or_nothing(Buffer* buffer) const {
+        return buffer != nullptr ? buffer : nothing.get();
+    }
     [[nodiscard]] Buffer* or_nothing(const std::unique_ptr<Buffer>& buffer) const {
-        return buffer ? buffer.get() : nothing.get();
+        return or_nothing(buffer.get());
     }
 };
 
-/// Place of the positions in FrameBuffers::gbuffer.
+/// Places in FrameBuffers::gbuffer.
 inline constexpr std::size_t gbuffer_position = 1;
+inline constexpr std::size_t gbuffer_albedo = 4;
 
-[[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FlatScene& scene,
-                                          const FramePlan& plan, const WorkList& work,
-                                          std::uint32_t width, std::uint32_t height,
-                                          std::uint32_t features);
+/// What a frame shares, of a picture of this size. `tiles`: whether a component adapts.
+[[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan,
+                                          const WorkList& work, std::uint32_t width,
+                                          std::uint32_t height, std::uint32_t features, bool tiles);
 
 /// Planes of receivers for kernels with these features.
 [[nodiscard]] std::size_t receiver_planes(std::uint32_t features);
@@ -103,6 +110,10 @@ class FrameContext : public FrameInputs {
     FrameContext(const FrameInputs& inputs, const shared::Params& frame_params,
                  const KeepGoing& keep_going)
         : FrameInputs(inputs), params(frame_params), keep_going_(keep_going) {}
+    FrameContext(const FrameContext&) = delete;
+    FrameContext& operator=(const FrameContext&) = delete;
+    /// Waits for what still runs.
+    ~FrameContext();
 
     /// Runs one kernel as a stage and records its time and rays. After an early end nothing heavy
     /// runs any more. `arguments` follow Params (and the scene where `traces`).
@@ -120,21 +131,26 @@ class FrameContext : public FrameInputs {
 
     [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
     /// The stages so far, with what they counted.
-    [[nodiscard]] const std::vector<StageStats>& stages() {
-        count();
-        return stages_;
-    }
+    [[nodiscard]] const std::deque<StageStats>& stages();
     /// Records work of the host between stages.
     void add_host_stage(const char* stage, const char* component, double ms);
 
     shared::Params params;
+
+    /// What a frame is the first of.
+    enum class Begins : std::uint8_t { nothing, picture, sequence };
+    /// A sequence's first frame remembers nothing; a picture's first takes over what the pictures
+    /// before it said.
+    Begins begins = Begins::sequence;
+    /// Where given, its gains scale the thresholds of adaptive components.
+    const FrameBudget* budget = nullptr;
 
   private:
     /// Reads the counters of the stages that have not been read.
     void count();
 
     const KeepGoing& keep_going_;
-    std::vector<StageStats> stages_;
+    std::deque<StageStats> stages_;       ///< none moves: launches add their times there
     std::vector<std::size_t> uncounted_;  ///< stages by counter
     bool ended_early_ = false;
     bool finishing_ = false;

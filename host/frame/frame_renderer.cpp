@@ -4,10 +4,11 @@
 
 namespace weft {
 
-FrameStats frame_stats(FrameContext& frame, double ms) {
+FrameStats frame_stats(FrameContext& frame, const Stopwatch& watch) {
     FrameStats stats;
-    stats.ms = ms;
-    stats.stages = frame.stages();
+    const auto& stages = frame.stages();
+    stats.ms = watch.total();
+    stats.stages.assign(stages.begin(), stages.end());
     for (const StageStats& stage : stats.stages) stats.rays += stage.rays;
     const auto counters =
         read_buffer<shared::NonfiniteCounter>(frame.executor, *frame.buffers.nonfinite, 1).front();

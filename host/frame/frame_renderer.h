@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "frame/frame_context.h"
 #include "image/image.h"
 #include "schedule/frame_plan.h"
@@ -24,6 +25,7 @@ struct LevelStats {
     std::string component;
     std::array<std::uint32_t, 3> tiles{};  ///< coarse, middle, full
     std::uint64_t samples = 0;             ///< pixels that have one
+    double gain = 1.0;                     ///< factor on the threshold, by the frame budget
 };
 
 /// What one frame took.
@@ -37,8 +39,9 @@ struct FrameStats {
     std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
 };
 
-/// Statistics of a frame that has run; clears the counters of values that were not finite.
-[[nodiscard]] FrameStats frame_stats(FrameContext& frame, double ms);
+/// Statistics of a frame, once all of it has run; `watch` started with it. Clears the counters of
+/// values that were not finite.
+[[nodiscard]] FrameStats frame_stats(FrameContext& frame, const Stopwatch& watch);
 
 /// What makes a picture of a scene frame by frame, whatever the algorithm.
 class FrameRenderer {
@@ -52,6 +55,10 @@ class FrameRenderer {
     /// Begins the next picture: an empty film, seen from `camera`. Its first frame is that of a new
     /// renderer with this camera, bit for bit.
     virtual void set_camera(const Camera& camera) = 0;
+
+    /// Begins the next picture of a sequence, which may go on from what the pictures since the
+    /// last set_camera told about where samples are needed.
+    virtual void move_camera(const Camera& camera) { set_camera(camera); }
 
     /// Samples of every pixel in the film.
     [[nodiscard]] virtual std::uint64_t samples() const = 0;

@@ -87,6 +87,12 @@ std::string picture_identity(const FlatScene& scene, const shared::Params& param
     add(scene.texels);
     add(scene.lights);
     add(scene.emissive);
+    if (scene.media.present()) {
+        add(scene.media.records);
+        add(scene.media.positions);
+        add(scene.media.triangles);
+        digest.add(std::span<const shared::MediaRecord>(&scene.media.space, 1));
+    }
     shared::Params constant = params;
     constant.frame = 0;
     constant.samples = 0;
@@ -123,10 +129,16 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     (void)joined(std::move(all));
     film_.ranges = sums.ranges;
 
-    executor_.build(std::array{KernelId::path}, features);
+    executor_.build(std::array{kernel()}, features);
     scene_buffers_ = upload_scene(executor_, scene);
+    media_ = upload_media(executor_, scene.media);
+    set_media_camera(executor_, scene, camera, media_);
     sums_ = upload<std::uint32_t>(executor_, sums.words, "film");
     buffers_ = allocate_counters(executor_);
+}
+
+KernelId PathRenderer::kernel() const noexcept {
+    return scene_.media.present() ? KernelId::path_media : KernelId::path;
 }
 
 void PathRenderer::identify() {
@@ -137,6 +149,7 @@ void PathRenderer::identify() {
 
 void PathRenderer::set_camera(const Camera& camera) {
     weft::set_camera(camera, scene_.units, params_);
+    set_media_camera(executor_, scene_, camera, media_);
     identify();
     film_.ranges.clear();
     next_ = settings_.samples.first;
@@ -169,19 +182,20 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
     FrameContext frame(inputs, params_, listen);
     // Launches of few samples at a time: a work-item of many would hold up everything else.
     constexpr std::uint32_t items = 1U << 14;
-    frame.run(KernelId::path, "paths", "", true,
-              with_geometry(scene_buffers_,
-                            {scene_buffers_.lights.get(), scene_buffers_.emissive.get(),
-                             sums_.get(), buffers_.counters.get(), buffers_.nonfinite.get()}),
-              settings_.width * settings_.height, std::max(64U, items / count));
-    const double ms = watch.total();
-    stats_.push_back(frame_stats(frame, ms));
+    std::vector<Buffer*> arguments =
+        with_geometry(scene_buffers_, {scene_buffers_.lights.get(), scene_buffers_.emissive.get()});
+    for (Buffer* const buffer :
+         media_.followed_by({sums_.get(), buffers_.counters.get(), buffers_.nonfinite.get()}))
+        arguments.push_back(buffer);
+    frame.run(kernel(), "paths", "", true, arguments, settings_.width * settings_.height,
+              std::max(64U, items / count));
+    stats_.push_back(frame_stats(frame, watch));
     stats_.back().picture = picture_;
     std::vector<SampleRange> ranges = film_.ranges;
     ranges.push_back({next_, next_ + count});
     film_.ranges = joined(std::move(ranges));
     next_ += count;
-    ms_per_sample_ = ms / count;
+    ms_per_sample_ = stats_.back().ms / count;
     return wanted && samples_left() > 0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "frame/film_sums.h"
 #include "frame/frame_renderer.h"
+#include "frame/media_buffers.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -59,6 +60,8 @@ class PathRenderer : public FrameRenderer {
 
   private:
     void identify();
+    /// path, or path_media where the scene has media.
+    [[nodiscard]] KernelId kernel() const noexcept;
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;
 
     Executor& executor_;
@@ -66,6 +69,7 @@ class PathRenderer : public FrameRenderer {
     PathSettings settings_;
     FramePlan plan_;
     SceneBuffers scene_buffers_;
+    MediaBuffers media_;
     FrameBuffers buffers_;
     std::unique_ptr<Buffer> sums_;
     shared::Params params_{};

@@ -7,21 +7,38 @@
 #include <set>
 
 #include "base/stopwatch.h"
-#include "components/component.h"
-#include "components/soft_shadows.h"
+#include "frame/adaptive_sampling.h"
 #include "frame/camera_params.h"
 #include "frame/edge_samples.h"
 #include "frame/film.h"
-#include "frame/level_layers.h"
 
 namespace weft {
 
 namespace {
 
+/// Blocks of pixels that cover a picture: packets of primary rays.
+std::uint32_t pixel_blocks(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
+    const std::uint32_t columns = shared::pixel_block_width(lanes);
+    const std::uint32_t rows = lanes / columns;
+    return ((width + columns - 1) / columns) * ((height + rows - 1) / rows);
+}
+
+/// Runs of pixels of the rows of a picture (kernels/wide_pixels.h).
+std::uint32_t pixel_runs(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
+    return (width + lanes - 1) / lanes * height;
+}
+
 /// Angle that a texture lookup covers: that of a pixel, less where samples share it.
 float texture_angle(const shared::Params& params, const RenderSettings& settings) {
     return static_cast<float>(static_cast<double>(params.pixel_angle) /
                               std::sqrt(std::max(1U, settings.samples)));
+}
+
+WorkList work_list_of(const FramePlan& plan, const RenderSettings& settings) {
+    if (plan.adapts_direct())
+        return make_spread_work_list(settings.width, settings.height, plan.interleave,
+                                     settings.tile);
+    return make_work_list(settings.width, settings.height, plan.interleave, settings.tile);
 }
 
 }  // namespace
@@ -37,35 +54,27 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     statistics.surface_area = scene.surface_area;
     statistics.mean_reflectance = scene.mean_reflectance;
     FramePlan plan = plan_frames(settings.algorithm, settings.sampling, statistics);
+    plan.requested = settings.requested;
     // Frames with points all over the pixel average edges anyway.
     if (settings.samples > 1) plan.edge_samples = 0;
     return plan;
 }
 
-std::vector<KernelId> kernels_of(const FramePlan& plan) {
-    std::set<KernelId> kernels{KernelId::gbuffer, KernelId::compose, KernelId::receivers};
-    if (plan.adaptive) kernels.insert(KernelId::tile_geometry);
-    if (plan.edge_samples > 0) {
-        kernels.insert(KernelId::edge_masks);
-        kernels.insert(KernelId::edge_samples);
-    }
-    for (const Component& component : components()) {
-        if (!component.called_for(plan)) continue;
-        for (const KernelId kernel : component.kernels(plan)) kernels.insert(kernel);
-    }
+std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
+    const ComponentNeeds needs = needs_of(plan, kinds);
+    std::set<KernelId> kernels(needs.kernels.begin(), needs.kernels.end());
+    kernels.insert({KernelId::gbuffer, KernelId::compose, KernelId::receivers});
+    if (needs.tiles) kernels.insert(KernelId::tile_geometry);
+    if (plan.edge_samples > 0) kernels.insert({KernelId::edge_masks, KernelId::edge_samples});
     return {kernels.begin(), kernels.end()};
 }
 
-std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan) {
+std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
+                          std::span<const ComponentKind> kinds) {
     constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
                                           FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
                                           FEATURE_ENVIRONMENT;
-    std::uint32_t features = scene.features & of_surfaces;
-    if (plan.has_sampled_direct()) features |= FEATURE_SAMPLED_DIRECT;
-    if (plan.has_exact_direct()) features |= FEATURE_EXACT_DIRECT;
-    if (plan.directional_lights > 0) features |= FEATURE_DIRECTIONAL_LIGHTS;
-    if (plan.has_indirect()) features |= FEATURE_INDIRECT;
-    return features;
+    return (scene.features & of_surfaces) | needs_of(plan, kinds).features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
@@ -74,12 +83,26 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
       scene_(scene),
       settings_(settings),
       plan_(plan_for(scene, settings)),
-      work_(make_work_list(settings.width, settings.height, plan_.interleave, settings.tile)) {
-    const std::uint32_t features = features_of(scene, plan_);
-    executor_.build(kernels_of(plan_), features);
+      work_(work_list_of(plan_, settings)),
+      budget_(plan_.adaptive ? settings.frame_time_ms : 0.0) {
+    const std::uint32_t features = features_of(scene, plan_, settings.components);
+    executor_.build(kernels_of(plan_, settings.components), features);
     scene_buffers_ = upload_scene(executor_, scene);
-    buffers_ =
-        allocate_frame(executor_, scene, plan_, work_, settings.width, settings.height, features);
+    const ComponentNeeds needs = needs_of(plan_, settings.components);
+    all_receivers_ = needs.all_receivers || !needs.tiles;
+    buffers_ = allocate_frame(executor_, plan_, work_, settings.width, settings.height, features,
+                              needs.tiles);
+    components_ = make_components(settings.components, {.executor = executor_,
+                                                        .scene = scene,
+                                                        .plan = plan_,
+                                                        .buffers = buffers_,
+                                                        .work = work_,
+                                                        .width = settings.width,
+                                                        .height = settings.height,
+                                                        .features = features,
+                                                        .earlier = {}});
+    for (const ActiveComponent& active : components_)
+        active.component->hand_over(buffers_.irradiance);
 
     base_params_ = scene_params(scene, camera, settings.width, settings.height);
     shared::Params& params = base_params_;
@@ -89,6 +112,7 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     params.filter_planes = static_cast<float>(settings.sampling.filter_planes);
     params.enough_support = static_cast<float>(settings.sampling.enough_support);
     params.features = features;
+    params.interleave = plan_.interleave;
     params.seed = settings.seed;
     params.slots = buffers_.slots;
     params.sets = plan_.sets;
@@ -108,6 +132,11 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
 }
 
 void Renderer::set_camera(const Camera& camera) {
+    move_camera(camera);
+    sequence_ = picture_;
+}
+
+void Renderer::move_camera(const Camera& camera) {
     weft::set_camera(camera, scene_.units, base_params_);
     base_params_.texture_angle = texture_angle(base_params_, settings_);
     frames_in_film_ = 0;
@@ -128,10 +157,10 @@ shared::Params Renderer::params_of_frame(std::uint32_t frame) const {
 }
 
 void Renderer::trace_primary(FrameContext& frame) {
-    const std::uint32_t pixels = settings_.width * settings_.height;
     frame.run(KernelId::gbuffer, "primary rays", "", true,
-              with_geometry(scene_buffers_, with_gbuffer(buffers_, {})), pixels);
-    if (plan_.uses_all_receivers())
+              with_geometry(scene_buffers_, with_gbuffer(buffers_, {})),
+              pixel_blocks(settings_.width, settings_.height, executor_.lanes()));
+    if (all_receivers_)
         frame.run(KernelId::receivers, "receivers", "", false,
                   with_gbuffer(buffers_, {buffers_.slot_pixel.get(), buffers_.receivers.get(),
                                           buffers_.pixel_slot.get()}),
@@ -146,7 +175,7 @@ void Renderer::compose(FrameContext& frame) {
               with_gbuffer(buffers_, with_irradiance(buffers_, {buffers_.film_high.get(),
                                                                 buffers_.film_low.get(),
                                                                 buffers_.nonfinite.get(), masks})),
-              settings_.width * settings_.height);
+              pixel_runs(settings_.width, settings_.height, executor_.lanes()));
     if (buffers_.edges) buffers_.edges->sample(frame);
 }
 
@@ -155,34 +184,41 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
     const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
     const std::uint32_t number = frames_in_film_;
     FrameContext frame(inputs, params_of_frame(number), keep_going);
+    frame.budget = &budget_;
+    frame.begins = number > 0              ? FrameContext::Begins::nothing
+                   : picture_ == sequence_ ? FrameContext::Begins::sequence
+                                           : FrameContext::Begins::picture;
     frame.run_whole([&] { trace_primary(frame); });
-    for (const Component& component : components())
-        if (component.called_for(plan_)) component.sample(frame);
+    for (const ActiveComponent& active : components_) active.component->sample(frame);
     if (frame.ended_early() && number > 0) return false;
     frame.run_whole([&] {
-        for (const Component& component : components())
-            if (component.called_for(plan_)) component.reconstruct(frame);
+        for (const ActiveComponent& active : components_) active.component->reconstruct(frame);
         compose(frame);
     });
     ++frames_in_film_;
-    record(frame, watch.total());
+    record(frame, watch);
+    if (!frame.ended_early()) budget_.spend(stats_.back().ms, threshold_scopes());
     return !frame.ended_early();
 }
 
-template <class Use>
-void Renderer::for_adaptive(const Use& use) const {
-    if (buffers_.soft_shadows) use("direct", buffers_.soft_shadows->sampling());
-    if (buffers_.adaptive_indirect) use("indirect", *buffers_.adaptive_indirect);
+std::vector<ThresholdScope> Renderer::threshold_scopes() const {
+    std::vector<ThresholdScope> scopes;
+    for (const ActiveComponent& active : components_)
+        if (const SamplingDecision* const decision = active.component->decision())
+            scopes.push_back({active.name, decision->can_save(), decision->can_spend()});
+    return scopes;
 }
 
-void Renderer::record(FrameContext& frame, double ms) {
-    stats_.push_back(frame_stats(frame, ms));
+void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
+    stats_.push_back(frame_stats(frame, watch));
     stats_.back().picture = picture_;
-    for_adaptive([&](const char* component, const AdaptiveSampling& sampling) {
-        const LevelScheduler& scheduler = sampling.scheduler();
+    for (const ActiveComponent& active : components_) {
+        const SamplingDecision* const decision = active.component->decision();
+        if (decision == nullptr) continue;
+        const LevelCounts counts = decision->counts();
         stats_.back().levels.push_back(
-            {component, scheduler.tiles_by_level(), scheduler.samples()});
-    });
+            {active.name, counts.tiles, counts.samples, budget_.gain(active.name)});
+    }
     for (StageStats& stage : stats_.back().stages) {
         if (stage.name != "primary rays") continue;
         stage.rays = std::uint64_t{settings_.width} * settings_.height;
@@ -194,11 +230,14 @@ Image Renderer::image() {
     const std::size_t values =
         FILM_PLANES * FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
     const auto high = read_buffer<float>(executor_, *buffers_.film_high, values);
-    const auto low = read_buffer<float>(executor_, *buffers_.film_low, values);
+    const auto low =
+        read_buffer<float>(executor_, *buffers_.film_low, frames_in_film_ > 1 ? values : 0);
     Image image = resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
-    for_adaptive([&](const char* component, const AdaptiveSampling& sampling) {
-        add_level_layers(component, sampling.scheduler(), image);
-    });
+    for (const ActiveComponent& active : components_) {
+        active.component->add_layers(image);
+        if (const SamplingDecision* const decision = active.component->decision())
+            decision->add_layers(active.name, image);
+    }
     return image;
 }
 

@@ -4,8 +4,11 @@
 #define WEFT_FRAME_RENDERER_H
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "components/component.h"
 #include "frame/frame_context.h"
 #include "frame/frame_renderer.h"
 #include "image/image.h"
@@ -16,7 +19,7 @@ namespace weft {
 
 /// What picture to make of a scene.
 struct RenderSettings {
-    Algorithm algorithm = Algorithm::igi;
+    Algorithm algorithm = default_algorithm;
     SamplingSettings sampling;
     std::uint32_t width = 512;
     std::uint32_t height = 512;
@@ -25,8 +28,15 @@ struct RenderSettings {
     /// Frames that are to be made, as far as known: 1 traces pixel centres, more points all over
     /// the pixel, between which textures need less filtering.
     std::uint32_t samples = 1;
+    /// Of ais: milliseconds that each frame may take, kept by the thresholds; 0: as long as the
+    /// sampling settings make it.
+    double frame_time_ms = 0.0;
     bool direct = true;
     bool indirect = true;
+    /// Names of further components (Choice::on_request).
+    std::vector<std::string> requested;
+    /// Those to choose from.
+    std::span<const ComponentKind> components = weft::components();
 };
 
 /// Renders frames of one scene into one film, for one picture after the other.
@@ -36,16 +46,19 @@ class Renderer : public FrameRenderer {
     /// for.
     Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
              const RenderSettings& settings);
+    Renderer(const Renderer&) = delete;  // its components refer to it
+    Renderer& operator=(const Renderer&) = delete;
 
     /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
     /// it got and a later one is dropped; returns whether it was complete.
     bool render_frame(const KeepGoing& keep_going) override;
 
     void set_camera(const Camera& camera) override;
+    void move_camera(const Camera& camera) override;
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
     /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth;
-    /// of ais also the levels of the last frame.
+    /// of ais also the levels of the last frame, and what components bring as layers of their own.
     [[nodiscard]] Image image() override;
     [[nodiscard]] const FramePlan& plan() const override { return plan_; }
     [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
@@ -53,10 +66,9 @@ class Renderer : public FrameRenderer {
   private:
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
-    void record(FrameContext& frame, double ms);
-    /// Calls use(component's name, its sampling) for the components that a frame adapts.
-    template <class Use>
-    void for_adaptive(const Use& use) const;
+    void record(FrameContext& frame, const Stopwatch& watch);
+    /// Of the last frame.
+    [[nodiscard]] std::vector<ThresholdScope> threshold_scopes() const;
     [[nodiscard]] shared::Params params_of_frame(std::uint32_t frame) const;
 
     Executor& executor_;
@@ -66,20 +78,26 @@ class Renderer : public FrameRenderer {
     WorkList work_;
     SceneBuffers scene_buffers_;
     FrameBuffers buffers_;
+    std::vector<ActiveComponent> components_;
+    bool all_receivers_ = true;  ///< whether a frame runs receivers.cl over its whole work list
     shared::Params base_params_{};
     std::vector<FrameStats> stats_;
     std::uint32_t frames_in_film_ = 0;
     std::uint32_t picture_ = 0;
+    std::uint32_t sequence_ = 0;  ///< its first picture
+    FrameBudget budget_;
 };
 
 /// The plan for a scene and settings.
 [[nodiscard]] FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings);
 
 /// Kernels that frames of this plan launch, each once, in KernelId order.
-[[nodiscard]] std::vector<KernelId> kernels_of(const FramePlan& plan);
+[[nodiscard]] std::vector<KernelId> kernels_of(const FramePlan& plan,
+                                               std::span<const ComponentKind> kinds = components());
 
 /// FEATURE_* of frames of this plan.
-[[nodiscard]] std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan);
+[[nodiscard]] std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
+                                        std::span<const ComponentKind> kinds = components());
 
 }  // namespace weft
 

@@ -37,22 +37,34 @@ Attributes attributes_of(const Scene& scene) {
     return found;
 }
 
-KernelUnits kernel_units(const Scene& scene) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high(-std::numeric_limits<double>::infinity());
-    for (const Instance& instance : scene.instances)
-        for (const auto& triangle : scene.meshes[instance.mesh].triangles)
+/// Box of placed triangles.
+struct Extent {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    void add(const Mesh& mesh, const glm::dmat4& to_world) {
+        for (const auto& triangle : mesh.triangles)
             for (const std::uint32_t vertex : triangle) {
-                const glm::dvec3 p(
-                    instance.to_world *
-                    glm::dvec4(glm::dvec3(scene.meshes[instance.mesh].positions[vertex]), 1.0));
+                const glm::dvec3 p(to_world * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0));
                 low = glm::min(low, p);
                 high = glm::max(high, p);
             }
+    }
+    [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+};
+
+KernelUnits kernel_units(const Scene& scene) {
+    Extent extent;
+    for (const Instance& instance : scene.instances)
+        extent.add(scene.meshes[instance.mesh], instance.to_world);
+    // Where there are surfaces their precision counts, however large the fog about them.
+    if (extent.empty())
+        for (const MediumBoundary& boundary : scene.medium_boundaries)
+            extent.add(scene.meshes[boundary.mesh], boundary.to_world);
     KernelUnits units;
-    if (!(low.x <= high.x)) return units;
-    units.centre = 0.5 * (low + high);
-    const glm::dvec3 half = 0.5 * (high - low);
+    if (extent.empty()) return units;
+    units.centre = 0.5 * (extent.low + extent.high);
+    const glm::dvec3 half = 0.5 * (extent.high - extent.low);
     const double largest = std::max(half.x, std::max(half.y, half.z));
     // Beyond that the scale itself would be no number.
     constexpr int most = 1000;
@@ -219,6 +231,7 @@ FlatScene flatten(const Scene& scene) {
                     (attributes.one_sided ? FEATURE_ONE_SIDED : 0U);
     measure(scene, flat);
     build_light_table(scene, flat);
+    flat.media = flatten_media(scene, flat.units);
     return flat;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device/shared_types.h"
+#include "scene/flat_media.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -36,6 +37,8 @@ struct FlatScene {
     std::vector<std::uint32_t> texels;
     std::vector<shared::LightRecord> lights;  ///< area, point and spot, directional, environment
     std::vector<shared::EmissiveTriangle> emissive;
+
+    FlatMedia media;
 
     std::uint32_t area_lights = 0;
     std::uint32_t punctual_lights = 0;  ///< point and spot

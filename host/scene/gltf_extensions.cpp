@@ -14,15 +14,24 @@ namespace weft {
 namespace {
 
 /// Read in full, or named by a warning of their own where a material uses them.
-constexpr std::array<std::string_view, 16> understood = {
-    "KHR_lights_punctual",        "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",    "KHR_materials_diffuse_transmission",
-    "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_iridescence",
-    "KHR_materials_sheen",        "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_volume",       "KHR_mesh_quantization",
-    "KHR_texture_transform",      "KHR_xmp_json_ld",
+constexpr std::array<std::string_view, 17> understood = {
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "KHR_xmp_json_ld",
+    "WEFT_medium",
 };
 
 /// The core of the file is a full substitute for these, unless the file requires them.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/quote.h"
+#include "scene/gltf_medium.h"
 
 namespace weft {
 namespace {
@@ -66,8 +67,13 @@ void read_uv_mapping(const GltfValue& info, GltfSurface& surface) {
 }  // namespace
 
 GltfMaterials::GltfMaterials(const GltfDocument& document, GltfTextures& textures,
-                             GltfReport& report, std::vector<Material>& materials)
-    : root_(document.root()), textures_(textures), report_(report), materials_(materials) {}
+                             GltfReport& report, std::vector<Material>& materials,
+                             std::vector<Medium>& media)
+    : root_(document.root()),
+      textures_(textures),
+      report_(report),
+      materials_(materials),
+      media_(media) {}
 
 const GltfSurface& GltfMaterials::surface(const std::optional<GltfValue>& reference) {
     constexpr std::size_t default_material = std::numeric_limits<std::size_t>::max();
@@ -91,6 +97,11 @@ GltfSurface GltfMaterials::convert(const GltfValue& value, std::size_t index) {
     GltfSurface surface;
     Material material;
     material.name = value.name_or("material " + std::to_string(index));
+    if (std::optional<Medium> medium = read_gltf_medium(value, material.name)) {
+        surface.medium = static_cast<int>(media_.size());
+        media_.push_back(*std::move(medium));
+        return surface;
+    }
     convert_base_colour(value, material, surface);
     material.emission = emission(value);
     material.emits_both_sides = value.bool_or("doubleSided", false);

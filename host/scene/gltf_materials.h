@@ -17,6 +17,7 @@ namespace weft {
 /// What a primitive must know of its material.
 struct GltfSurface {
     std::uint32_t material = 0;  ///< index into Scene::materials
+    int medium = -1;  ///< index into Scene::media: an invisible boundary of it; -1: a surface
     bool textured = false;
     std::uint64_t uv_set = 0;      ///< n of TEXCOORD_n
     glm::dmat3 uv_transform{1.0};  ///< KHR_texture_transform, applied to (u, v, 1)
@@ -26,7 +27,7 @@ struct GltfSurface {
 class GltfMaterials {
   public:
     GltfMaterials(const GltfDocument& document, GltfTextures& textures, GltfReport& report,
-                  std::vector<Material>& materials);
+                  std::vector<Material>& materials, std::vector<Medium>& media);
 
     /// The material whose index `reference` holds, or glTF's default material. Throws Error (exit
     /// code 2).
@@ -44,6 +45,7 @@ class GltfMaterials {
     GltfTextures& textures_;
     GltfReport& report_;
     std::vector<Material>& materials_;
+    std::vector<Medium>& media_;
     std::map<std::size_t, GltfSurface> surfaces_;
 };
 

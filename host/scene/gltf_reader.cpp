@@ -17,6 +17,7 @@
 #include "scene/gltf_extensions.h"
 #include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
+#include "scene/gltf_medium.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
 #include "scene/gltf_report.h"
@@ -34,7 +35,7 @@ class GltfReader {
           report_(diagnostics),
           data_(document),
           textures_(document, data_, report_, scene_.textures),
-          materials_(document, textures_, report_, scene_.materials) {}
+          materials_(document, textures_, report_, scene_.materials, scene_.media) {}
 
     GltfReader(const GltfReader&) = delete;
     GltfReader& operator=(const GltfReader&) = delete;
@@ -47,6 +48,10 @@ class GltfReader {
             read_gltf_animations(document_, data_, report_, animation.tracks);
         for (const GltfNode& node : read_gltf_nodes(document_, animated, animation, report_))
             add_node(node);
+        if (std::optional<Medium> fog = read_gltf_outer_medium(root_)) {
+            scene_.outer_medium = static_cast<int>(scene_.media.size());
+            scene_.media.push_back(*std::move(fog));
+        }
         report_.flush();
         return std::move(scene_);
     }
@@ -56,6 +61,7 @@ class GltfReader {
     struct Part {
         std::uint32_t mesh;
         std::uint32_t material;
+        int medium;  ///< where not -1, it is a boundary of that
     };
 
     void add_node(const GltfNode& node) {
@@ -86,10 +92,15 @@ class GltfReader {
                          "skins are not simulated, the mesh is rendered unskinned instead");
         const std::size_t index = reference.as_index(root_.size_of("meshes"), "meshes");
         const std::vector<Part>& parts = mesh_parts(index);
-        if (parts.size() > limits::max_instances - scene_.instances.size())
+        if (parts.size() >
+            limits::max_instances - scene_.instances.size() - scene_.medium_boundaries.size())
             throw node.value.error("brings the file above the limit of " +
                                    std::to_string(limits::max_instances) + " placed meshes");
         for (const Part& part : parts) {
+            if (part.medium >= 0) {
+                scene_.medium_boundaries.push_back({part.mesh, node.to_world, part.medium, -1});
+                continue;
+            }
             Instance instance;
             instance.name = node.name.empty() ? scene_.meshes[part.mesh].name : node.name;
             instance.mesh = part.mesh;
@@ -112,7 +123,8 @@ class GltfReader {
                 read_gltf_primitive(data_, primitive, surface, report_, triangles_read_);
             if (!mesh) continue;
             mesh->name = primitives.size() == 1 ? name : name + " part " + std::to_string(i);
-            parts.push_back({static_cast<std::uint32_t>(scene_.meshes.size()), surface.material});
+            parts.push_back({static_cast<std::uint32_t>(scene_.meshes.size()), surface.material,
+                             surface.medium});
             scene_.meshes.push_back(*std::move(mesh));
         }
         return parts_[index] = std::move(parts);

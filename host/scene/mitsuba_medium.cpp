@@ -18,7 +18,6 @@ int MediumReader::index(const Element* medium) {
     if (const auto found = indices_.find(medium); found != indices_.end()) return found->second;
     if (medium->tag != "medium")
         throw input_error(medium->place(), "a <" + medium->tag + "> where a <medium> is expected");
-    context_.warnings.once(*medium, "participating media are read but not simulated");
     scene_.media.push_back(read(*medium));
     const int index = static_cast<int>(scene_.media.size()) - 1;
     indices_.emplace(medium, index);
@@ -100,6 +99,7 @@ void MediumReader::read_grid(const Element& volume, Medium& medium) {
     if (!std::filesystem::is_regular_file(path, error))
         throw input_error(object.place(),
                           "file " + quote(path.string()) + " is missing, expected a grid volume");
+    context_.warnings.once(volume, "media with a density grid are read but not simulated");
     medium.density_file = std::filesystem::absolute(path).string();
     medium.grid_to_world = object.transform("to_world");
     object.ignore({"filter_type", "wrap_mode", "raw", "use_grid_bbox", "accel"});

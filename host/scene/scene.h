@@ -88,7 +88,7 @@ struct Camera {
     Attachment motion{};    ///< what carries it over time, if it moves
 };
 
-/// A participating medium as its file describes it. Kept for the media component.
+/// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit.
 struct Medium {
     std::string name;
     std::string type;  ///< "homogeneous" or "heterogeneous"
@@ -100,7 +100,7 @@ struct Medium {
     glm::dmat4 grid_to_world{1.0};
 };
 
-/// A closed boundary of a medium, invisible by itself.
+/// A closed boundary of a medium, invisible by itself. The interior is behind its normals.
 struct MediumBoundary {
     std::uint32_t mesh = 0;
     glm::dmat4 to_world{1.0};
@@ -128,7 +128,9 @@ struct Scene {
     Animation animation;
     std::vector<Medium> media;
     std::vector<MediumBoundary> medium_boundaries;
-    int camera_medium = -1;  ///< medium around the cameras: index into `media`, or -1
+    int camera_medium = -1;  ///< the file's word on what is around the cameras, or -1: see
+                             ///< flatten_media for when it counts
+    int outer_medium = -1;   ///< outside of all boundaries: index into `media`, or -1
     std::optional<FilmSize> film;
     bool light_named = false;  ///< the file names an area light, perhaps one without power
 };

@@ -212,9 +212,9 @@ class Validator {
         };
         for (const Medium& medium : scene_.media) {
             const std::string object = "medium " + quote(medium.name);
-            require(
-                not_negative(medium.sigma_t) && std::isfinite(medium.scale) && medium.scale >= 0.0F,
-                object, "has an extinction that is negative or not finite");
+            require(not_negative(medium.sigma_t) && not_negative(medium.sigma_t * medium.scale) &&
+                        medium.scale >= 0.0F,
+                    object, "has an extinction that is negative or not finite");
             require(in_unit_cube(medium.albedo), object, "has an albedo outside [0, 1]");
             require(medium.anisotropy > -1.0F && medium.anisotropy < 1.0F, object,
                     "has an anisotropy outside (-1, 1)");
@@ -224,6 +224,8 @@ class Validator {
             require(exists(boundary.interior) && exists(boundary.exterior), "medium boundary",
                     "refers to a medium that does not exist");
         }
+        require(exists(scene_.outer_medium), "space",
+                "is filled with a medium that does not exist");
         require(exists(scene_.camera_medium), "camera", "lies in a medium that does not exist");
     }
 

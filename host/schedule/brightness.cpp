@@ -7,14 +7,14 @@
 #include <cmath>
 #include <cstdint>
 
+#include "device/shared_types.h"
 #include "metrics/hdr_vdp_response.h"
 
 namespace weft {
 namespace {
 
-// Sign, exponent and three bits of the mantissa: within 6 % of any slope.
-constexpr unsigned dropped_bits = 20;
-constexpr std::uint32_t entries = 0x7F800000U >> dropped_bits;
+constexpr unsigned dropped_bits = SLOPE_DROPPED_BITS;
+constexpr std::uint32_t entries = SLOPE_ENTRIES;
 
 }  // namespace
 

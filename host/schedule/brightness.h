@@ -3,6 +3,7 @@
 #ifndef WEFT_SCHEDULE_BRIGHTNESS_H
 #define WEFT_SCHEDULE_BRIGHTNESS_H
 
+#include <span>
 #include <vector>
 
 namespace weft {
@@ -17,6 +18,9 @@ class BrightnessSlope {
     /// Just noticeable differences per unit of radiance, at a luminance of `radiance`. Negative
     /// values and NaN count as 0.
     [[nodiscard]] float operator()(float radiance) const;
+
+    /// SLOPE_ENTRIES slopes, for the kernels' brightness_slope.
+    [[nodiscard]] std::span<const float> table() const { return slopes_; }
 
   private:
     std::vector<float> slopes_;  ///< by the leading bits of a float

@@ -75,9 +75,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     if (scene.indirect && lights > 0 && scene.mean_reflectance > 0.0)
         plan_vpls(plan, settings, scene.mean_reflectance);
-    plan.adaptive =
-        algorithm == Algorithm::ais &&
-        (plan.has_indirect() || (plan.samples_per_set > 0 && plan.environment_samples == 0));
+    plan.adaptive = algorithm == Algorithm::ais;
+    if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
     plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,

@@ -3,14 +3,21 @@
 #ifndef WEFT_SCHEDULE_FRAME_PLAN_H
 #define WEFT_SCHEDULE_FRAME_PLAN_H
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "device/shared_types.h"
 
 namespace weft {
 
 enum class Algorithm : std::uint8_t { ais, amax, igi, ir, path };
+
+/// What renders where no algorithm is named.
+inline constexpr Algorithm default_algorithm = Algorithm::ais;
 
 /// The standard setting, which `igi` and everything compared with it use.
 struct SamplingSettings {
@@ -24,11 +31,14 @@ struct SamplingSettings {
     double filter_cosine = 0.9;
     double filter_planes = 2.0;
     /// Of ais: errors of undersampling, in just noticeable differences, that are let pass.
-    double threshold = 8.0;
+    double threshold = 10.0;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1, for the same
     /// Of ais: share of its taps' weight that a pixel needs on its own surface, else it is sampled
     /// more densely.
-    double enough_support = 0.5;
+    double enough_support = 0.4;
+    /// Of ais: VPLs that would add less than this share of what a pixel's VPLs add on average are
+    /// traced by chance, and then count for more.
+    double roulette = 2.0;
     bool compensation = false;  ///< trace what bounds and bounces leave out
     /// Further rays of an edge pixel, of ais and amax; rounded down to an even number, at most
     /// MAX_EDGE_SAMPLES.
@@ -47,7 +57,7 @@ struct SceneStatistics {
     double mean_reflectance = 0.0;  ///< [0, 1]
 };
 
-/// Sample counts of every frame, decided once; plain data.
+/// Sample counts of every frame, decided once; a plain value.
 struct FramePlan {
     std::uint32_t interleave = 1;   ///< of the work list
     std::uint32_t sets = 1;         ///< sample sets made
@@ -66,14 +76,17 @@ struct FramePlan {
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
 
+    std::vector<std::string> requested;  ///< components that frames have only where asked for
+
     bool compensation = false;  ///< a path per pixel for what VPLs and light samples leave out
 
     /// Further rays of an edge pixel, even; 0: edges stay as primary rays find them.
     std::uint32_t edge_samples = 0;
 
-    bool adaptive = false;  ///< levels decide which pixels some component samples
+    bool adaptive = false;  ///< levels decide which pixels a component samples, where it can adapt
     double threshold = 0.0;
     double luminance_scale = 100.0;
+    double roulette = 0.0;  ///< of VPLs; 0: all are traced
 
     double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
     double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound
@@ -83,20 +96,23 @@ struct FramePlan {
     [[nodiscard]] std::uint32_t light_sample_count() const {
         return area_samples() + punctual_lights + sets * environment_samples;
     }
+    [[nodiscard]] bool requests(std::string_view component) const {
+        return std::find(requested.begin(), requested.end(), component) != requested.end();
+    }
     [[nodiscard]] bool has_indirect() const { return paths_per_set > 0; }
     [[nodiscard]] bool has_sampled_direct() const {
         return samples_per_set > 0 || environment_samples > 0;
     }
-    /// Light of the surroundings is sampled at every pixel, so area lights then are too.
+    /// One ray to a light can stand for others where there are any.
     [[nodiscard]] bool adapts_direct() const {
-        return adaptive && samples_per_set > 0 && environment_samples == 0;
+        return adaptive && threshold > 0.0 && samples_per_set > 0 && samples_per_light > 1;
+    }
+    /// Whether any light may go without samples at some pixels.
+    [[nodiscard]] bool undersamples() const {
+        return adaptive && threshold > 0.0 && (has_indirect() || adapts_direct());
     }
     [[nodiscard]] bool has_exact_direct() const {
         return punctual_lights > 0 || directional_lights > 0;
-    }
-    /// Some component needs the receivers of all pixels.
-    [[nodiscard]] bool uses_all_receivers() const {
-        return !adaptive || has_exact_direct() || (has_sampled_direct() && !adapts_direct());
     }
     [[nodiscard]] bool has_distant() const {
         return environment_samples > 0 || directional_lights > 0;

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 
+#include "schedule/level_fade.h"
+
 namespace weft {
 namespace {
 
@@ -39,6 +41,7 @@ std::vector<float> means(std::uint32_t columns, std::span<const shared::float4> 
     std::vector<float> result(signal.size());
     for (std::size_t i = 0; i < signal.size(); ++i) {
         const std::uint32_t bits = bits_of(signal[i]);
+        if (bits == 0) continue;
         float sum = signal[i].x;
         int count = 1;
         for (unsigned n = 0; n < neighbours.size(); ++n) {
@@ -60,6 +63,14 @@ float axis_error(std::span<const float> mean, std::size_t at, std::size_t step, 
     if (before) return slope_share * std::abs(mean[at - step] - mean[at]);
     if (after) return slope_share * std::abs(mean[at + step] - mean[at]);
     return 0.0F;
+}
+
+/// The level that an error of interpolating the lattice of `examined` asks for, by two steps where
+/// one will not do; coarse where it is let pass.
+Level asked_level(Level examined, float error, float threshold) {
+    if (error < threshold) return Level::coarse;
+    const bool both = examined == Level::middle || !(error < halving_gain * threshold);
+    return both ? Level::full : Level::middle;
 }
 
 /// The larger error; one that is not a number is the largest.
@@ -89,16 +100,19 @@ LevelScheduler::LevelScheduler(const TileGrid& grid, const LevelSettings& settin
                                std::span<const shared::TileRecord> records)
     : grid_(grid),
       settings_(settings),
-      levels_(records.size(), settings.threshold > 0.0 ? Level::coarse : Level::full),
+      base_(records.size(), settings.threshold > 0.0 ? Level::coarse : Level::full),
+      verdict_{std::vector<Level>(records.size(), Level::coarse),
+               std::vector<Level>(records.size(), Level::coarse)},
+      errors_{std::vector<float>(records.size(), 0.0F), std::vector<float>(records.size(), 0.0F)},
       lit_(records.size()),
       fine_(records.size()),
       sampled_(records.size(), 0) {
     for (std::size_t tile = 0; tile < records.size(); ++tile) {
         lit_[tile] = mask_of(records[tile].lit);
         fine_[tile] = mask_of(records[tile].fine);
-        if (mask_of(records[tile].middle) != 0)
-            levels_[tile] = std::max(levels_[tile], Level::middle);
+        if (mask_of(records[tile].middle) != 0) base_[tile] = std::max(base_[tile], Level::middle);
     }
+    levels_ = base_;
     fine_ = window_masks(grid_, fine_);
 }
 
@@ -114,47 +128,109 @@ std::uint64_t LevelScheduler::samples() const {
     return count;
 }
 
+bool LevelScheduler::can_save() const {
+    return levels_ != base_;
+}
+
+bool LevelScheduler::can_spend() const {
+    return std::find_if(levels_.begin(), levels_.end(),
+                        [](Level level) { return level != Level::full; }) != levels_.end();
+}
+
+bool LevelScheduler::is_judged(std::size_t tile, Level examined, Level judged) const {
+    return std::max(base_[tile], judged) == examined && levels_[tile] >= examined;
+}
+
 bool LevelScheduler::has(Level level) const {
-    return std::find(levels_.begin(), levels_.end(), level) != levels_.end();
+    for (std::size_t tile = 0; tile < levels_.size(); ++tile)
+        if (is_judged(tile, level, verdict_.asked[tile]) ||
+            is_judged(tile, level, verdict_.kept[tile]))
+            return true;
+    return false;
 }
 
 void LevelScheduler::require(std::span<const Level> least) {
-    for (std::size_t tile = 0; tile < levels_.size(); ++tile)
-        levels_[tile] = std::max(levels_[tile], least[tile]);
+    for (std::size_t tile = 0; tile < levels_.size(); ++tile) {
+        base_[tile] = std::max(base_[tile], least[tile]);
+        levels_[tile] = std::max(levels_[tile], base_[tile]);
+    }
 }
 
-WorkList LevelScheduler::refine(Level examined, std::span<const shared::float4> signal) {
+void LevelScheduler::hold(std::span<const Level> held, Level most) {
+    for (std::size_t tile = 0; tile < levels_.size(); ++tile)
+        levels_[tile] = std::max(levels_[tile], std::min(held[tile], most));
+}
+
+WorkList LevelScheduler::refine(Level examined, std::span<const shared::float4> signal,
+                                const BrightnessSlope& slope) {
     const std::uint32_t stride = stride_of(examined);
     const std::uint32_t columns = (grid_.width - 1) / stride + 1;
     const std::uint32_t rows = (grid_.height - 1) / stride + 1;
-    const BrightnessSlope slope(settings_.luminance_scale);
     raise(examined, interpolation_errors(columns, rows, signal, slope));
     return next_round();
 }
 
-void LevelScheduler::raise(Level examined, std::span<const float> errors) {
+float LevelScheduler::tile_error(std::uint32_t tile, Level examined,
+                                 std::span<const float> errors) const {
     const std::uint32_t stride = stride_of(examined);
     const std::uint32_t columns = (grid_.width - 1) / stride + 1;
     const std::uint32_t rows = (grid_.height - 1) / stride + 1;
     const std::uint32_t per_tile = TILE_EDGE / stride;
+    const std::uint32_t x0 = tile % grid_.columns() * per_tile;
+    const std::uint32_t y0 = tile / grid_.columns() * per_tile;
+    // The next tile's first points bound this tile's last cells.
+    float error = 0.0F;
+    for (std::uint32_t y = y0; y <= std::min(y0 + per_tile, rows - 1); ++y)
+        for (std::uint32_t x = x0; x <= std::min(x0 + per_tile, columns - 1); ++x)
+            error = worse(error, errors[std::size_t{y} * columns + x]);
+    return error;
+}
+
+void LevelScheduler::raise(Level examined, std::span<const float> errors) {
     const auto threshold = static_cast<float>(settings_.threshold);
+    const auto release = static_cast<float>(release_share * settings_.threshold);
     for (std::uint32_t tile = 0; tile < grid_.tiles(); ++tile) {
-        if (levels_[tile] != examined) continue;
-        const std::uint32_t x0 = tile % grid_.columns() * per_tile;
-        const std::uint32_t y0 = tile / grid_.columns() * per_tile;
-        // The next tile's first points bound this tile's last cells.
-        float error = 0.0F;
-        for (std::uint32_t y = y0; y <= std::min(y0 + per_tile, rows - 1); ++y)
-            for (std::uint32_t x = x0; x <= std::min(x0 + per_tile, columns - 1); ++x)
-                error = worse(error, errors[std::size_t{y} * columns + x]);
-        if (error < threshold) continue;
-        const bool both = examined == Level::middle || !(error < halving_gain * threshold);
-        levels_[tile] = both ? Level::full : Level::middle;
+        const bool asks = is_judged(tile, examined, verdict_.asked[tile]);
+        const bool keeps = is_judged(tile, examined, verdict_.kept[tile]);
+        if (!asks && !keeps) continue;
+        const float error = tile_error(tile, examined, errors);
+        errors_.at(static_cast<std::size_t>(examined))[tile] = error;
+        const auto raise_to = [](Level& level, Level asked) { level = std::max(level, asked); };
+        if (asks) raise_to(verdict_.asked[tile], asked_level(examined, error, threshold));
+        if (keeps) raise_to(verdict_.kept[tile], asked_level(examined, error, release));
+        raise_to(levels_[tile], verdict_.asked[tile]);
     }
 }
 
+void LevelScheduler::fade_from(std::span<const float> earlier) {
+    earlier_.assign(earlier.begin(), earlier.end());
+}
+
+std::vector<float> LevelScheduler::heights() const {
+    std::vector<float> heights;
+    heights.reserve(levels_.size());
+    for (std::size_t tile = 0; tile < levels_.size(); ++tile)
+        heights.push_back(earlier_.empty() ? height_of(levels_[tile])
+                                           : faded_height(earlier_[tile], levels_[tile]));
+    return heights;
+}
+
+std::vector<TileMask> LevelScheduler::masks_of_heights() const {
+    if (earlier_.empty()) return required_masks(grid_, levels_);
+    std::vector<Level> below;
+    std::vector<Level> above;
+    for (const float height : heights()) {
+        below.push_back(level_below(height));
+        above.push_back(level_above(height));
+    }
+    std::vector<TileMask> masks = required_masks(grid_, below);
+    const std::vector<TileMask> finer = required_masks(grid_, above);
+    for (std::size_t tile = 0; tile < masks.size(); ++tile) masks[tile] |= finer[tile];
+    return masks;
+}
+
 WorkList LevelScheduler::next_round() {
-    std::vector<TileMask> masks = required_masks(grid_, levels_);
+    std::vector<TileMask> masks = masks_of_heights();
     for (std::size_t tile = 0; tile < masks.size(); ++tile) {
         masks[tile] = (masks[tile] | fine_[tile]) & lit_[tile] & ~sampled_[tile];
         sampled_[tile] |= masks[tile];

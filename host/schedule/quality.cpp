@@ -8,11 +8,13 @@ SamplingSettings sampling_of(Quality quality) {
     SamplingSettings settings;
     if (quality == Quality::draft) {
         settings.threshold = 20.0;
-        settings.enough_support = 0.35;
+        settings.enough_support = 0.3;
+        settings.roulette = 4.0;
     }
     if (quality == Quality::high) {
         settings.threshold = 3.0;
         settings.enough_support = 0.7;
+        settings.roulette = 0.5;
         settings.vpls_per_set = 256;
         settings.samples_per_light = 16;
         settings.max_samples_per_set = 1024;

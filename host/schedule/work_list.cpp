@@ -144,4 +144,13 @@ WorkList make_work_list(std::uint32_t width, std::uint32_t height, std::uint32_t
     return list;
 }
 
+WorkList make_spread_work_list(std::uint32_t width, std::uint32_t height, std::uint32_t interleave,
+                               std::uint32_t tile) {
+    const std::uint32_t spread = 2 * interleave;
+    WorkList list = make_work_list(width, height, spread, tile);
+    for (std::uint32_t& set : list.block_sets)
+        set = set % spread % interleave + set / spread % interleave * interleave;
+    return list;
+}
+
 }  // namespace weft

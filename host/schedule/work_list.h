@@ -26,6 +26,11 @@ struct WorkList {
 [[nodiscard]] WorkList make_work_list(std::uint32_t width, std::uint32_t height,
                                       std::uint32_t interleave, std::uint32_t tile);
 
+/// The same pixels with the same sets, but a block holds pixels of one place within squares of 2 n:
+/// every second of its set in a row and column (shadow_start in kernels/shadow_groups.h).
+[[nodiscard]] WorkList make_spread_work_list(std::uint32_t width, std::uint32_t height,
+                                             std::uint32_t interleave, std::uint32_t tile);
+
 /// Work list of the pixels in `masks` alone, one mask per tile of the grid; bits outside of the
 /// picture are left out. Ordered region by region, large squares of tiles whose packets are filled
 /// together.

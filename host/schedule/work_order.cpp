@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schedule/work_order.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -60,18 +62,26 @@ std::uint32_t morton_code(const shared::float4& position, float extent) {
 
 WorkList ordered_by_place(const WorkList& list, std::span<const shared::float4> positions,
                           float extent) {
-    std::vector<std::vector<Entry>> sets;
-    for (std::size_t i = 0; i < list.pixels.size(); ++i) {
-        const std::uint32_t pixel = list.pixels[i];
-        if (pixel == NO_TRIANGLE) continue;
-        const std::uint32_t set = list.block_sets[i / PACKET_BLOCK];
-        if (set >= sets.size()) sets.resize(set + 1);
-        sets[set].push_back({morton_code(positions[pixel], extent), pixel});
-    }
+    const std::uint32_t count =
+        list.block_sets.empty()
+            ? 0
+            : *std::max_element(list.block_sets.begin(), list.block_sets.end()) + 1;
+    std::vector<std::vector<Entry>> sets(count);
+    tbb::parallel_for(0U, count, [&](std::uint32_t set) {
+        std::vector<Entry>& entries = sets[set];
+        for (std::size_t block = 0; block < list.block_sets.size(); ++block) {
+            if (list.block_sets[block] != set) continue;
+            for (std::size_t i = block * PACKET_BLOCK; i < (block + 1) * PACKET_BLOCK; ++i) {
+                const std::uint32_t pixel = list.pixels[i];
+                if (pixel != NO_TRIANGLE)
+                    entries.push_back({morton_code(positions[pixel], extent), pixel});
+            }
+        }
+        std::vector<Entry> scratch;
+        sort_by_code(entries, scratch);
+    });
     WorkList ordered;
-    std::vector<Entry> scratch;
-    for (std::uint32_t set = 0; set < sets.size(); ++set) {
-        sort_by_code(sets[set], scratch);
+    for (std::uint32_t set = 0; set < count; ++set) {
         for (const Entry& entry : sets[set]) ordered.pixels.push_back(entry.pixel);
         while (ordered.pixels.size() % PACKET_BLOCK != 0) ordered.pixels.push_back(NO_TRIANGLE);
         ordered.block_sets.resize(ordered.pixels.size() / PACKET_BLOCK, set);

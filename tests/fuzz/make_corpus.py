@@ -14,6 +14,7 @@ import sys
 sys.dont_write_bytecode = True  # the source folder is no place for it
 
 import corpus_gltf
+import corpus_grids
 import corpus_mitsuba
 import corpus_pictures
 import corpus_text
@@ -25,6 +26,8 @@ def main():
     makers = {
         "gltf": corpus_gltf.files,
         "mitsuba": corpus_mitsuba.files,
+        "vol": corpus_grids.vol_files,
+        "nanovdb": corpus_grids.nanovdb_files,
         "ply": corpus_text.ply_files,
         "obj": corpus_text.obj_files,
         "options": corpus_text.option_files,

@@ -25,8 +25,11 @@
 #include "scene/flat_scene.h"
 #include "scene/image_file.h"
 #include "scene/load_scene.h"
+#include "scene/majorant_grid.h"
+#include "scene/nanovdb_reader.h"
 #include "scene/ply_reader.h"
 #include "scene/validate_scene.h"
+#include "scene/vol_reader.h"
 #include "tests/temporary_folder.h"
 
 #if __has_include("scene/obj_reader.h")
@@ -145,6 +148,18 @@ Scene scene_of(Mesh mesh) {
     return scene;
 }
 
+/// What a medium does with its densities.
+void use_grid(const DensityGrid& grid) {
+    validate_density_grid(grid, "grid");
+    const MajorantGrid majorants = make_majorant_grid(grid);
+    const float greatest = greatest_density(grid);
+    require(majorants.bounds.empty() == grid.densities.empty(), "bounds of nothing, or none");
+    for (const float bound : majorants.bounds)
+        require(bound >= 0.0F && bound <= greatest, "a bound that no voxel has");
+    for (int column = 0; column < 4; ++column)
+        require(is_finite(glm::vec3(grid.placement[column])), "a grid that is nowhere");
+}
+
 }  // namespace
 
 void read_gltf_bytes(Bytes bytes) {
@@ -171,6 +186,19 @@ void read_ply_bytes(Bytes bytes) {
             return scene;
         }());
     });
+    require_one_line(diagnostics);
+}
+
+void read_vol_bytes(Bytes bytes) {
+    Diagnostics diagnostics;
+    expect_error(ExitCode::bad_input, [&] { use_grid(decode_vol(bytes, "grid", diagnostics)); });
+    require_one_line(diagnostics);
+}
+
+void read_nanovdb_bytes(Bytes bytes) {
+    Diagnostics diagnostics;
+    expect_error(ExitCode::bad_input,
+                 [&] { use_grid(decode_nanovdb(bytes, "", "grid", diagnostics)); });
     require_one_line(diagnostics);
 }
 
@@ -258,6 +286,8 @@ std::span<const Reader> readers() {
         Reader{"gltf", read_gltf_bytes},
         Reader{"mitsuba", read_mitsuba_bytes},
         Reader{"ply", read_ply_bytes},
+        Reader{"vol", read_vol_bytes},
+        Reader{"nanovdb", read_nanovdb_bytes},
 #if WEFT_HAS_OBJ
         Reader{"obj", read_obj_bytes},
 #endif

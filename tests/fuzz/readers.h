@@ -20,6 +20,8 @@ using Bytes = std::span<const std::byte>;
 void read_gltf_bytes(Bytes bytes);  ///< binary glTF where the bytes begin with `glTF`
 void read_mitsuba_bytes(Bytes bytes);
 void read_ply_bytes(Bytes bytes);
+void read_vol_bytes(Bytes bytes);
+void read_nanovdb_bytes(Bytes bytes);
 void read_obj_bytes(Bytes bytes);  ///< what follows a line `#mtl` is material.mtl
 void read_image_bytes(Bytes bytes);
 void read_exr_bytes(Bytes bytes);

@@ -24,27 +24,8 @@ namespace {
 #include "../../../kernels/port.h"
 #include "../../../kernels/types.h"
 
-#include "../../../kernels/compose.cl"
-#include "../../../kernels/distant_light.cl"
-#include "../../../kernels/edge_masks.cl"
-#include "../../../kernels/edge_samples.cl"
-#include "../../../kernels/gbuffer.cl"
-#include "../../../kernels/lattice_signal.cl"
-#include "../../../kernels/light_samples.cl"
-#include "../../../kernels/path.cl"
-#include "../../../kernels/query_any.cl"
-#include "../../../kernels/query_closest.cl"
-#include "../../../kernels/query_packet.cl"
-#include "../../../kernels/query_shaft.cl"
-#include "../../../kernels/receivers.cl"
-#include "../../../kernels/reconstruct.cl"
-#include "../../../kernels/reconstruct_tiles.cl"
-#include "../../../kernels/soft_shadows.cl"
-#include "../../../kernels/tile_geometry.cl"
-#include "../../../kernels/tile_shadows.cl"
-#include "../../../kernels/vpl_gather.cl"
-#include "../../../kernels/vpl_residual.cl"
-#include "../../../kernels/vpl_walk.cl"
+// Every .cl file of kernels/.
+#include "native_kernels.def"
 
 template <class T>
 constexpr bool is_buffer = std::is_pointer_v<T>;

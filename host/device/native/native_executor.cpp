@@ -45,11 +45,10 @@ class NativeTracedScene : public TracedScene {
   public:
     TracedGeometry geometry;
     std::unique_ptr<EmbreeScene> embree;
-    mutable NativeScene view;
-    mutable WideBvh bvh;
+    mutable NativeScene view;  ///< kernels take pointers to what they only read
+    WideBvh bvh;
 
-    /// Beside Embree's scene it is built when a kernel first asks for it.
-    void build_own_bvh() const {
+    void build_own_bvh() {
         BvhSettings settings;
         settings.padding = geometry.box_padding;
         bvh = build_bvh(geometry.positions, geometry.triangles, settings);
@@ -57,11 +56,6 @@ class NativeTracedScene : public TracedScene {
         view.bvh_leaves = bvh.leaves.data();
     }
 };
-
-/// Whether a kernel walks the kernels' own BVH even where Embree traces its rays (shaft.h).
-bool walks_own_bvh(KernelId kernel) {
-    return kernel == KernelId::query_shaft || kernel == KernelId::tile_shadows;
-}
 
 std::string processor_name() {
     std::ifstream info("/proc/cpuinfo");
@@ -142,7 +136,6 @@ class NativeExecutor : public Executor {
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
   private:
-    void prepare_scene(const Launch& launch);
     [[nodiscard]] std::vector<void*> bind(const NativeKernel& kernel, const Launch& launch,
                                           shared::Params& params) const;
 
@@ -157,15 +150,6 @@ class NativeExecutor : public Executor {
     double milliseconds_ = 0.0;
     double scene_ms_ = 0.0;
 };
-
-void NativeExecutor::prepare_scene(const Launch& launch) {
-    if (launch.scene == nullptr || !walks_own_bvh(launch.kernel)) return;
-    const auto& scene = dynamic_cast<const NativeTracedScene&>(*launch.scene);
-    if (scene.view.bvh_nodes != nullptr) return;
-    const Stopwatch watch;
-    arena_.execute([&] { scene.build_own_bvh(); });
-    scene_ms_ += watch.total();
-}
 
 std::vector<void*> NativeExecutor::bind(const NativeKernel& kernel, const Launch& launch,
                                         shared::Params& params) const {
@@ -188,7 +172,6 @@ std::vector<void*> NativeExecutor::bind(const NativeKernel& kernel, const Launch
 bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
     const NativeKernel& kernel = variant_.kernels->kernels[static_cast<std::size_t>(launch.kernel)];
     shared::Params params = launch.params;
-    prepare_scene(launch);
     const std::vector<void*> arguments = bind(kernel, launch, params);
     const std::uint32_t chunk =
         launch.items_per_launch > 0 ? launch.items_per_launch : kernel_chunk(launch.kernel);
@@ -212,7 +195,9 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
             break;
         }
     }
-    milliseconds_ += watch.total();
+    const double ms = watch.total();
+    milliseconds_ += ms;
+    if (launch.milliseconds != nullptr) *launch.milliseconds += ms;
     return complete;
 }
 

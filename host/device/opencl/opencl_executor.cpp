@@ -125,6 +125,12 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::uint32_t chunk_of(KernelId kernel) const {
         return kernel_chunk(kernel) * (info_.is_cpu ? 1 : gpu_chunk_factor);
     }
+    /// A launch that may still run, and where its time is to be added.
+    struct InFlight {
+        cl::Event event;
+        double* milliseconds;
+    };
+
     cl::Event enqueue(OpenClProgram& program, const Launch& launch, shared::Params& params);
     void retire_oldest();
 
@@ -138,7 +144,7 @@ class OpenClExecutor : public Executor {
     /// By kernel and the features of the frames it was built for.
     std::map<std::pair<KernelId, std::uint32_t>, OpenClProgram> programs_;
     mutable std::vector<KernelBuild> builds_;
-    std::deque<cl::Event> in_flight_;
+    std::deque<InFlight> in_flight_;
     std::optional<BvhStats> bvh_;
     double milliseconds_ = 0.0;
     double scene_ms_ = 0.0;
@@ -159,8 +165,8 @@ void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
             queue_.finish();
             throw;
         }
+        // What is launched later finds the bytes: the queue keeps its order.
         queue_.enqueueUnmapMemObject(memory, data);
-        queue_.finish();
     } catch (const cl::Error& error) {
         rethrow(error, "mapping a buffer");
     }
@@ -231,7 +237,7 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
         for (std::uint32_t first = 0; first < launch.items;) {
             params.first = launch.first_item + first;
             params.count = std::min(chunk, launch.items - first);
-            in_flight_.push_back(enqueue(program, launch, params));
+            in_flight_.push_back({enqueue(program, launch, params), launch.milliseconds});
             queue_.flush();
             first += params.count;
             while (in_flight_.size() > launches_ahead) retire_oldest();
@@ -244,18 +250,23 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
 }
 
 void OpenClExecutor::retire_oldest() {
-    const cl::Event event = in_flight_.front();
+    const auto [event, milliseconds] = in_flight_.front();
     in_flight_.pop_front();
     event.wait();
     const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
     const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
-    if (end > start) milliseconds_ += static_cast<double>(end - start) * 1e-6;
+    if (end <= start) return;
+    const double ms = static_cast<double>(end - start) * 1e-6;
+    milliseconds_ += ms;
+    if (milliseconds != nullptr) *milliseconds += ms;
 }
 
 double OpenClExecutor::take_milliseconds() {
     try {
         while (!in_flight_.empty()) retire_oldest();
     } catch (const cl::Error& error) {
+        // What the rest of a failed frame takes has nowhere to be added.
+        in_flight_.clear();
         rethrow(error, "waiting for kernels");
     }
     return std::exchange(milliseconds_, 0.0);

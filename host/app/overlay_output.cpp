@@ -1,0 +1,63 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/overlay_output.h"
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/options.h"
+#include "base/error.h"
+#include "frame/level_overlay.h"
+#include "image/png.h"
+
+namespace weft {
+namespace {
+
+/// Whether `other` is what some overlay of the output, or of one of its frames, is written to.
+bool is_overlay_output(const std::filesystem::path& output, const std::filesystem::path& other) {
+    const std::filesystem::path path = other.lexically_normal();
+    const std::string begin = output.stem().string() + ".";
+    return path.parent_path() == output.lexically_normal().parent_path() &&
+           path.extension() == ".png" && path.filename().string().starts_with(begin) &&
+           is_overlay_layer(path.stem().string());
+}
+
+}  // namespace
+
+void add_overlays(CLI::App& render) {
+    add_flag(render, "--overlays",
+             "Of ais: also writes how densely each component is sampled, and why, as PNG pictures");
+}
+
+void read_overlays(const CLI::App& command, RenderOptions& options) {
+    options.overlays = command.count("--overlays") > 0;
+    if (!options.overlays) return;
+    if (options.algorithm != Algorithm::ais)
+        throw usage_error("--overlays: shows adaptive sampling, expected --algorithm ais");
+    if (options.stats && is_overlay_output(options.output, *options.stats))
+        throw usage_error("--stats: names the same file as one of the pictures of --overlays");
+}
+
+std::filesystem::path overlay_output(const std::filesystem::path& output,
+                                     const std::string& layer) {
+    std::filesystem::path path = output;
+    return path.replace_filename(output.stem().string() + "." + layer + ".png");
+}
+
+void write_overlays(const RenderOptions& options, const Image& image, Diagnostics& diagnostics) {
+    const std::vector<std::string> layers = overlay_layers(image);
+    if (layers.empty())
+        diagnostics.warn("",
+                         "nothing in the scene is sampled adaptively, --overlays has nothing "
+                         "to show");
+    const double exposure = options.exposure_ev ? *options.exposure_ev : auto_exposure(image);
+    for (const std::string& layer : layers) {
+        Image overlay = level_overlay(image, layer, exposure);
+        overlay.metadata = image.metadata;
+        overlay.metadata["layer"] = layer;
+        write_png(overlay_output(options.output, layer), overlay, 0.0);
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,29 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_THREAD_LIMIT_H
+#define WEFT_APP_THREAD_LIMIT_H
+
+#include <tbb/global_control.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace weft {
+
+/// As long as it lives, all parallel work of the host together runs on at most so many threads, the
+/// calling one among them: scheduling, building and native kernels alike. It never allows more than
+/// was allowed before. What an OpenCL driver does is not the host's work.
+class ThreadLimit {
+  public:
+    /// `threads` is 1 and up; empty sets no limit.
+    explicit ThreadLimit(std::optional<std::uint32_t> threads);
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+  private:
+    std::optional<tbb::global_control> control_;
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,80 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "components/interleaved_irradiance.h"
+
+namespace weft {
+
+InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, const char* component)
+    : component_(component),
+      shared_(inputs.buffers),
+      filtered_(inputs.executor.allocate(inputs.pixels() * sizeof(shared::float4),
+                                         "filtered irradiance")) {
+    if (inputs.plan.adaptive)
+        adaptive_ = std::make_unique<AdaptiveSampling>(inputs.executor, shared_.tiles->grid(),
+                                                       inputs.levels(), inputs.features);
+    irradiance_ = dark_irradiance(inputs.executor, adaptive_ ? adaptive_->slots() : shared_.slots,
+                                  "irradiance");
+}
+
+void InterleavedIrradiance::sample(FrameContext& frame, const Gather& gather,
+                                   const std::function<std::vector<Level>()>& least_levels) {
+    if (!adaptive_) {
+        gather({*shared_.receivers, *shared_.block_set, *irradiance_, 0, shared_.slots});
+        return;
+    }
+    adaptive_->sample(
+        frame, component_, *shared_.tiles, *irradiance_,
+        {[&](std::uint32_t first, std::uint32_t count) {
+             gather({adaptive_->receivers(), adaptive_->block_set(), *irradiance_, first, count});
+         },
+         least_levels});
+}
+
+void InterleavedIrradiance::reconstruct(FrameContext& frame) {
+    if (adaptive_)
+        adaptive_->reconstruct(frame, component_, *shared_.tiles, *irradiance_, *filtered_);
+    else
+        reconstruct_all(frame, component_, *irradiance_, *filtered_);
+}
+
+SlotIrradiance InterleavedIrradiance::slots_of(LightPart part) const {
+    return adaptive_ ? adaptive_slots(part, *irradiance_, *adaptive_)
+                     : all_slots(part, *irradiance_, shared_);
+}
+
+ComponentNeeds needs_of_interleaved(bool adapts) {
+    ComponentNeeds needs;
+    needs.tiles = adapts;
+    needs.all_receivers = !adapts;
+    if (adapts)
+        needs.kernels = {KernelId::lattice_signal, KernelId::reconstruct_tiles};
+    else
+        needs.kernels = {KernelId::reconstruct};
+    return needs;
+}
+
+void reconstruct_all(FrameContext& frame, const char* component, Buffer& irradiance,
+                     Buffer& filtered) {
+    frame.run(KernelId::reconstruct, "reconstruction", component, false,
+              with_gbuffer(frame.buffers, {frame.buffers.pixel_slot.get(), &irradiance, &filtered}),
+              TileGrid{frame.params.width, frame.params.height}.tiles());
+}
+
+SlotIrradiance all_slots(LightPart part, Buffer& irradiance, const FrameBuffers& shared) {
+    return {
+        part,         &irradiance, shared.receivers.get(), shared.slot_pixel.get(), shared.slots,
+        shared.slots, false};
+}
+
+SlotIrradiance adaptive_slots(LightPart part, Buffer& irradiance,
+                              const AdaptiveSampling& sampling) {
+    return {part,
+            &irradiance,
+            &sampling.receivers(),
+            &sampling.slot_pixel(),
+            sampling.slots_used(),
+            sampling.slots(),
+            sampling.undersamples()};
+}
+
+}  // namespace weft

@@ -1,0 +1,198 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/flat_media.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "scene/flat_scene.h"
+
+namespace weft {
+namespace {
+
+/// Beyond that everything is opaque within the rounding of a position.
+constexpr float largest_extinction = 1e30F;
+
+glm::dvec3 vector_of(const shared::float4& p) {
+    return {p.x, p.y, p.z};
+}
+
+std::uint32_t medium_or_none(int medium) {
+    return medium >= 0 ? static_cast<std::uint32_t>(medium) : NO_MEDIUM;
+}
+
+/// Whether the medium is of no effect, or not simulated.
+bool is_clear(const Medium& medium) {
+    const glm::vec3 sigma = medium.sigma_t * medium.scale;
+    return !medium.density_file.empty() || !(std::max({sigma.r, sigma.g, sigma.b}) > 0.0F);
+}
+
+shared::MediumRecord record_of(const Medium& medium, const KernelUnits& units) {
+    shared::MediumRecord record{};
+    glm::vec3 sigma(0.0F);
+    if (!is_clear(medium))
+        for (int c = 0; c < 3; ++c) {
+            const double value = static_cast<double>(medium.sigma_t[c]) *
+                                 static_cast<double>(medium.scale) / units.scale;
+            sigma[c] = static_cast<float>(std::min(value, static_cast<double>(largest_extinction)));
+        }
+    record.sigma_t = {sigma.r, sigma.g, sigma.b, 0.0F};
+    record.albedo = {medium.albedo.r, medium.albedo.g, medium.albedo.b, 0.0F};
+    record.anisotropy = medium.anisotropy;
+    record.grid = NO_TRIANGLE;
+    return record;
+}
+
+/// A boundary in kernel units, normals outwards.
+struct Enclosure {
+    std::vector<shared::float4> positions;
+    std::vector<shared::Triangle> triangles;
+    std::uint32_t inside = NO_MEDIUM;
+    std::uint32_t outside = NO_MEDIUM;
+    double volume = 0.0;  ///< not negative
+};
+
+double signed_volume(const Enclosure& enclosure) {
+    if (enclosure.positions.empty()) return 0.0;
+    // About a vertex, so that a mesh far from the centre loses nothing.
+    const glm::dvec3 about = vector_of(enclosure.positions.front());
+    const auto vertex = [&](std::uint32_t i) { return vector_of(enclosure.positions[i]) - about; };
+    double six = 0.0;
+    for (const shared::Triangle& t : enclosure.triangles)
+        six += glm::dot(vertex(t.v0), glm::cross(vertex(t.v1), vertex(t.v2)));
+    return six / 6.0;
+}
+
+Enclosure enclosure_of(const Scene& scene, const MediumBoundary& boundary,
+                       const KernelUnits& units) {
+    const Mesh& mesh = scene.meshes[boundary.mesh];
+    Enclosure made;
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::vec3 p(
+            units.point(glm::dvec3(boundary.to_world * glm::dvec4(glm::dvec3(position), 1.0))));
+        made.positions.push_back({p.x, p.y, p.z, 0.0F});
+    }
+    const bool mirrored = glm::determinant(glm::dmat3(boundary.to_world)) < 0.0;
+    for (const auto& t : mesh.triangles)
+        made.triangles.push_back({t[0], t[mirrored ? 2 : 1], t[mirrored ? 1 : 2], 0});
+    made.inside = medium_or_none(boundary.interior);
+    made.outside = medium_or_none(boundary.exterior);
+    made.volume = signed_volume(made);
+    if (made.volume < 0.0) {
+        made.volume = -made.volume;
+        std::swap(made.inside, made.outside);
+        for (shared::Triangle& t : made.triangles) std::swap(t.v1, t.v2);
+    }
+    return made;
+}
+
+void append(const Enclosure& enclosure, std::uint32_t number, FlatMedia& media) {
+    const auto base = static_cast<std::uint32_t>(media.positions.size());
+    media.positions.insert(media.positions.end(), enclosure.positions.begin(),
+                           enclosure.positions.end());
+    for (const shared::Triangle& t : enclosure.triangles) {
+        media.triangles.push_back({base + t.v0, base + t.v1, base + t.v2, number});
+        const glm::dvec3 a = vector_of(enclosure.positions[t.v0]);
+        const glm::dvec3 normal = glm::cross(vector_of(enclosure.positions[t.v1]) - a,
+                                             vector_of(enclosure.positions[t.v2]) - a);
+        const double length = glm::length(normal);
+        const glm::vec3 unit(length > 0.0 ? normal / length : glm::dvec3(0.0));
+        media.normals.push_back({unit.x, unit.y, unit.z, std::bit_cast<float>(number)});
+    }
+    media.space.inside[number] = enclosure.inside;
+}
+
+std::vector<Enclosure> enclosures_of(const Scene& scene, const KernelUnits& units) {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    for (const MediumBoundary& boundary : scene.medium_boundaries) {
+        vertices += scene.meshes[boundary.mesh].positions.size();
+        triangles += scene.meshes[boundary.mesh].triangles.size();
+    }
+    if (vertices > limits::max_vertices || triangles > limits::max_triangles)
+        throw input_error(scene.source, "the boundaries of media have too many triangles");
+    if (scene.medium_boundaries.size() > MAX_MEDIUM_BOUNDARIES)
+        throw input_error(scene.source,
+                          fmt::format("{} boundaries of media, expected at most {}",
+                                      scene.medium_boundaries.size(), MAX_MEDIUM_BOUNDARIES));
+    std::vector<Enclosure> all;
+    for (const MediumBoundary& boundary : scene.medium_boundaries)
+        all.push_back(enclosure_of(scene, boundary, units));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Enclosure& a, const Enclosure& b) { return a.volume < b.volume; });
+    return all;
+}
+
+/// The medium outside of all boundaries: what the file says to surround everything; else the
+/// camera's, where no boundary encloses that; else what the largest boundary has outside.
+std::uint32_t outermost(const Scene& scene, const KernelUnits& units, const FlatMedia& media,
+                        std::uint32_t outside_largest) {
+    if (scene.outer_medium >= 0) return medium_or_none(scene.outer_medium);
+    const bool enclosed =
+        !scene.cameras.empty() &&
+        boundaries_around(media, units.point(glm::dvec3(scene.cameras.front().to_world[3]))) != 0;
+    if (scene.camera_medium >= 0 && !enclosed) return medium_or_none(scene.camera_medium);
+    return outside_largest;
+}
+
+/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), negative from
+/// its front.
+double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const double la = glm::length(a);
+    const double lb = glm::length(b);
+    const double lc = glm::length(c);
+    const double above = glm::dot(a, glm::cross(b, c));
+    const double below =
+        la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+    return 2.0 * std::atan2(above, below);
+}
+
+}  // namespace
+
+FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
+    if (std::all_of(scene.media.begin(), scene.media.end(), is_clear)) return {};
+    FlatMedia media;
+    std::fill(std::begin(media.space.inside), std::end(media.space.inside), NO_MEDIUM);
+    std::uint32_t outside_largest = NO_MEDIUM;
+    for (const Enclosure& enclosure : enclosures_of(scene, units)) {
+        append(enclosure, media.space.boundaries++, media);
+        outside_largest = enclosure.outside;
+    }
+    // That of positions and of the distances along rays, as for surfaces.
+    float extent = 1.0F;
+    for (const shared::float4& p : media.positions)
+        extent = std::max({extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    media.space.rounding = extent * 0x1p-22F;
+    media.space.outside = outermost(scene, units, media, outside_largest);
+    const auto counts = [&](std::uint32_t medium) {
+        return medium != NO_MEDIUM && !is_clear(scene.media[medium]);
+    };
+    if (!counts(media.space.outside) &&
+        std::none_of(std::begin(media.space.inside), std::end(media.space.inside), counts))
+        return {};
+    for (const Medium& medium : scene.media) media.records.push_back(record_of(medium, units));
+    return media;
+}
+
+std::uint32_t boundaries_around(const FlatMedia& media, const glm::dvec3& point) {
+    std::array<double, MAX_MEDIUM_BOUNDARIES> angles{};
+    for (const shared::Triangle& t : media.triangles) {
+        const auto seen = [&](std::uint32_t i) { return vector_of(media.positions[i]) - point; };
+        angles.at(t.instance) += solid_angle(seen(t.v0), seen(t.v1), seen(t.v2));
+    }
+    std::uint32_t around = 0;
+    for (std::uint32_t k = 0; k < angles.size(); ++k)
+        if (angles.at(k) > 2.0 * std::numbers::pi) around |= 1U << k;
+    return around;
+}
+
+}  // namespace weft

@@ -1,0 +1,42 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_FLAT_MEDIA_H
+#define WEFT_SCENE_FLAT_MEDIA_H
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "device/shared_types.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+struct KernelUnits;
+
+/// Participating media as kernels read them (kernels/medium_walk.h), in kernel units. Empty where
+/// no medium of the scene takes anything from light.
+struct FlatMedia {
+    std::vector<shared::MediumRecord> records;
+    /// What lies inside and outside of boundaries; `around_camera` is left to the renderer.
+    shared::MediaRecord space{};
+    std::vector<shared::float4> positions;    ///< of the boundaries
+    std::vector<shared::Triangle> triangles;  ///< `instance` is the number of the boundary
+    std::vector<shared::float4> normals;      ///< by triangle, outwards; w: the number, as bits
+
+    [[nodiscard]] bool present() const noexcept { return !records.empty(); }
+};
+
+/// Flattens the media of a validated scene. Boundaries are numbered by the volume that they
+/// enclose, the smallest first: where they overlap, the smaller one counts. A boundary whose
+/// normals point inwards encloses its exterior medium. Throws Error (exit code 2) for more
+/// boundaries than kernels can tell apart.
+[[nodiscard]] FlatMedia flatten_media(const Scene& scene, const KernelUnits& units);
+
+/// The boundaries that enclose a point (kernel units), a bit each: those about which their
+/// triangles wind by more than half.
+[[nodiscard]] std::uint32_t boundaries_around(const FlatMedia& media, const glm::dvec3& point);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,25 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_MEDIUM_H
+#define WEFT_SCENE_GLTF_MEDIUM_H
+
+#include <optional>
+#include <string>
+
+#include "scene/gltf_document.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+/// The medium of a material or scene with the extension WEFT_medium: its scattering and absorption,
+/// and the absorption of KHR_materials_volume. Throws Error (exit code 2) for coefficients that are
+/// negative or too large and an anisotropy outside (-1, 1).
+[[nodiscard]] std::optional<Medium> read_gltf_medium(const GltfValue& value,
+                                                     const std::string& name);
+
+/// The medium that fills the space of the scene that is rendered.
+[[nodiscard]] std::optional<Medium> read_gltf_outer_medium(const GltfValue& root);
+
+}  // namespace weft
+
+#endif

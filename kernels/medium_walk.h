@@ -1,0 +1,110 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which media a ray passes through. Boundaries lie in a tree of their own, which other rays never
+// meet. What a ray is inside of is a set of boundaries, a bit each: crossing one from outside adds
+// it and from inside takes it away, so that meeting the same one twice does no harm. Where rays
+// start on a boundary, rounding decides whether they have crossed it; so the side from which the
+// next one is met is believed more than the set.
+#ifndef WEFT_MEDIUM_WALK_H
+#define WEFT_MEDIUM_WALK_H
+
+#include "bvh.h"
+#include "medium.h"
+
+#define MEDIA_ARGS                                                               \
+    GLOBAL const BvhNode *boundary_nodes, GLOBAL const float *boundary_leaves,   \
+        GLOBAL const float4 *boundary_normals, GLOBAL const MediumRecord *media, \
+        GLOBAL const MediaRecord *media_record
+#define MEDIA_MAKE(name)             \
+    Media name;                      \
+    name.nodes = boundary_nodes;     \
+    name.leaves = boundary_leaves;   \
+    name.normals = boundary_normals; \
+    name.media = media;              \
+    name.record = media_record
+
+typedef struct {
+    GLOBAL const BvhNode* nodes;  // of the boundaries
+    GLOBAL const float* leaves;
+    GLOBAL const float4* normals;  // of a boundary's triangle, outwards; w: which boundary (bits)
+    GLOBAL const MediumRecord* media;
+    GLOBAL const MediaRecord* record;
+} Media;
+
+// A ray on its way, and the stretch of it in one medium that was reached last.
+typedef struct {
+    float3 origin, direction;  // unit
+    float begin, end;          // of the stretch
+    float search;              // from where on the next boundary is looked for
+    uint inside;               // boundaries around the stretch
+    uint beyond;               // and around what follows
+    uint medium;               // of the stretch, or NO_MEDIUM
+} MediumWalk;
+
+static inline MediumWalk start_walk(const Media* media, float3 origin, float3 direction,
+                                    uint inside) {
+    MediumWalk walk;
+    walk.origin = origin;
+    walk.direction = direction;
+    walk.begin = 0.0f;
+    walk.end = 0.0f;
+    // A little before the start: where that is on a boundary, the ray's direction says which side
+    // it is on.
+    walk.search = -media->record->rounding;
+    walk.inside = inside;
+    walk.beyond = inside;
+    walk.medium = NO_MEDIUM;
+    return walk;
+}
+
+/// The medium inside of these boundaries, or NO_MEDIUM.
+static inline uint medium_inside(const Media* media, uint inside) {
+    return inside != 0u ? media->record->inside[lowest_bit(inside)] : media->record->outside;
+}
+
+/// Goes on to the next stretch, which ends at `limit` at the latest. Returns 0 where that is
+/// reached.
+static inline int next_stretch(const Media* media, MediumWalk* walk, float limit) {
+    if (!(walk->end < limit)) return 0;
+    walk->begin = walk->end;
+    walk->end = limit;
+    walk->inside = walk->beyond;
+    if (media->record->boundaries != 0u) {
+        Hit hit =
+            bvh_closest(media->nodes, media->leaves, walk->origin + walk->direction * walk->search,
+                        walk->direction, RAY_INFINITY);
+        if (hit.triangle != NO_TRIANGLE) {
+            float4 normal = media->normals[hit.triangle];
+            uint bit = 1u << as_bits(normal.w);
+            int enters = dot3(xyz(normal), walk->direction) < 0.0f ? 1 : 0;
+            walk->inside = enters != 0 ? walk->inside & ~bit : walk->inside | bit;
+            float at = walk->search + hit.t;
+            walk->beyond = walk->inside;
+            if (at < limit) {
+                walk->end = m_max(at, walk->begin);
+                walk->beyond = enters != 0 ? walk->inside | bit : walk->inside & ~bit;
+                // As long a step as makes the search go on.
+                walk->search =
+                    at + media->record->rounding +
+                    2.38418579e-7f * (absolute(at) + max_component(absolute3(walk->origin)));
+            }
+        }
+    }
+    walk->medium = medium_inside(media, walk->inside);
+    return 1;
+}
+
+/// What media leave of light along the first `length` of a ray that starts inside of these
+/// boundaries.
+static inline float3 ray_transmittance(const Media* media, float3 origin, float3 direction,
+                                       float length, uint inside) {
+    float3 left = f3(1.0f, 1.0f, 1.0f);
+    MediumWalk walk = start_walk(media, origin, direction, inside);
+    while (next_stretch(media, &walk, length) != 0 && max_component(left) > 0.0f)
+        if (walk.medium != NO_MEDIUM)
+            left *= transmittance(xyz(media->media[walk.medium].sigma_t), walk.end - walk.begin);
+    return left;
+}
+
+#endif

@@ -1,0 +1,220 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A path through participating media: what it has gone through, and light that media scatter into
+// it. Three ways find light of an area light that is scattered at a point of a stretch: the point
+// by a free path and the light by next-event estimation, the point by equi-angular sampling and the
+// light likewise, and the point by a free path and the light by a scattered ray that meets it. They
+// are weighted by the balance heuristic (Veach and Guibas 1995); lights without area are found by
+// the first two alone, directional ones by the first alone.
+#ifndef WEFT_PATH_MEDIA_H
+#define WEFT_PATH_MEDIA_H
+
+#include "medium_walk.h"
+#include "path.h"
+
+// How a ray of a path has come to be.
+#define RAY_OF_CAMERA 0u
+#define RAY_OF_SURFACE 1u
+#define RAY_OF_MEDIUM 2u
+
+// Roulette after scattering in a medium. Higher than ROULETTE_MOST: a path into a thick white
+// medium scatters as often as the square of its depth, and what it brings must not be multiplied
+// by what roulette takes.
+#define MEDIUM_ROULETTE_MOST 0.999755859375f  // 1 - 2^-12
+// Outside of all boundaries, where a path in a white medium never ends and brings less and less.
+#define OUTER_ROULETTE_MOST 0.99f
+
+// A stretch of a ray in one medium, and the state of the path at its start.
+typedef struct {
+    float3 origin, direction;
+    float length;
+    float3 throughput, ratio;  // see update_ratio
+    float3 sigma_t;
+    MediumRecord medium;
+    uint inside;
+} Stretch;
+
+// A path under way.
+typedef struct {
+    float3 origin, direction;
+    float3 throughput, ratio;
+    uint inside;         // boundaries around the origin
+    uint bounce;         // scattered so far
+    uint kind;           // RAY_OF_*
+    float density;       // of the direction
+    Surface surface;     // that it left, of RAY_OF_SURFACE
+    Stretch stretch;     // that it was scattered in, of RAY_OF_MEDIUM
+    float along;         // where on it
+    float free_density;  // and its density by free paths
+} MediaPath;
+
+// A point on a light, and the density with which it was chosen: per area of area lights.
+typedef struct {
+    LightRecord light;
+    LightPoint point;
+    float density;
+} ChosenPoint;
+
+/// Light that arrives after `bounce` scatterings.
+static inline void add_scattered(const Params* params, PathLight* sum, uint bounce, float3 light) {
+    if (bounce > 1u)
+        sum->indirect += light;
+    else if (HAS(params, FEATURE_SAMPLED_DIRECT))
+        sum->direct += light;
+}
+
+/// 1 where light that arrives after `bounce` scatterings is asked for.
+static inline int wants_bounce(const Params* params, uint bounce) {
+    return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
+}
+
+static inline ChosenPoint choose_point(const PathScene* world, Random* random) {
+    ChosenPoint chosen;
+    float choice = next_random(random);
+    float u = next_random(random);
+    float v = next_random(random);
+    uint index = choose_for_surface(world->lights, world->light_count, choice, &chosen.density);
+    chosen.light = world->lights[index];
+    chosen.point.position = xyz(chosen.light.position);
+    chosen.point.normal = f3(0.0f, 0.0f, 0.0f);
+    if (chosen.light.kind == EMITTER_AREA) {
+        chosen.point = sample_area(&world->geometry, chosen.light, world->emissive, u, v);
+        chosen.density = chosen.density / chosen.light.area;
+    }
+    return chosen;
+}
+
+// What a chosen point of a light brings to a place, were nothing in between.
+typedef struct {
+    float3 irradiance;  // over the density of the choice by next-event estimation
+    float3 direction;   // from there, unit
+    float3 target;      // where shadow rays end
+    float distance;     // RAY_INFINITY for directional lights
+    float solid;        // density per solid angle; 0 where no scattered ray can meet the light
+} PlaceLight;
+
+static inline PlaceLight light_at(const Params* params, const ChosenPoint* chosen, float3 place) {
+    PlaceLight found;
+    float3 power = xyz(chosen->light.power);
+    found.irradiance = f3(0.0f, 0.0f, 0.0f);
+    found.solid = 0.0f;
+    found.target = chosen->point.position;
+    found.distance = RAY_INFINITY;
+    if (chosen->light.kind == EMITTER_DIRECTIONAL) {
+        found.direction = -xyz(chosen->light.axis);
+        found.irradiance = power / chosen->density;
+        return found;
+    }
+    float3 towards = chosen->point.position - place;
+    found.distance = length3(towards);
+    found.direction = towards;
+    if (!(found.distance > 0.0f)) return found;
+    found.direction = towards / found.distance;
+    if (chosen->light.kind != EMITTER_AREA) {
+        float falloff = 1.0f / found.distance / found.distance / chosen->density;
+        if (chosen->light.kind == EMITTER_SPOT)
+            falloff *= spot_falloff(-dot3(found.direction, xyz(chosen->light.axis)),
+                                    chosen->light.cos_inner, chosen->light.cos_outer);
+        found.irradiance = power * falloff;
+        return found;
+    }
+    float3 normal = chosen->point.normal;
+    float facing = -dot3(found.direction, normal);
+    if (facing < 0.0f && chosen->light.both_sides != 0u) {
+        facing = -facing;
+        normal = -normal;
+    }
+    if (!(facing > 0.0f)) return found;
+    found.solid = (found.distance / facing) * found.distance * chosen->density;
+    found.irradiance = power / found.solid;
+    found.target += normal * surface_offset(found.target, params->extent);
+    return found;
+}
+
+/// Light of a chosen point that is scattered into the path at `t` of the stretch, weighted. Which
+/// of the two ways of next-event estimation has found `t` makes no difference.
+static inline float3 scattered_light(const Params* params, const PathScene* world,
+                                     const Media* media, const Stretch* stretch,
+                                     const ChosenPoint* chosen, float t, uint* rays) {
+    float3 none = f3(0.0f, 0.0f, 0.0f);
+    float3 left = transmittance(stretch->sigma_t, t);
+    float3 source = stretch->ratio * stretch->sigma_t * left;
+    float3 value = stretch->throughput * source * xyz(stretch->medium.albedo);
+    if (!(max_component(value) > 0.0f)) return none;
+    float3 place = stretch->origin + stretch->direction * t;
+    PlaceLight light = light_at(params, chosen, place);
+    if (!(max_component(light.irradiance) > 0.0f)) return none;
+    // Densities of the place times the light's, over the light's by next-event estimation.
+    float free_density = (source.x + source.y + source.z) * 0.333333333f;
+    float density = free_density;
+    if (light.distance < RAY_INFINITY)
+        density += angular_density(angular_view(stretch->origin, stretch->direction,
+                                                stretch->length, chosen->point.position),
+                                   t);
+    float phase = phase_function(stretch->medium.anisotropy, stretch->direction, light.direction);
+    if (light.solid > 0.0f) density += free_density * (phase / light.solid);
+    if (!(density > 0.0f)) return none;
+    ++*rays;
+    int seen = light.distance < RAY_INFINITY
+                   ? sees_point(world->scene, params, place, light.target - place)
+                   : sees_infinity(world->scene, params, place, light.direction);
+    if (seen == 0) return none;
+    float3 arrives =
+        ray_transmittance(media, place, light.direction, light.distance, stretch->inside);
+    return value * light.irradiance * arrives * (phase / density);
+}
+
+/// Weight of emission of a surface that a ray of the path met after `t`.
+static inline float met_weight(const PathScene* world, const MediaPath* path,
+                               const Surface* surface, float t) {
+    if (path->kind == RAY_OF_CAMERA) return 1.0f;
+    if (path->kind == RAY_OF_SURFACE)
+        return emission_weight(world, surface, path->direction, t, path->density);
+    uint index = world->geometry.instances[surface->instance].light;
+    if (index == NO_TRIANGLE) return 1.0f;
+    LightRecord light = world->lights[index];
+    float facing = -dot3(path->direction, surface->normal);
+    if (!(facing > 0.0f)) return 1.0f;
+    float solid = (t / facing) * (t / light.area) * light.choice_probability;
+    float angular = angular_density(angular_view(path->stretch.origin, path->stretch.direction,
+                                                 path->stretch.length, surface->position),
+                                    path->along);
+    float other = solid / path->density;
+    return 1.0f / (1.0f + other + other * (angular / path->free_density));
+}
+
+/// Light of one chosen light by a surface that the path has come to, through media.
+static inline uint surface_light(const Params* params, const PathScene* world, const Media* media,
+                                 const MediaPath* path, const PathVertex* vertex, Random* random,
+                                 PathLight* sum) {
+    float choice = next_random(random);
+    float u = next_random(random);
+    float v = next_random(random);
+    if (world->light_count == 0u) return 0u;
+    LightSample light =
+        sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
+                      &vertex->surface, vertex->origin, choice, u, v);
+    if (!(max_component(light.irradiance) > 0.0f)) return 0u;
+    int seen = light.distant != 0 ? sees_infinity(world->scene, params, light.origin, light.towards)
+                                  : sees_point(world->scene, params, light.origin, light.towards);
+    if (seen == 0) return 1u;
+    float length = light.distant != 0 ? RAY_INFINITY : length3(light.towards);
+    float3 left =
+        ray_transmittance(media, light.origin, normalize3(light.towards), length, path->inside);
+    add_scattered(params, sum, path->bounce,
+                  vertex->throughput * path->ratio * light.irradiance * left * 0.318309886f);
+    return 1u;
+}
+
+/// Russian roulette. Returns 0 where the path ends.
+static inline int path_survives(MediaPath* path, uint start, float most, Random* random) {
+    float draw = next_random(random);
+    if (path->bounce < start) return 1;
+    float q = m_clamp(max_component(path->throughput * path->ratio), ROULETTE_LEAST, most);
+    if (draw >= q) return 0;
+    path->throughput = path->throughput * (1.0f / q);
+    return 1;
+}
+
+#endif

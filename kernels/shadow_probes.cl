@@ -1,0 +1,106 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// First look at area lights: irradiance from a set's points on them as vpl_gather makes it, but
+// with a ray to one point of each light only, which answers for its others. Which point that is
+// changes from pixel to pixel, so that those of a window look at places all over the light. Where
+// a point is behind a pixel's surface, or faces away, another is looked at.
+//
+// `pixel_shadows` tells of every pixel which groups of lights were seen (low bits) and which were
+// not (high bits, SHADOW_HIDDEN on). shadow_edges.cl reads it.
+#include "connection.h"
+#include "counters.h"
+#include "shadow_groups.h"
+
+/// Irradiance from one light with the visibility of the point that is looked at.
+typedef struct {
+    WFloat red, green, blue;
+} WideLight;
+
+/// Adds the light's samples [first, end), of which `blocked` lanes see none.
+static inline void add_light(const ReceiverPacket* packet, GLOBAL const Vpl* first,
+                             GLOBAL const Vpl* end, WMask blocked, WideLight* light) {
+    WFloat zero = WIDE(0.0f);
+    for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
+        float4 flux = vpl->flux;
+        if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
+        WMask useful;
+        WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
+        g = SELECT(useful & mask_not(blocked), g, zero);
+        light->red = light->red + g * flux.x;
+        light->green = light->green + g * flux.y;
+        light->blue = light->blue + g * flux.z;
+    }
+}
+
+/// Traces a ray from every lane to one of a light's `count` samples, the first from number `start`
+/// on that would add something to it; returns the lanes that have one.
+static inline WMask look_at_light(Scene scene, const ReceiverPacket* packet,
+                                  GLOBAL const Vpl* first, uint count, uint start, WMask* blocked,
+                                  uint* rays) {
+    WMask looked = mask_none_set;
+    *blocked = mask_none_set;
+    for (uint i = 0u; i < count; ++i) {
+        GLOBAL const Vpl* vpl = first + (start + i) % count;
+        WFloat3 d = from_vpl(packet, vpl);
+        WMask useful;
+        connection(packet, vpl, VPL_SURFACE, d, &useful);
+        useful = useful & mask_not(looked);
+        if (!mask_any(useful)) continue;
+        *rays += mask_count(useful);
+        *blocked = *blocked | (useful & trace_any_packet(scene, xyz(vpl->position), d, useful));
+        looked = looked | useful;
+    }
+    return looked;
+}
+
+/// Writes what the lanes of a packet saw where their pixels are.
+static inline void store_shadows(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
+                                 const uint* seen, const uint* hidden, GLOBAL uint* pixel_shadows) {
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        uint pixel = slot_pixel[slot + lane];
+        if (pixel == NO_TRIANGLE) continue;
+        uint word = 0u;
+        for (uint group = 0u; group < params->shadow_groups; ++group)
+            word |= (seen[group] >> lane & 1u) << group | (hidden[group] >> lane & 1u)
+                                                              << (group + SHADOW_HIDDEN);
+        pixel_shadows[shadow_place(params, pixel)] = word;
+    }
+}
+
+WEFT_KERNEL(shadow_probes)
+(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
+ GLOBAL const uint* slot_pixel, GLOBAL const Vpl* samples, GLOBAL float* irradiance,
+ GLOBAL uint* pixel_shadows, GLOBAL RayCounter* counters) {
+    if (GLOBAL_ID >= params.count) return;
+    uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
+    SCENE_MAKE(scene);
+    ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
+    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
+    GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
+    WideLight light;
+    light.red = light.green = light.blue = WIDE(0.0f);
+    uint seen[SHADOW_GROUPS];
+    uint hidden[SHADOW_GROUPS];
+    uint rays = 0u;
+    uint start = shadow_start(&params, slot_pixel, slot, set);
+    for (uint group = 0u; group < params.shadow_groups; ++group) {
+        seen[group] = hidden[group] = 0u;
+        uint end = mask_any(packet.valid) ? shadow_group_light(&params, group + 1u) : 0u;
+        for (uint l = shadow_group_light(&params, group); l < end; ++l) {
+            GLOBAL const Vpl* first = of_set + l * params.samples_per_light;
+            WMask blocked;
+            WMask looked = look_at_light(scene, &packet, first, params.samples_per_light, start,
+                                         &blocked, &rays);
+            seen[group] |= mask_bits(looked & mask_not(blocked));
+            hidden[group] |= mask_bits(blocked);
+            if (mask_any(looked & mask_not(blocked)))
+                add_light(&packet, first, first + params.samples_per_light, blocked, &light);
+        }
+    }
+    wide_store(light.red * params.gather_scale, irradiance, slot);
+    wide_store(light.green * params.gather_scale, irradiance, params.slots + slot);
+    wide_store(light.blue * params.gather_scale, irradiance, 2u * params.slots + slot);
+    store_shadows(&params, slot_pixel, slot, seen, hidden, pixel_shadows);
+    count_rays(counters + params.counter, rays);
+}

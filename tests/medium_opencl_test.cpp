@@ -1,0 +1,189 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#if WEFT_HAS_OPENCL
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "device/kernel_sources.h"
+#include "device/opencl/opencl_devices.h"
+
+#if defined(__x86_64__) || defined(__i386__)
+#include <immintrin.h>
+#endif
+
+#define LANES 1
+#define RESULTS 14
+// One text, compiled here and handed to the device.
+#define BOTH_SIDES(...) \
+    namespace native {  \
+    __VA_ARGS__         \
+    }                   \
+    constexpr std::string_view kernel_text = #__VA_ARGS__;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wpsabi"
+namespace native {
+#include "../kernels/medium.h"
+}  // namespace native
+#pragma GCC diagnostic pop
+
+// clang-format off
+BOTH_SIDES(
+WEFT_KERNEL(evaluate)(GLOBAL const float* inputs, GLOBAL float* results, uint count) {
+    const uint i = GLOBAL_ID;
+    if (i >= count) return;
+    const float sigma = inputs[4u * i];
+    const float length = inputs[4u * i + 1u];
+    const float g = inputs[4u * i + 2u];
+    const float u = inputs[4u * i + 3u];
+    GLOBAL float* r = results + i * RESULTS;
+    r[0] = transmittance1(sigma, length);
+    r[1] = opacity1(sigma, length);
+    r[2] = lit_length1(sigma, length);
+    float density = 0.0f;
+    const float3 along = normalize3(f3(0.3f, u - 0.5f, 0.2f));
+    const float3 to = scatter_direction(g, along, u, 0.7f, &density);
+    r[3] = to.x;
+    r[4] = to.y;
+    r[5] = to.z;
+    r[6] = density;
+    r[7] = phase_function(g, along, to);
+    const float3 extinction = f3(sigma, 0.5f, 0.0f);
+    float3 ratio = f3(1.0f, 1.0f, 1.0f);
+    r[8] = free_path(extinction, ratio, u, 0.4f);
+    r[9] = update_ratio(&ratio, transmittance(extinction, 0.5f));
+    r[10] = ratio.x;
+    const AngularView view = angular_view(f3(0.0f, 0.0f, 0.0f), along, 2.0f, f3(u, g, 0.4f));
+    r[11] = angular_sample(view, 2.0f, u);
+    r[12] = angular_density(view, r[11]);
+    // The phase function at an angle of its own, for its integral.
+    r[13] = phase_function(g, f3(0.0f, 0.0f, 1.0f),
+                           f3(square_root(4.0f * u * (1.0f - u)), 0.0f, 1.0f - 2.0f * u));
+}
+)
+// clang-format on
+
+namespace {
+
+constexpr std::uint32_t count = 60'000;
+
+/// A file of kernels/ with its includes put in place, each once.
+std::string expand(std::string_view name, std::set<std::string>& done) {
+    // The C++ half must stay out: its text would not even pass the device's preprocessor.
+    if (name == "port_native.h" || !done.insert(std::string(name)).second) return "";
+    std::string text;
+    for (const weft::KernelSource& source : weft::kernel_sources()) {
+        if (source.name != name) continue;
+        std::string_view left = source.text;
+        while (!left.empty()) {
+            const std::size_t end = left.find('\n');
+            const std::string_view line = left.substr(0, end);
+            left = end == std::string_view::npos ? "" : left.substr(end + 1);
+            if (line.starts_with("#include \""))
+                text += expand(line.substr(10, line.find('"', 10) - 10), done);
+            else
+                text += std::string(line) + '\n';
+        }
+    }
+    return text;
+}
+
+/// Optical depths of 1e-8 to 1e3, any g, numbers in [0, 1).
+std::vector<float> make_inputs() {
+    std::vector<float> inputs;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double length = std::pow(10.0, -3.0 + 6.0 * (i % 97) / 96.0);
+        const double depth = std::pow(10.0, -8.0 + 11.0 * i / (count - 1));
+        inputs.push_back(static_cast<float>(depth / length));
+        inputs.push_back(static_cast<float>(length));
+        inputs.push_back(static_cast<float>(i % 6) * 0.18F - 0.45F);
+        inputs.push_back((static_cast<float>(i / 6) + 0.5F) / (count / 6));
+    }
+    return inputs;
+}
+
+std::vector<float> run_device(const cl::Device& device, std::vector<float> inputs) {
+    std::set<std::string> done;
+    const std::string source = expand("medium.h", done) + std::string(kernel_text);
+    const cl::Context context(device);
+    const cl::Program program(context, source);
+    std::string options = "-cl-std=CL1.2 -DLANES=1 -DRESULTS=" + std::to_string(RESULTS);
+    if ((device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0)
+        options += " -cl-fp32-correctly-rounded-divide-sqrt";
+    program.build({device}, options.c_str());
+    const cl::CommandQueue queue(context, device);
+    std::vector<float> results(std::size_t{count} * RESULTS);
+    const cl::Buffer in(context, inputs.begin(), inputs.end(), true);
+    const cl::Buffer out(context, CL_MEM_WRITE_ONLY, results.size() * sizeof(float));
+    cl::Kernel kernel(program, "evaluate");
+    kernel.setArg(0, in);
+    kernel.setArg(1, out);
+    kernel.setArg(2, cl_uint{count});
+    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(count), cl::NDRange(8));
+    queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
+    return results;
+}
+
+/// The closed forms of tests/medium_test.cpp on what a device has computed.
+void expect_closed_forms(const std::vector<float>& inputs, const std::vector<float>& results) {
+    double totals[6] = {};
+    double cosines[6] = {};
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* const in = inputs.data() + 4 * i;
+        const float* const out = results.data() + RESULTS * i;
+        const double depth = static_cast<double>(in[0]) * static_cast<double>(in[1]);
+        const double left = std::exp(-depth);
+        if (left >= static_cast<double>(std::numeric_limits<float>::min())) {
+            ASSERT_NEAR(static_cast<double>(out[0]), left, 1e-6 * left) << depth;
+        }
+        const double opacity = -std::expm1(-depth);
+        ASSERT_NEAR(static_cast<double>(out[1]), opacity, 1e-6 * opacity) << depth;
+        const double lit = opacity / static_cast<double>(in[0]);
+        ASSERT_NEAR(static_cast<double>(out[2]), lit, 1e-6 * lit) << depth;
+        // Midpoints over the cosine, uniform in it.
+        const double share = 4.0 * std::numbers::pi / (count / 6) * static_cast<double>(out[13]);
+        totals[i % 6] += share;
+        cosines[i % 6] += share * (1.0 - 2.0 * static_cast<double>(in[3]));
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+        EXPECT_NEAR(totals[k], 1.0, 2e-6);
+        EXPECT_NEAR(cosines[k], static_cast<double>(inputs[4 * k + 2]), 2e-6);
+    }
+}
+
+TEST(MediumOpencl, DevicesKeepTheClosedFormsAndTheNativeBits) {
+    const std::vector<float> inputs = make_inputs();
+    std::vector<float> expected(std::size_t{count} * RESULTS);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        native::current_global_id = i;
+        native::evaluate(inputs.data(), expected.data(), count);
+    }
+    expect_closed_forms(inputs, expected);
+    const std::vector<weft::OpenClDevice> devices = weft::opencl_devices();
+    if (devices.empty()) GTEST_SKIP() << "there is no OpenCL device";
+    for (const weft::OpenClDevice& device : devices) {
+        SCOPED_TRACE(device.info.name);
+        const std::vector<float> found = run_device(device.device, inputs);
+        expect_closed_forms(inputs, found);
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (native::as_bits(found[i]) != native::as_bits(expected[i]) && ++different < 5)
+                ADD_FAILURE() << "result " << i % RESULTS << ": " << found[i] << ", expected "
+                              << expected[i];
+        EXPECT_EQ(different, 0U);
+    }
+}
+
+}  // namespace
+
+#endif
