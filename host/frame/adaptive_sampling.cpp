@@ -108,6 +108,8 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, TileGe
                 continue;
             }
             const auto points = signal(frame, component, level, irradiance);
+            // What a frame that ended has not written says nothing.
+            if (frame.ended_early()) break;
             round([&] { return scheduler_->refine(level, points, slope_); });
         }
         if (!frame.ended_early()) {
