@@ -11,6 +11,7 @@
 
 #include "frame/level_overlay.h"
 #include "render_fixture.h"
+#include "room_scenes.h"
 
 // What adaptive interleaved sampling must equal: plain interleaved sampling where it samples every
 // pixel, the union of all sample sets where light is constant, and itself however it is run.
@@ -50,18 +51,12 @@ void add_lamps(test::SceneBuilder& builder, std::uint32_t count) {
 
 Scene room(Lights lights) {
     test::SceneBuilder builder;
-    const std::uint32_t white = builder.material({0.7F, 0.7F, 0.7F});
-    builder.add(test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), white);
-    builder.add(test::quad_mesh({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), white);
-    builder.add(test::quad_mesh({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), white);
-    builder.add(test::quad_mesh({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}),
-                builder.material({0.6F, 0.1F, 0.1F}));
+    test::add_open_room(builder);
     Mesh ball = test::icosphere(3, false);
     ball.normals = ball.positions;
     builder.add(std::move(ball), builder.material({0.3F, 0.6F, 0.8F}),
                 test::placement(0.35, {-0.4, -0.6, -0.2}));
-    builder.add(test::quad_mesh({0.2F, -1.0F, -0.3F}, {0.5F, 0, 0.3F}, {0, 0.8F, 0.1F}),
-                builder.material({0.5F, 0.5F, 0.9F}));
+    test::add_screen(builder);
     switch (lights) {
         case Lights::lamps:
             add_lamps(builder, 2);

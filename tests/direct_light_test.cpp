@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "closed_forms.h"
+#include "floor_scenes.h"
 #include "render_fixture.h"
-#include "scene/shapes.h"
 
 // Direct light against closed forms, through the kernels that make pictures: a picture of one pixel
 // shows the receiver's point, and its direct layer is albedo / pi times the irradiance.
@@ -22,21 +22,17 @@ namespace weft {
 namespace {
 
 using test::Backend;
+using test::corners_of;
+using test::eye_offset;
+using test::floor_scene;
+using test::lamp_mesh;
 using test::polygon_irradiance;
+using test::radiance;
+using test::receiver_albedo;
 using test::SceneBuilder;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t seeds = 16;
-const glm::vec3 receiver_albedo{0.8F, 0.5F, 0.25F};
-const glm::vec3 radiance{1.0F, 2.0F, 0.5F};
-
-/// A white floor z = 0 of edge 6, without its interreflection.
-SceneBuilder floor_scene() {
-    SceneBuilder builder;
-    builder.add(test::quad_mesh({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}),
-                builder.material(receiver_albedo));
-    return builder;
-}
 
 RenderSettings one_pixel(std::uint32_t seed) {
     RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 1, 1));
@@ -58,9 +54,6 @@ glm::dvec3 irradiance_at(Backend backend, const FlatScene& flat, const glm::dvec
         result[static_cast<glm::length_t>(c)] = rendering.irradiance("direct", 0, 0, c);
     return result;
 }
-
-/// Where the floor is looked at from: near enough to stay below the lights.
-const glm::dvec3 eye_offset{0.05, -0.1, 0.2};
 
 glm::dvec3 floor_irradiance(Backend backend, const Scene& scene, const glm::dvec3& point) {
     validate_scene(scene);
@@ -86,16 +79,6 @@ void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point
     }
 }
 
-std::vector<glm::dvec3> corners_of(const Mesh& quad) {
-    const auto corner = [&](std::size_t i) { return glm::dvec3(quad.positions.at(i)); };
-    return {corner(0), corner(1), corner(3), corner(2)};
-}
-
-/// The unit square at height 1 that shines down.
-Mesh lamp_mesh() {
-    return test::quad_mesh({-0.5F, -0.5F, 1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F});
-}
-
 TEST(DirectLight, TheFormulaGivesThePublishedValues) {
     const auto square = corners_of(lamp_mesh());
     EXPECT_NEAR(polygon_irradiance(square, {0, 0, 0}, {0, 0, 1}), 0.7522746885, 1e-10);
@@ -112,10 +95,7 @@ TEST(DirectLight, SquareLightGivesLambertsIrradiance) {
 }
 
 TEST(DirectLight, TiltedParallelogramsGiveLambertsIrradiance) {
-    const Mesh quads[] = {
-        test::quad_mesh({0.4F, -0.2F, 0.6F}, {0.1F, 0.3F, 0.4F}, {0.5F, -0.2F, 0.1F}),
-        test::quad_mesh({-1.5F, 0.5F, 0.3F}, {1.2F, 0.4F, 0.0F}, {0.0F, 0.1F, 1.4F})};
-    for (const Mesh& quad : quads) {
+    for (const Mesh& quad : test::tilted_parallelograms()) {
         SceneBuilder builder = floor_scene();
         const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
         builder.scene.materials[material].emits_both_sides = true;
@@ -167,31 +147,14 @@ TEST(DirectLight, AnOccluderClipsTheLight) {
 }
 
 TEST(DirectLight, DiskOnAxis) {
-    SceneBuilder builder = floor_scene();
-    const double radius = 0.6;
-    const double height = 0.8;
-    glm::dmat4 down = test::placement(radius, {0.0, 0.0, height});
-    down[1] = -down[1];
-    down[2] = -down[2];
-    builder.add(make_disk(), builder.material(glm::vec3(0.0F), radiance), down);
-    // 128 chords leave out 1 - sinc(2 pi / 128) = 4e-4 of the disk.
-    const double expected = pi * radius * radius / (radius * radius + height * height);
+    const test::LitFloor floor = test::disk_over_floor();
     for (const Backend backend : test::backends())
-        expect_sampled(backend, builder.scene, {0, 0, 0}, expected * glm::dvec3(radiance), 5e-4);
+        expect_sampled(backend, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 TEST(DirectLight, SphereAboveTheHorizon) {
-    const double radius = 0.4;
-    const glm::dvec3 centre(0.5, -0.3, 1.1);
-    SceneBuilder builder = floor_scene();
-    builder.add(test::icosphere(4, false), builder.material(glm::vec3(0.0F), radiance),
-                test::placement(radius, centre));
-    const double distance = glm::length(centre);
-    const double expected = pi * radius * radius / (distance * distance) * (centre.z / distance);
-    // Triangles with edges of 0.075 radii lie up to 1e-3 radii inside: the outline loses about as
-    // much of its radius.
-    expect_sampled(Backend::own_bvh, builder.scene, {0, 0, 0}, expected * glm::dvec3(radiance),
-                   2e-3);
+    const test::LitFloor floor = test::sphere_over_floor();
+    expect_sampled(Backend::own_bvh, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 // Rounding: some half ulps, and the shadow ray's origin, which lies up to 24 half ulps of the

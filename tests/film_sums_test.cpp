@@ -18,18 +18,8 @@
 
 #include "base/error.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/film_sums.h"
-}  // namespace native
-#pragma GCC diagnostic pop
+#define NATIVE_KERNELS "kernels/film_sums.h"
+#include "tests/native_kernels.h"
 
 // The film's sums against other integer arithmetic on the host, and what is made of them against
 // double precision.

@@ -10,6 +10,7 @@
 
 #include "image/exr.h"
 #include "render_fixture.h"
+#include "room_scenes.h"
 #include "run_program.h"
 
 // Frame times that no machine keeps, or that every machine does: then gains are known.
@@ -18,23 +19,11 @@ namespace {
 
 using nlohmann::json;
 using test::Backend;
+using test::room_with_ball;
 using test::run_program;
 
 constexpr double out_of_reach_ms = 1e-9;
 constexpr double ample_ms = 1e12;
-
-const FlatScene& room() {
-    static const FlatScene flat = [] {
-        test::SceneBuilder builder;
-        builder.add(test::room_mesh(), builder.material({0.7F, 0.6F, 0.5F}));
-        builder.add(test::quad_mesh({-0.3F, 0.9F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}),
-                    builder.material(glm::vec3(0.5F), {5.0F, 6.0F, 7.0F}));
-        builder.add(test::icosphere(3, false), builder.material({0.3F, 0.5F, 0.8F}),
-                    test::placement(0.3, {-0.4, -0.6, -0.3}));
-        return flatten(builder.scene);
-    }();
-    return flat;
-}
 
 Camera camera() {
     return test::look_at({0.3, 0.1, 0.95}, {-0.1, -0.1, 0.0}, 1.2);
@@ -50,7 +39,7 @@ RenderSettings settings(double frame_time_ms) {
 
 /// Levels of the indirect light in each picture of a sequence with a still camera.
 std::vector<LevelStats> sequence(double frame_time_ms, int pictures) {
-    Renderer renderer(test::shared_executor(Backend::embree), room(), camera(),
+    Renderer renderer(test::shared_executor(Backend::embree), room_with_ball(), camera(),
                       settings(frame_time_ms));
     std::vector<LevelStats> levels;
     for (int picture = 0; picture < pictures; ++picture) {
@@ -97,7 +86,8 @@ TEST(FrameTime, AnAmpleOneMakesFramesDense) {
 TEST(FrameTime, AppliesToTheFramesOfOnePicture) {
     RenderSettings progressive = settings(ample_ms);
     progressive.samples = 5;
-    Renderer renderer(test::shared_executor(Backend::embree), room(), camera(), progressive);
+    Renderer renderer(test::shared_executor(Backend::embree), room_with_ball(), camera(),
+                      progressive);
     for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(renderer.render_frame({}));
     for (std::size_t i = 0; i < 5; ++i)
         for (const LevelStats& level : renderer.stats()[i].levels)

@@ -9,34 +9,15 @@
 #include <limits>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "device/native/native_scene.h"
 #include "tests/density_grid_twin.h"
 #include "tests/opencl_probe.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
+#define NATIVE_KERNELS "kernels/grid_tracking.h"
+#include "tests/native_kernels.h"
 
-#define LANES 1
 #define RESULTS 8
-// One text, compiled here and handed to the device.
-#define BOTH_SIDES(...) \
-    namespace native {  \
-    __VA_ARGS__         \
-    }                   \
-    constexpr std::string_view kernel_text = #__VA_ARGS__;
-
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/grid_tracking.h"
-}  // namespace native
-#pragma GCC diagnostic pop
 
 #include "tests/grid_rays.h"
 #include "tests/native_density_grid.h"

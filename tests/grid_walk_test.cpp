@@ -10,22 +10,10 @@
 #include <random>
 #include <vector>
 
-#include "device/native/native_scene.h"
 #include "tests/density_grid_twin.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/grid_walk.h"
-}  // namespace native
-#pragma GCC diagnostic pop
+#define NATIVE_KERNELS "kernels/grid_walk.h"
+#include "tests/native_kernels.h"
 
 #include "tests/grid_rays.h"
 #include "tests/native_density_grid.h"

@@ -12,6 +12,7 @@
 
 #include "made_up_frames.h"
 #include "render_fixture.h"
+#include "room_scenes.h"
 
 // Tiles that fade to a coarser level: their heights against a closed form, the samples that they
 // need, and what pictures show of them.
@@ -21,6 +22,7 @@ namespace {
 using test::Backend;
 using test::Frame;
 using test::Picture;
+using test::room_with_ball;
 using test::Uniform;
 
 TEST(LevelFade, HeightsRiseAtOnceAndFallBySteps) {
@@ -109,19 +111,6 @@ TEST(LevelFade, SamplesServeBothLevelsAndNothingIsJudgedOtherwise) {
     EXPECT_GT(between, 100U) << "nothing faded";
 }
 
-const FlatScene& room() {
-    static const FlatScene flat = [] {
-        test::SceneBuilder builder;
-        builder.add(test::room_mesh(), builder.material({0.7F, 0.6F, 0.5F}));
-        builder.add(test::quad_mesh({-0.3F, 0.9F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}),
-                    builder.material(glm::vec3(0.5F), {5.0F, 6.0F, 7.0F}));
-        builder.add(test::icosphere(3, false), builder.material({0.3F, 0.5F, 0.8F}),
-                    test::placement(0.3, {-0.4, -0.6, -0.3}));
-        return flatten(builder.scene);
-    }();
-    return flat;
-}
-
 const Camera from_the_left = test::look_at({0.3, 0.1, 0.95}, {-0.1, -0.1, 0.0}, 1.2);
 const Camera from_the_right = test::look_at({-0.2, 0.0, 0.95}, {0.1, -0.1, 0.0}, 1.2);
 
@@ -135,7 +124,7 @@ RenderSettings settings() {
 
 /// A picture from one side, and then some from the other.
 std::vector<Image> sequence(Backend backend, int pictures) {
-    Renderer renderer(test::shared_executor(backend), room(), from_the_left, settings());
+    Renderer renderer(test::shared_executor(backend), room_with_ball(), from_the_left, settings());
     EXPECT_TRUE(renderer.render_frame({}));
     std::vector<Image> images;
     for (int picture = 0; picture < pictures; ++picture) {

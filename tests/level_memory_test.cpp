@@ -8,25 +8,14 @@
 #include <vector>
 
 #include "render_fixture.h"
+#include "room_scenes.h"
 
 // Picture sequences of ais: what a picture takes over from those before it, and what it does not.
 namespace weft {
 namespace {
 
 using test::Backend;
-
-const FlatScene& room() {
-    static const FlatScene flat = [] {
-        test::SceneBuilder builder;
-        builder.add(test::room_mesh(), builder.material({0.7F, 0.6F, 0.5F}));
-        builder.add(test::quad_mesh({-0.3F, 0.9F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}),
-                    builder.material(glm::vec3(0.5F), {5.0F, 6.0F, 7.0F}));
-        builder.add(test::icosphere(3, false), builder.material({0.3F, 0.5F, 0.8F}),
-                    test::placement(0.3, {-0.4, -0.6, -0.3}));
-        return flatten(builder.scene);
-    }();
-    return flat;
-}
+using test::room_with_ball;
 
 /// The camera of a picture: it moves sidewards by about a third of a pixel.
 Camera camera_at_picture(int picture) {
@@ -46,7 +35,7 @@ Image picture_of(Renderer& renderer, int frames = 1) {
 }
 
 Image alone(Backend backend, int picture, int frames = 1) {
-    Renderer renderer(test::shared_executor(backend), room(), camera_at_picture(picture),
+    Renderer renderer(test::shared_executor(backend), room_with_ball(), camera_at_picture(picture),
                       settings());
     return picture_of(renderer, frames);
 }
@@ -57,7 +46,8 @@ const std::vector<float>& levels(const Image& image, const char* component) {
 
 TEST(LevelMemory, TheFirstPictureOfASequenceIsThatOfANewRenderer) {
     for (const Backend backend : test::backends()) {
-        Renderer renderer(test::shared_executor(backend), room(), camera_at_picture(7), settings());
+        Renderer renderer(test::shared_executor(backend), room_with_ball(), camera_at_picture(7),
+                          settings());
         picture_of(renderer);
         for (const int picture : {5, 3, 4}) {
             renderer.move_camera(camera_at_picture(picture));
@@ -75,8 +65,8 @@ TEST(LevelMemory, TheFirstPictureOfASequenceIsThatOfANewRenderer) {
 TEST(LevelMemory, ASequenceIsTheSameEachTime) {
     std::vector<Image> first;
     for (int run = 0; run < 2; ++run) {
-        Renderer renderer(test::shared_executor(Backend::own_bvh), room(), camera_at_picture(0),
-                          settings());
+        Renderer renderer(test::shared_executor(Backend::own_bvh), room_with_ball(),
+                          camera_at_picture(0), settings());
         for (int picture = 0; picture < 4; ++picture) {
             if (picture > 0) renderer.move_camera(camera_at_picture(picture));
             const Image image = picture_of(renderer);
@@ -93,8 +83,8 @@ TEST(LevelMemory, ASequenceIsTheSameEachTime) {
 
 TEST(LevelMemory, AStillCameraChangesNothing) {
     const Image expected = alone(Backend::own_bvh, 0);
-    Renderer renderer(test::shared_executor(Backend::own_bvh), room(), camera_at_picture(0),
-                      settings());
+    Renderer renderer(test::shared_executor(Backend::own_bvh), room_with_ball(),
+                      camera_at_picture(0), settings());
     for (int picture = 0; picture < 7; ++picture) {
         if (picture > 0) renderer.move_camera(camera_at_picture(0));
         EXPECT_EQ(test::differing_values(picture_of(renderer), expected), 0U) << picture;
@@ -104,8 +94,8 @@ TEST(LevelMemory, AStillCameraChangesNothing) {
 TEST(LevelMemory, FramesOfOnePictureHoldNothing) {
     // set_camera after each would begin a sequence; without it frames add up as they always did.
     const Image expected = alone(Backend::own_bvh, 0, 3);
-    Renderer renderer(test::shared_executor(Backend::own_bvh), room(), camera_at_picture(0),
-                      settings());
+    Renderer renderer(test::shared_executor(Backend::own_bvh), room_with_ball(),
+                      camera_at_picture(0), settings());
     picture_of(renderer, 2);
     renderer.set_camera(camera_at_picture(0));
     EXPECT_EQ(test::differing_values(picture_of(renderer, 3), expected), 0U);
@@ -120,7 +110,8 @@ std::size_t falls(const char* component, bool with_memory) {
     RenderSettings larger = settings();
     larger.width = 160;
     larger.height = 128;
-    Renderer renderer(test::shared_executor(Backend::embree), room(), camera_at_picture(0), larger);
+    Renderer renderer(test::shared_executor(Backend::embree), room_with_ball(),
+                      camera_at_picture(0), larger);
     std::vector<float> before;
     std::size_t count = 0;
     for (int picture = 0; picture < 24; ++picture) {

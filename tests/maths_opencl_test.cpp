@@ -12,31 +12,14 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tests/opencl_probe.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
+#define NATIVE_KERNELS "kernels/vector.h"
+#include "tests/native_kernels.h"
 
-#define LANES 1
 #define RESULTS 30
-// One text, compiled here and handed to the device.
-#define BOTH_SIDES(...) \
-    namespace native {  \
-    __VA_ARGS__         \
-    }                   \
-    constexpr std::string_view kernel_text = #__VA_ARGS__;
-
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/port.h"
-#include "../kernels/vector.h"
-}  // namespace native
-#pragma GCC diagnostic pop
 
 // clang-format off
 BOTH_SIDES(

@@ -10,32 +10,14 @@
 #include <numbers>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "device/kernel_sources.h"
-#include "device/opencl/opencl_devices.h"
+#include "tests/opencl_probe.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
+#define NATIVE_KERNELS "kernels/medium.h"
+#include "tests/native_kernels.h"
 
-#define LANES 1
 #define RESULTS 14
-// One text, compiled here and handed to the device.
-#define BOTH_SIDES(...) \
-    namespace native {  \
-    __VA_ARGS__         \
-    }                   \
-    constexpr std::string_view kernel_text = #__VA_ARGS__;
-
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/medium.h"
-}  // namespace native
-#pragma GCC diagnostic pop
 
 // clang-format off
 BOTH_SIDES(
@@ -73,30 +55,10 @@ WEFT_KERNEL(evaluate)(GLOBAL const float* inputs, GLOBAL float* results, uint co
 )
 // clang-format on
 
+namespace weft {
 namespace {
 
 constexpr std::uint32_t count = 60'000;
-
-/// A file of kernels/ with its includes put in place, each once.
-std::string expand(std::string_view name, std::set<std::string>& done) {
-    // The C++ half must stay out: its text would not even pass the device's preprocessor.
-    if (name == "port_native.h" || !done.insert(std::string(name)).second) return "";
-    std::string text;
-    for (const weft::KernelSource& source : weft::kernel_sources()) {
-        if (source.name != name) continue;
-        std::string_view left = source.text;
-        while (!left.empty()) {
-            const std::size_t end = left.find('\n');
-            const std::string_view line = left.substr(0, end);
-            left = end == std::string_view::npos ? "" : left.substr(end + 1);
-            if (line.starts_with("#include \""))
-                text += expand(line.substr(10, line.find('"', 10) - 10), done);
-            else
-                text += std::string(line) + '\n';
-        }
-    }
-    return text;
-}
 
 /// Optical depths of 1e-8 to 1e3, any g, numbers in [0, 1).
 std::vector<float> make_inputs() {
@@ -116,11 +78,8 @@ std::vector<float> run_device(const cl::Device& device, std::vector<float> input
     std::set<std::string> done;
     const std::string source = expand("medium.h", done) + std::string(kernel_text);
     const cl::Context context(device);
-    const cl::Program program(context, source);
-    std::string options = "-cl-std=CL1.2 -DLANES=1 -DRESULTS=" + std::to_string(RESULTS);
-    if ((device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0)
-        options += " -cl-fp32-correctly-rounded-divide-sqrt";
-    program.build({device}, options.c_str());
+    const cl::Program program =
+        build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
     const cl::CommandQueue queue(context, device);
     std::vector<float> results(std::size_t{count} * RESULTS);
     const cl::Buffer in(context, inputs.begin(), inputs.end(), true);
@@ -129,7 +88,7 @@ std::vector<float> run_device(const cl::Device& device, std::vector<float> input
     kernel.setArg(0, in);
     kernel.setArg(1, out);
     kernel.setArg(2, cl_uint{count});
-    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(count), cl::NDRange(8));
+    run_items(queue, kernel, count);
     queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
     return results;
 }
@@ -169,11 +128,11 @@ TEST(MediumOpencl, DevicesKeepTheClosedFormsAndTheNativeBits) {
         native::evaluate(inputs.data(), expected.data(), count);
     }
     expect_closed_forms(inputs, expected);
-    const std::vector<weft::OpenClDevice> devices = weft::opencl_devices();
+    const std::vector<cl::Device> devices = all_devices();
     if (devices.empty()) GTEST_SKIP() << "there is no OpenCL device";
-    for (const weft::OpenClDevice& device : devices) {
-        SCOPED_TRACE(device.info.name);
-        const std::vector<float> found = run_device(device.device, inputs);
+    for (const cl::Device& device : devices) {
+        SCOPED_TRACE(device.getInfo<CL_DEVICE_NAME>());
+        const std::vector<float> found = run_device(device, inputs);
         expect_closed_forms(inputs, found);
         std::size_t different = 0;
         for (std::size_t i = 0; i < found.size(); ++i)
@@ -185,5 +144,6 @@ TEST(MediumOpencl, DevicesKeepTheClosedFormsAndTheNativeBits) {
 }
 
 }  // namespace
+}  // namespace weft
 
 #endif

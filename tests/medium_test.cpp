@@ -13,20 +13,9 @@
 
 #include "closed_forms.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/medium.h"
-#include "../kernels/random.h"
-}  // namespace native
-#pragma GCC diagnostic pop
+#define NATIVE_KERNELS "kernels/medium.h"
+#define NATIVE_KERNELS_TOO "kernels/random.h"
+#include "tests/native_kernels.h"
 
 // kernels/medium.h against closed forms. Estimates have fixed seeds; they may be off by 5 standard
 // errors, which a correct one is with a probability of 6e-7.

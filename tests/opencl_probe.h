@@ -15,7 +15,15 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
+
+// One text for both sides: compiled here in namespace `native`, and `kernel_text` for a device.
+#define BOTH_SIDES(...) \
+    namespace native {  \
+    __VA_ARGS__         \
+    }                   \
+    constexpr std::string_view kernel_text = #__VA_ARGS__;
 
 namespace weft {
 

@@ -19,6 +19,11 @@
 
 namespace weft::test {
 
+/// A channel of a colour, in double precision.
+inline double at(const glm::vec3& colour, std::uint32_t channel) {
+    return static_cast<double>(colour[static_cast<glm::length_t>(channel)]);
+}
+
 /// Settings of a path-traced picture of samples [0, `samples`).
 inline PathSettings path_settings(std::uint32_t width, std::uint32_t height, std::uint32_t samples,
                                   std::uint32_t seed = 0) {

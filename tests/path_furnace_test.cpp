@@ -19,6 +19,7 @@
 namespace weft {
 namespace {
 
+using test::at;
 using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
@@ -30,10 +31,6 @@ constexpr std::size_t comparisons = 300;
 std::string name_of(Backend backend, const std::string& what, std::uint32_t channel) {
     return std::string(test::backend_name(backend)) + " " + what + " channel " +
            std::to_string(channel);
-}
-
-double at(const glm::vec3& v, std::uint32_t channel) {
-    return static_cast<double>(v[static_cast<glm::length_t>(channel)]);
 }
 
 /// That every order of light has its share of e / (1 - rho).

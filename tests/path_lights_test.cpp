@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "floor_scenes.h"
 #include "path_fixture.h"
-#include "scene/shapes.h"
 
 // Direct light of path tracing against closed forms: every kind of light at points of a floor, and
 // form factors of squares.
@@ -24,31 +24,24 @@ namespace weft {
 namespace {
 
 using test::Backend;
+using test::corners_of;
+using test::eye_offset;
+using test::floor_scene;
+using test::lamp_mesh;
 using test::polygon_irradiance;
+using test::radiance;
+using test::receiver_albedo;
 using test::Rendering;
 using test::SceneBuilder;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
-const glm::vec3 receiver_albedo{0.8F, 0.5F, 0.25F};
-const glm::vec3 radiance{1.0F, 2.0F, 0.5F};
-
-/// A floor z = 0 of edge 6, without its interreflection.
-SceneBuilder floor_scene() {
-    SceneBuilder builder;
-    builder.add(test::quad_mesh({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}),
-                builder.material(receiver_albedo));
-    return builder;
-}
 
 PathSettings direct_only(std::uint32_t edge, std::uint32_t samples, std::uint32_t seed = 0) {
     PathSettings settings = test::path_settings(edge, edge, samples, seed);
     settings.indirect = false;
     return settings;
 }
-
-// Where the floor is looked at from: near enough to stay below the lights.
-const glm::dvec3 eye_offset{0.05, -0.1, 0.2};
 
 void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point,
                     const glm::dvec3& expected, double bias = 0.0,
@@ -79,16 +72,6 @@ void expect_exact(Backend backend, const Scene& scene, const glm::dvec3& point,
             << test::backend_name(backend) << " channel " << c;
 }
 
-std::vector<glm::dvec3> corners_of(const Mesh& quad) {
-    const auto corner = [&](std::size_t i) { return glm::dvec3(quad.positions.at(i)); };
-    return {corner(0), corner(1), corner(3), corner(2)};
-}
-
-/// The unit square at height 1 that shines down.
-Mesh lamp_mesh() {
-    return test::quad_mesh({-0.5F, -0.5F, 1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F});
-}
-
 TEST(PathLights, SquareLightGivesLambertsIrradiance) {
     SceneBuilder builder = floor_scene();
     builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F), radiance));
@@ -113,9 +96,7 @@ TEST(PathLights, NearAndFarSquaresAreSampledAlikeWell) {
 }
 
 TEST(PathLights, TiltedParallelogramsOfTwoSides) {
-    for (const Mesh& quad :
-         {test::quad_mesh({0.4F, -0.2F, 0.6F}, {0.1F, 0.3F, 0.4F}, {0.5F, -0.2F, 0.1F}),
-          test::quad_mesh({-1.5F, 0.5F, 0.3F}, {1.2F, 0.4F, 0.0F}, {0.0F, 0.1F, 1.4F})}) {
+    for (const Mesh& quad : test::tilted_parallelograms()) {
         SceneBuilder builder = floor_scene();
         const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
         builder.scene.materials[material].emits_both_sides = true;
@@ -149,31 +130,15 @@ TEST(PathLights, OneSidedEmittersShineToTheirFrontOnly) {
 }
 
 TEST(PathLights, DiskOnAxis) {
-    SceneBuilder builder = floor_scene();
-    const double radius = 0.6;
-    const double height = 0.8;
-    glm::dmat4 down = test::placement(radius, {0.0, 0.0, height});
-    down[1] = -down[1];
-    down[2] = -down[2];
-    builder.add(make_disk(), builder.material(glm::vec3(0.0F), radiance), down);
-    // 128 chords leave out 1 - sinc(2 pi / 128) = 4e-4 of the disk.
-    const double expected = pi * radius * radius / (radius * radius + height * height);
+    const test::LitFloor floor = test::disk_over_floor();
     for (const Backend backend : test::backends())
-        expect_sampled(backend, builder.scene, {0, 0, 0}, expected * glm::dvec3(radiance), 5e-4);
+        expect_sampled(backend, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 TEST(PathLights, SphereAboveTheHorizon) {
-    const double radius = 0.4;
-    const glm::dvec3 centre(0.5, -0.3, 1.1);
-    SceneBuilder builder = floor_scene();
-    builder.add(test::icosphere(4, false), builder.material(glm::vec3(0.0F), radiance),
-                test::placement(radius, centre));
-    const double distance = glm::length(centre);
-    const double expected = pi * radius * radius / (distance * distance) * (centre.z / distance);
-    // Triangles with edges of 0.075 radii lie up to 1e-3 radii inside: the outline loses about as
-    // much of its radius.
+    const test::LitFloor floor = test::sphere_over_floor();
     for (const Backend backend : test::backends())
-        expect_sampled(backend, builder.scene, {0, 0, 0}, expected * glm::dvec3(radiance), 2e-3);
+        expect_sampled(backend, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 TEST(PathLights, PointLightIsExact) {

@@ -18,6 +18,7 @@
 namespace weft {
 namespace {
 
+using test::at;
 using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
@@ -25,10 +26,6 @@ using test::Tolerance;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
-
-double at(const glm::vec3& v, std::uint32_t channel) {
-    return static_cast<double>(v[static_cast<glm::length_t>(channel)]);
-}
 
 Medium medium_of(const glm::vec3& sigma_t, const glm::vec3& albedo, float g = 0.0F) {
     Medium medium;

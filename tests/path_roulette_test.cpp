@@ -9,24 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "device/native/native_scene.h"
 #include "path_fixture.h"
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#undef WEFT_TYPES_H  // the host's structs are those of another namespace
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/path.cl"
-}  // namespace native
-#pragma GCC diagnostic pop
+#define NATIVE_KERNELS "kernels/path.cl"
+#include "tests/native_kernels.h"
 
 // What path tracing chooses at random must not move its mean: which paths end, which light is
 // sampled, and whether light is found by sampling or by meeting it.
@@ -36,6 +22,7 @@ namespace native {
 namespace weft {
 namespace {
 
+using test::at;
 using test::Backend;
 using test::polygon_irradiance;
 using test::Rendering;
@@ -43,10 +30,6 @@ using test::SceneBuilder;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
-
-double at(const glm::vec3& v, std::uint32_t channel) {
-    return static_cast<double>(v[static_cast<glm::length_t>(channel)]);
-}
 
 native::PathVertex vertex_of(std::uint32_t bounce, float throughput) {
     native::PathVertex vertex{};

@@ -12,12 +12,14 @@
 
 #include "gltf_builder.h"
 #include "image/exr.h"
+#include "program_backends.h"
 #include "run_program.h"
 
 namespace weft {
 namespace {
 
 using nlohmann::json;
+using test::program_backends;
 using test::ProgramResult;
 using test::run_program;
 using test::RunningProgram;
@@ -26,14 +28,6 @@ using test::text_of_file;
 
 /// The camera's x at the three keys, at 0, 1 and 2 s; exact as floats.
 constexpr std::array<float, 3> places = {0.25F, 0.28125F, 0.3125F};
-
-/// Backends that this machine has.
-std::vector<std::string> backends() {
-    std::vector<std::string> names{"embree", "native"};
-    for (const json& device : json::parse(run_program({"devices", "--json"}).out))
-        if (device["backend"] == "opencl" && names.back() != "opencl") names.push_back("opencl");
-    return names;
-}
 
 class ProgramFrames : public testing::Test {
   protected:
@@ -108,7 +102,7 @@ bool same_values(const Image& a, const Image& b) {
 }
 
 TEST_F(ProgramFrames, EveryFrameIsThePictureFromThere) {
-    for (const std::string& backend : backends())
+    for (const std::string& backend : program_backends())
         for (const std::string algorithm : {"igi", "path"}) {
             SCOPED_TRACE(backend + " " + algorithm);
             const std::vector<std::string> options{

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/exr.h"
+#include "program_backends.h"
 #include "run_program.h"
 
 namespace weft {
@@ -17,19 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::program_backends;
 using test::ProgramResult;
 using test::run_program;
 using test::RunningProgram;
 using test::shipped_scene;
 using test::text_of_file;
-
-/// Backends that this machine has.
-std::vector<std::string> backends() {
-    std::vector<std::string> names{"embree", "native"};
-    for (const json& device : json::parse(run_program({"devices", "--json"}).out))
-        if (device["backend"] == "opencl" && names.back() != "opencl") names.push_back("opencl");
-    return names;
-}
 
 class ProgramRender : public testing::Test {
   protected:
@@ -73,7 +67,7 @@ double mean(const Layer& layer) {
 }
 
 TEST_F(ProgramRender, WritesPicturesOnEveryBackend) {
-    for (const std::string& backend : backends()) {
+    for (const std::string& backend : program_backends()) {
         SCOPED_TRACE(backend);
         const ProgramResult exr = run_program(box(backend + ".exr", {"--backend", backend}));
         EXPECT_EQ(exr.exit_code, 0);
@@ -90,11 +84,11 @@ TEST_F(ProgramRender, WritesPicturesOnEveryBackend) {
         EXPECT_EQ(run_program(box(backend + ".PNG", {"--backend", backend})).exit_code, 0);
         EXPECT_TRUE(text_of_file(at(backend + ".PNG")).starts_with("\x89PNG\r\n\x1a\n"));
     }
-    EXPECT_EQ(folder_.entry_count(), 2 * backends().size()) << "something was left behind";
+    EXPECT_EQ(folder_.entry_count(), 2 * program_backends().size()) << "something was left behind";
 }
 
 TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
-    for (const std::string& backend : backends()) {
+    for (const std::string& backend : program_backends()) {
         SCOPED_TRACE(backend);
         const json stats =
             stats_of(box("x.png", {"--backend", backend, "--algorithm", "igi", "--spp", "2"}));
@@ -163,7 +157,7 @@ TEST_F(ProgramRender, OnlyWhatIsCalledForIsBuilt) {
         for (const json& kernel : stats["kernels"]) names.push_back(kernel["name"]);
         return names;
     };
-    for (const std::string& backend : backends()) {
+    for (const std::string& backend : program_backends()) {
         EXPECT_EQ(kernels_of({"--backend", backend, "--components", "direct"}),
                   (std::vector<std::string>{"gbuffer", "light_samples", "receivers", "vpl_gather",
                                             "reconstruct", "compose"}));
@@ -196,7 +190,7 @@ TEST_F(ProgramRender, InfoListsWhatIsBuiltWhereNothingElseIsAskedFor) {
 }
 
 TEST_F(ProgramRender, ScenesWithoutTexturesBuildNoTextureCode) {
-    if (backends().back() != "opencl") GTEST_SKIP() << "there is no OpenCL device";
+    if (program_backends().back() != "opencl") GTEST_SKIP() << "there is no OpenCL device";
     const auto features_of = [](const json& kernel) {
         const std::string flags = kernel["flags"];
         const std::string name = "-DWEFT_FEATURES=";
@@ -217,7 +211,7 @@ TEST_F(ProgramRender, ScenesWithoutTexturesBuildNoTextureCode) {
 }
 
 TEST_F(ProgramRender, ThreadsAndTilesChangeNothing) {
-    for (const std::string& backend : backends())
+    for (const std::string& backend : program_backends())
         for (const std::string algorithm : {"ais", "igi"}) {
             SCOPED_TRACE(backend + " " + algorithm);
             const auto image = [&](const std::vector<std::string>& more) {
@@ -255,7 +249,7 @@ TEST_F(ProgramRender, AFolderInPlaceOfThePictureIsCodeFive) {
 }
 
 TEST_F(ProgramRender, CtrlCKeepsThePicture) {
-    for (const std::string& backend : backends()) {
+    for (const std::string& backend : program_backends()) {
         SCOPED_TRACE(backend);
         // The first progress line comes at the start, the next one a second later: before any
         // sample, and, with kernels that are built by then, after the first ones.

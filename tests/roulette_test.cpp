@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render_fixture.h"
+#include "room_scenes.h"
 
 // Roulette among VPLs that would add little: it must cost no light on average, and save rays.
 namespace weft {
@@ -18,14 +19,8 @@ using test::Rendering;
 /// A room with a coloured wall, a block and a lamp.
 Scene room() {
     test::SceneBuilder builder;
-    const std::uint32_t white = builder.material({0.7F, 0.7F, 0.7F});
-    builder.add(test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), white);
-    builder.add(test::quad_mesh({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), white);
-    builder.add(test::quad_mesh({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), white);
-    builder.add(test::quad_mesh({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}),
-                builder.material({0.6F, 0.1F, 0.1F}));
-    builder.add(test::quad_mesh({0.2F, -1.0F, -0.3F}, {0.5F, 0, 0.3F}, {0, 0.8F, 0.1F}),
-                builder.material({0.5F, 0.5F, 0.9F}));
+    test::add_open_room(builder);
+    test::add_screen(builder);
     builder.add(test::quad_mesh({-0.3F, 0.98F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}),
                 builder.material({0.2F, 0.2F, 0.2F}, {8.0F, 7.0F, 5.0F}));
     return builder.scene;

@@ -11,22 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "device/native/native_scene.h"
-
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/path_lights.h"
-#include "../kernels/random.h"
-}  // namespace native
-#pragma GCC diagnostic pop
+#define NATIVE_KERNELS "kernels/path_lights.h"
+#define NATIVE_KERNELS_TOO "kernels/random.h"
+#include "tests/native_kernels.h"
 
 // Random numbers and samplers against the distributions they promise: a million samples in
 // 64 x 128 bins each, by chi-square. The probability of a value as large as the one found must be

@@ -7,19 +7,8 @@
 #include <initializer_list>
 #include <limits>
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include "../kernels/port.h"
-#include "../kernels/vector.h"
-}  // namespace native
-#pragma GCC diagnostic pop
+#define NATIVE_KERNELS "kernels/vector.h"
+#include "tests/native_kernels.h"
 
 namespace {
 
