@@ -7,9 +7,18 @@
 #include <vector>
 
 namespace weft {
+namespace {
+
+constexpr int most_values = 1 << 20;
+
+}  // namespace
 
 Error usage_error(const std::string& message) {
     return {ExitCode::usage, message};
+}
+
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description) {
+    return *app.add_subcommand(name, description);
 }
 
 void add_value(CLI::App& command, const std::string& names, const std::string& value_name,
@@ -19,16 +28,31 @@ void add_value(CLI::App& command, const std::string& names, const std::string& v
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_values(CLI::App& command, const std::string& name, const std::string& description) {
+    command.add_option(name, description)
+        ->type_name("")
+        ->expected(1, most_values)
+        ->allow_extra_args();
+}
+
 void add_flag(CLI::App& command, const std::string& name, const std::string& description) {
     command.add_flag(name, description)->disable_flag_override();
 }
 
 std::optional<std::string> value_of(const CLI::App& command, const std::string& name) {
-    const std::vector<std::string>& results = command.get_option(name)->results();
+    const std::vector<std::string>& results = values_of(command, name);
     if (results.empty()) return std::nullopt;
     if (results.size() > 1) throw usage_error(name + ": is given more than once");
     if (results[0].empty()) throw usage_error(name + ": is empty, expected a value");
     return results[0];
+}
+
+const std::vector<std::string>& values_of(const CLI::App& command, const std::string& name) {
+    return command.get_option(name)->results();
+}
+
+bool is_given(const CLI::App& command, const std::string& name) {
+    return command.count(name) > 0;
 }
 
 std::string extension_of(const std::filesystem::path& path) {

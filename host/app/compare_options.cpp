@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/compare_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 
@@ -22,7 +21,7 @@ constexpr std::array<std::string_view, 13> metric_names = {
 std::vector<Metric> read_metrics(const CLI::App& command) {
     std::vector<Metric> metrics;
     bool all = false;
-    for (const std::string& text : command.get_option("--metric")->results()) {
+    for (const std::string& text : values_of(command, "--metric")) {
         const std::size_t index = parse_name("--metric", text, metric_names);
         const auto metric = static_cast<Metric>(index);
         all = all || index + 1 == metric_names.size();
@@ -39,7 +38,7 @@ std::string_view to_string(Metric metric) {
 }
 
 void add_compare(CLI::App& app) {
-    CLI::App& compare = *app.add_subcommand("compare", "Measures how two pictures differ");
+    CLI::App& compare = add_command(app, "compare", "Measures how two pictures differ");
     add_value(compare, "REF", "", "Reference picture, .exr, .hdr or .png");
     add_value(compare, "TEST", "", "Picture of the same size to compare with it");
     add_value(compare, "--metric", "NAME",
@@ -70,9 +69,9 @@ CompareOptions read_compare(const CLI::App& command) {
         options.ppd = parse_number("--ppd", *text, 1.0, max_ppd);
     if (const auto text = value_of(command, "--map")) options.map = *text;
     options.layer = value_of(command, "--layer");
-    options.json = command.count("--json") > 0;
-    options.legacy_fan = command.count("--legacy-fan") > 0;
-    options.legacy_otf_grid = command.count("--legacy-otf-grid") > 0;
+    options.json = is_given(command, "--json");
+    options.legacy_fan = is_given(command, "--legacy-fan");
+    options.legacy_otf_grid = is_given(command, "--legacy-otf-grid");
     if (!options.map) return options;
     if (extension_of(*options.map) != ".png")
         throw usage_error("--map: " + quote(options.map->string()) + ", expected a name in .png");

@@ -2,31 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/merge_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "app/command_line.h"
 #include "base/quote.h"
 
 namespace weft {
-namespace {
-
-constexpr int most_parts = 1 << 20;
-
-}  // namespace
 
 void add_merge(CLI::App& app) {
-    CLI::App& merge = *app.add_subcommand("merge", "Joins samples that were rendered apart");
-    merge.add_option("PART", "Pictures written with --samples or --resume")
-        ->type_name("")
-        ->expected(1, most_parts)
-        ->allow_extra_args();
+    CLI::App& merge = add_command(app, "merge", "Joins samples that were rendered apart");
+    add_values(merge, "PART", "Pictures written with --samples or --resume");
     add_value(merge, "-o,--output", "FILE", "Picture to write, .exr");
 }
 
 MergeOptions read_merge(const CLI::App& command) {
     MergeOptions options;
-    for (const std::string& part : command.get_option("PART")->results())
-        options.parts.emplace_back(part);
+    for (const std::string& part : values_of(command, "PART")) options.parts.emplace_back(part);
     if (options.parts.empty())
         throw usage_error("no parts given, expected weft merge PART... -o OUT.exr");
     const std::optional<std::string> output = value_of(command, "--output");

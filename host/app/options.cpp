@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 5> command_names = {"render", "merge", "c
 constexpr double max_exposure_ev = 100.0;
 
 void add_render(CLI::App& app) {
-    CLI::App& render = *app.add_subcommand("render", "Renders a scene to an EXR or PNG file");
+    CLI::App& render = add_command(app, "render", "Renders a scene to an EXR or PNG file");
     add_value(render, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_value(render, "-o,--output", "FILE",
@@ -90,11 +90,11 @@ void add_commands(CLI::App& app) {
     add_render(app);
     add_merge(app);
     add_compare(app);
-    CLI::App& info = *app.add_subcommand("info", "Says what a scene holds");
+    CLI::App& info = add_command(app, "info", "Says what a scene holds");
     add_value(info, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_flag(info, "--json", "Prints JSON");
-    CLI::App& devices = *app.add_subcommand("devices", "Lists what can render");
+    CLI::App& devices = add_command(app, "devices", "Lists what can render");
     add_flag(devices, "--json", "Prints JSON");
     for (CLI::App* command : app.get_subcommands({})) {
         command->group("Commands");
@@ -240,7 +240,7 @@ void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
                 throw usage_error(
                     fmt::format("--components: path tracing has no {}, expected {}", name,
                                 fmt::join(choosable_components(Choice::by_default), ", ")));
-    options.compensation = command.count("--vpl-compensation") > 0;
+    options.compensation = is_given(command, "--vpl-compensation");
     if (options.compensation && options.algorithm == Algorithm::path)
         throw usage_error(
             "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
@@ -342,15 +342,15 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     }
     const std::vector<CLI::App*> selected = app.get_subcommands();
     const CLI::App* command = selected.empty() ? nullptr : selected.front();
-    if (app.count("--version") > 0 || (command != nullptr && command->count("--version") > 0))
+    if (is_given(app, "--version") || (command != nullptr && is_given(*command, "--version")))
         return HelpText{"weft " WEFT_VERSION "\n"};
     check_command(app, command);
     if (command->get_name() == "render") return read_render(*command);
     if (command->get_name() == "merge") return read_merge(*command);
     if (command->get_name() == "compare") return read_compare(*command);
     if (command->get_name() == "info")
-        return InfoOptions{*value_of(*command, "SCENE"), command->count("--json") > 0};
-    return DevicesOptions{command->count("--json") > 0};
+        return InfoOptions{*value_of(*command, "SCENE"), is_given(*command, "--json")};
+    return DevicesOptions{is_given(*command, "--json")};
 }
 
 nlohmann::json options_json(const RenderOptions& options) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/overlay_output.h"
 
-#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "app/command_line.h"
@@ -31,7 +30,7 @@ void add_overlays(CLI::App& render) {
 }
 
 void read_overlays(const CLI::App& command, RenderOptions& options) {
-    options.overlays = command.count("--overlays") > 0;
+    options.overlays = is_given(command, "--overlays");
     if (!options.overlays) return;
     if (options.algorithm != Algorithm::ais)
         throw usage_error("--overlays: shows adaptive sampling, expected --algorithm ais");
