@@ -27,6 +27,23 @@ static inline DensityGrid density_grid(DensityGridRecord record, GLOBAL const fl
     return grid;
 }
 
+static inline float row_times(float4 row, float3 v) {
+    return row.x * v.x + row.y * v.y + row.z * v.z;
+}
+
+/// A direction of kernel space in the space of the unit cube: a ray's parameter is the same in
+/// both.
+static inline float3 direction_in_cube(const DensityGrid* grid, float3 d) {
+    return f3(row_times(grid->record.to_x, d), row_times(grid->record.to_y, d),
+              row_times(grid->record.to_z, d));
+}
+
+/// A point of kernel space there.
+static inline float3 point_in_cube(const DensityGrid* grid, float3 p) {
+    return direction_in_cube(grid, p) +
+           f3(grid->record.to_x.w, grid->record.to_y.w, grid->record.to_z.w);
+}
+
 /// Two voxels of an axis and the share of the second.
 typedef struct {
     uint low, high;

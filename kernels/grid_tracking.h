@@ -10,6 +10,7 @@
 #define WEFT_GRID_TRACKING_H
 
 #include "grid_depth.h"
+#include "medium.h"
 #include "random.h"
 
 #define GRID_TENTATIVE 512u
@@ -62,31 +63,56 @@ static inline int next_tentative(const DensityGrid* grid, float sigma, Random* r
     }
 }
 
-/// Delta tracking: whether light collides on origin + t direction, first < t < last, in the unit
-/// cube's space, and at which *t, where the density is *density; *t is `last` where not. `sigma` is
-/// the extinction for density 1 and each unit of t. Collisions have the density sigma density T of
-/// t, where T is the transmittance so far.
+// Delta tracking of all channels at once, in the space of paths with null collisions (Miller,
+// Georgiev and Jarosz 2019, eqs. 10 to 16; Kutz et al. 2017, sec. 3, for the common majorant).
+// Tentative collisions come at the rate greatest sigma times the bound, the same for each channel.
+// Were it for channel i alone, one of them would be real with probability p_i = sigma_i density /
+// (greatest sigma bound), which is also what the light of channel i is multiplied with; and null
+// with probability 1 - p_i, likewise. The balance heuristic over channels divides by the mean of
+// the densities of all channels, so that what is left of the weight is `ratio` (medium.h). A
+// channel that is chosen with probability ratio_i / 3 for each event makes a real collision of it
+// with probability sum ratio_i p_i / sum ratio_i: chosen from that at once, no channel needs to be.
+
+/// Whether light collides on origin + t direction, first < t < last, in the unit cube's space, and
+/// at which *t, where the density is *density; *t is `last` where not. `sigma` is the extinction of
+/// each channel for density 1 and each unit of t. Channel i of *ratio, of mean 1 before and after,
+/// times the density of what happens is sigma_i density T_i of t, or T_i of the whole ray, on
+/// average, where T_i is the transmittance so far. A *ratio of 0 ends the path.
 static inline int grid_collision(const DensityGrid* grid, float3 origin, float3 direction,
-                                 float first, float last, float sigma, Random* random, float* t,
-                                 float* density) {
+                                 float first, float last, float3 sigma, float3* ratio,
+                                 Random* random, float* t, float* density) {
     GridTracker tracker;
     *t = last;
     *density = 0.0f;
-    if (!(sigma > 0.0f)) return 0;
+    float greatest = max_component(sigma);
+    if (!(greatest > 0.0f)) return 0;
     if (start_tracker(grid, origin, direction, first, last, &tracker) == 0) return 0;
+    float3 share = sigma / greatest;
+    // Of equal channels the ratio stays what it is, to the bit.
+    int grey = share.x == share.y && share.y == share.z ? 1 : 0;
     for (uint i = 0u; i < GRID_TENTATIVE; ++i) {
-        if (next_tentative(grid, sigma, random, &tracker) == 0) return 0;
-        if (next_random(random) * tracker.bound < tracker.density) {
+        if (next_tentative(grid, greatest, random, &tracker) == 0) return 0;
+        float chance = dot3(*ratio, share) / (ratio->x + ratio->y + ratio->z);
+        if (grey != 0) chance = 1.0f;
+        if (next_random(random) * tracker.bound < tracker.density * chance) {
+            if (grey == 0) update_ratio(ratio, share);
             *t = m_min(tracker.ray.first + tracker.s, last);
             *density = tracker.density;
             return 1;
         }
+        float3 passing = f3(1.0f, 1.0f, 1.0f) - share * (tracker.density / tracker.bound);
+        if (grey == 0) update_ratio(ratio, passing);
     }
     // At least a normal number: a depth of 0 is reached before the medium.
-    float target = m_max(random_depth(random) / sigma, 1.17549435e-38f);
+    float choice = next_random(random);
+    float u = next_random(random);
+    float target = m_max(free_path(sigma, *ratio, choice, u), 1.17549435e-38f);
     float stop;
     float depth = density_integral(grid, &tracker.ray, tracker.s, target, &stop);
-    if (!(depth >= target)) return 0;
+    int collides = depth >= target ? 1 : 0;
+    float3 left = transmittance(sigma, depth);
+    if (grey == 0) update_ratio(ratio, collides != 0 ? share * left : left);
+    if (collides == 0) return 0;
     *t = m_min(tracker.ray.first + stop, last);
     *density = density_on_ray(grid, &tracker.ray, stop);
     return 1;

@@ -10,19 +10,24 @@
 #define WEFT_MEDIUM_WALK_H
 
 #include "bvh.h"
+#include "grid_media.h"
 #include "medium.h"
 
-#define MEDIA_ARGS                                                               \
-    GLOBAL const BvhNode *boundary_nodes, GLOBAL const float *boundary_leaves,   \
-        GLOBAL const float4 *boundary_normals, GLOBAL const MediumRecord *media, \
-        GLOBAL const MediaRecord *media_record
+#define MEDIA_ARGS                                                                     \
+    GLOBAL const BvhNode *boundary_nodes, GLOBAL const float *boundary_leaves,         \
+        GLOBAL const float4 *boundary_normals, GLOBAL const MediumRecord *media,       \
+        GLOBAL const MediaRecord *media_record, GLOBAL const DensityGridRecord *grids, \
+        GLOBAL const float *densities, GLOBAL const float *density_bounds
 #define MEDIA_MAKE(name)             \
     Media name;                      \
     name.nodes = boundary_nodes;     \
     name.leaves = boundary_leaves;   \
     name.normals = boundary_normals; \
     name.media = media;              \
-    name.record = media_record
+    name.record = media_record;      \
+    name.grids = grids;              \
+    name.densities = densities;      \
+    name.bounds = density_bounds
 
 typedef struct {
     GLOBAL const BvhNode* nodes;  // of the boundaries
@@ -30,6 +35,9 @@ typedef struct {
     GLOBAL const float4* normals;  // of a boundary's triangle, outwards; w: which boundary (bits)
     GLOBAL const MediumRecord* media;
     GLOBAL const MediaRecord* record;
+    GLOBAL const DensityGridRecord* grids;  // meaningless without FEATURE_DENSITY_GRIDS
+    GLOBAL const float* densities;
+    GLOBAL const float* bounds;
 } Media;
 
 // A ray on its way, and the stretch of it in one medium that was reached last.
@@ -95,15 +103,34 @@ static inline int next_stretch(const Media* media, MediumWalk* walk, float limit
     return 1;
 }
 
+/// Whether a medium has a grid.
+static inline int has_grid(const Params* params, const MediumRecord* medium) {
+    return HAS(params, FEATURE_DENSITY_GRIDS) && medium->grid != NO_TRIANGLE ? 1 : 0;
+}
+
+/// The grid of a medium that has one.
+static inline DensityGrid grid_of(const Media* media, const MediumRecord* medium) {
+    return density_grid(media->grids[medium->grid], media->densities, media->bounds);
+}
+
 /// What media leave of light along the first `length` of a ray that starts inside of these
-/// boundaries.
-static inline float3 ray_transmittance(const Media* media, float3 origin, float3 direction,
-                                       float length, uint inside) {
+/// boundaries: known where they are homogeneous, an unbiased estimate where they have grids.
+static inline float3 ray_transmittance(const Params* params, const Media* media, float3 origin,
+                                       float3 direction, float length, uint inside,
+                                       Random* random) {
     float3 left = f3(1.0f, 1.0f, 1.0f);
     MediumWalk walk = start_walk(media, origin, direction, inside);
-    while (next_stretch(media, &walk, length) != 0 && max_component(left) > 0.0f)
-        if (walk.medium != NO_MEDIUM)
-            left *= transmittance(xyz(media->media[walk.medium].sigma_t), walk.end - walk.begin);
+    while (next_stretch(media, &walk, length) != 0 && max_component(left) > 0.0f) {
+        if (walk.medium == NO_MEDIUM) continue;
+        MediumRecord medium = media->media[walk.medium];
+        if (has_grid(params, &medium) != 0) {
+            DensityGrid grid = grid_of(media, &medium);
+            left *= tracked_transmittance(&grid, xyz(medium.sigma_t), origin, direction, walk.begin,
+                                          walk.end, random);
+        } else {
+            left *= transmittance(xyz(medium.sigma_t), walk.end - walk.begin);
+        }
+    }
     return left;
 }
 

@@ -7,6 +7,7 @@
 #include "camera.h"
 #include "counters.h"
 #include "path_film.h"
+#include "path_grid.h"
 #include "path_media.h"
 
 #define ROULETTE_START 3u  // scatterings that every path may reach
@@ -41,20 +42,48 @@ static inline void scatter_in_medium(const Params* params, const PathScene* worl
     if (world->light_count != 0u) {
         ChosenPoint chosen = choose_point(world, random);
         add_scattered(params, sum, path->bounce,
-                      scattered_light(params, world, media, stretch, &chosen, t, rays));
+                      scattered_light(params, world, media, stretch, &chosen, t, random, rays));
     }
     float u = next_random(random);
     float v = next_random(random);
     path->free_density =
         update_ratio(&path->ratio, stretch->sigma_t * transmittance(stretch->sigma_t, t));
-    path->throughput = path->throughput * xyz(stretch->medium.albedo);
-    path->stretch = *stretch;
-    path->along = t;
-    path->origin = stretch->origin + stretch->direction * t;
-    path->direction =
-        scatter_direction(stretch->medium.anisotropy, stretch->direction, u, v, &path->density);
-    path->inside = stretch->inside;
-    path->kind = RAY_OF_MEDIUM;
+    scatter_path(stretch, t, u, v, path);
+}
+
+/// Goes through a stretch of a homogeneous medium. Returns 1 where the path is scattered there, -1
+/// where it ends.
+static inline int cross_stretch(const Params* params, const PathScene* world, const Media* media,
+                                const Stretch* stretch, MediaPath* path, Random* random,
+                                PathLight* sum, uint* rays) {
+    if (!(max_component(xyz(stretch->medium.albedo)) > 0.0f)) {
+        // Nothing to gain from chance: what absorbs only is known.
+        path->throughput = path->throughput * transmittance(stretch->sigma_t, stretch->length);
+        return max_component(path->throughput) > 0.0f ? 0 : -1;
+    }
+    if (!(max_component(stretch->sigma_t) > 0.0f && stretch->length > 0.0f)) return 0;
+    int wanted = wants_bounce(params, path->bounce + 1u);
+    if (wanted != 0 && world->light_count != 0u) {
+        ChosenPoint chosen = choose_point(world, random);
+        float u = next_random(random);
+        AngularView view = angular_view(stretch->origin, stretch->direction, stretch->length,
+                                        chosen.point.position);
+        if (chosen.light.kind != EMITTER_DIRECTIONAL && view.distance > 0.0f)
+            add_scattered(params, sum, path->bounce + 1u,
+                          scattered_light(params, world, media, stretch, &chosen,
+                                          angular_sample(view, stretch->length, u), random, rays));
+    }
+    float choice = next_random(random);
+    float u = next_random(random);
+    float t = free_path(stretch->sigma_t, path->ratio, choice, u);
+    if (t < stretch->length) {
+        if (wanted == 0) return -1;
+        scatter_in_medium(params, world, media, stretch, t, path, random, sum, rays);
+        return path->free_density > 0.0f && path->density > 0.0f ? 1 : -1;
+    }
+    float left = update_ratio(&path->ratio, transmittance(stretch->sigma_t, stretch->length));
+    // The ratio's mean is 1 again; its density cancels against the probability of passing.
+    return left > 0.0f ? 0 : -1;
 }
 
 /// Goes through the media of a ray that ends after `length`. Returns 1 where the path is scattered
@@ -70,40 +99,15 @@ static inline int cross_media(const Params* params, const PathScene* world, cons
         stretch.medium = media->media[walk.medium];
         stretch.sigma_t = xyz(stretch.medium.sigma_t);
         stretch.length = walk.end - walk.begin;
-        if (!(max_component(xyz(stretch.medium.albedo)) > 0.0f)) {
-            // Nothing to gain from chance: what absorbs only is known.
-            path->throughput = path->throughput * transmittance(stretch.sigma_t, stretch.length);
-            if (!(max_component(path->throughput) > 0.0f)) return -1;
-            continue;
-        }
-        if (!(max_component(stretch.sigma_t) > 0.0f && stretch.length > 0.0f)) continue;
         stretch.origin = walk.origin + walk.direction * walk.begin;
         stretch.direction = walk.direction;
         stretch.throughput = path->throughput;
         stretch.ratio = path->ratio;
         stretch.inside = walk.inside;
-        int wanted = wants_bounce(params, path->bounce + 1u);
-        if (wanted != 0 && world->light_count != 0u) {
-            ChosenPoint chosen = choose_point(world, random);
-            float u = next_random(random);
-            AngularView view = angular_view(stretch.origin, stretch.direction, stretch.length,
-                                            chosen.point.position);
-            if (chosen.light.kind != EMITTER_DIRECTIONAL && view.distance > 0.0f)
-                add_scattered(params, sum, path->bounce + 1u,
-                              scattered_light(params, world, media, &stretch, &chosen,
-                                              angular_sample(view, stretch.length, u), rays));
-        }
-        float choice = next_random(random);
-        float u = next_random(random);
-        float t = free_path(stretch.sigma_t, path->ratio, choice, u);
-        if (t < stretch.length) {
-            if (wanted == 0) return -1;
-            scatter_in_medium(params, world, media, &stretch, t, path, random, sum, rays);
-            return path->free_density > 0.0f && path->density > 0.0f ? 1 : -1;
-        }
-        float left = update_ratio(&path->ratio, transmittance(stretch.sigma_t, stretch.length));
-        if (!(left > 0.0f)) return -1;
-        // The ratio's mean is 1 again; its density cancels against the probability of passing.
+        int done = has_grid(params, &stretch.medium) != 0
+                       ? cross_grid(params, world, media, &stretch, path, random, sum, rays)
+                       : cross_stretch(params, world, media, &stretch, path, random, sum, rays);
+        if (done != 0) return done;
     }
     return 0;
 }

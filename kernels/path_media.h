@@ -6,7 +6,8 @@
 // by a free path and the light by next-event estimation, the point by equi-angular sampling and the
 // light likewise, and the point by a free path and the light by a scattered ray that meets it. They
 // are weighted by the balance heuristic (Veach and Guibas 1995); lights without area are found by
-// the first two alone, directional ones by the first alone.
+// the first two alone, directional ones by the first alone. In media with grids the density of free
+// paths is not known, and something like it takes its place: see path_grid.h.
 #ifndef WEFT_PATH_MEDIA_H
 #define WEFT_PATH_MEDIA_H
 
@@ -46,7 +47,7 @@ typedef struct {
     Surface surface;     // that it left, of RAY_OF_SURFACE
     Stretch stretch;     // that it was scattered in, of RAY_OF_MEDIUM
     float along;         // where on it
-    float free_density;  // and its density by free paths
+    float free_density;  // and its density by free paths, or what stands for it
 } MediaPath;
 
 // A point on a light, and the density with which it was chosen: per area of area lights.
@@ -132,37 +133,58 @@ static inline PlaceLight light_at(const Params* params, const ChosenPoint* chose
     return found;
 }
 
-/// Light of a chosen point that is scattered into the path at `t` of the stretch, weighted. Which
-/// of the two ways of next-event estimation has found `t` makes no difference.
-static inline float3 scattered_light(const Params* params, const PathScene* world,
-                                     const Media* media, const Stretch* stretch,
-                                     const ChosenPoint* chosen, float t, uint* rays) {
+// A point of a stretch that a path may be scattered at, and the weights of the ways to find it.
+typedef struct {
+    float t;        // of the stretch
+    float3 value;   // throughput times the source that scatters there, times `free`'s unit
+    float free;     // density by free paths
+    float angular;  // unit of densities by equi-angular sampling, in that of `free`
+} ScatterPoint;
+
+/// Light of a chosen point that is scattered into the path at a point of the stretch, weighted.
+/// Which of the two ways of next-event estimation has found the point makes no difference.
+static inline float3 light_scattered_at(const Params* params, const PathScene* world,
+                                        const Media* media, const Stretch* stretch,
+                                        const ChosenPoint* chosen, const ScatterPoint* at,
+                                        Random* random, uint* rays) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
-    float3 left = transmittance(stretch->sigma_t, t);
-    float3 source = stretch->ratio * stretch->sigma_t * left;
-    float3 value = stretch->throughput * source * xyz(stretch->medium.albedo);
-    if (!(max_component(value) > 0.0f)) return none;
-    float3 place = stretch->origin + stretch->direction * t;
+    if (!(max_component(at->value) > 0.0f)) return none;
+    float3 place = stretch->origin + stretch->direction * at->t;
     PlaceLight light = light_at(params, chosen, place);
     if (!(max_component(light.irradiance) > 0.0f)) return none;
     // Densities of the place times the light's, over the light's by next-event estimation.
-    float free_density = (source.x + source.y + source.z) * 0.333333333f;
-    float density = free_density;
+    float density = at->free;
     if (light.distance < RAY_INFINITY)
-        density += angular_density(angular_view(stretch->origin, stretch->direction,
-                                                stretch->length, chosen->point.position),
-                                   t);
+        density +=
+            at->angular * angular_density(angular_view(stretch->origin, stretch->direction,
+                                                       stretch->length, chosen->point.position),
+                                          at->t);
     float phase = phase_function(stretch->medium.anisotropy, stretch->direction, light.direction);
-    if (light.solid > 0.0f) density += free_density * (phase / light.solid);
+    if (light.solid > 0.0f) density += at->free * (phase / light.solid);
     if (!(density > 0.0f)) return none;
     ++*rays;
     int seen = light.distance < RAY_INFINITY
                    ? sees_point(world->scene, params, place, light.target - place)
                    : sees_infinity(world->scene, params, place, light.direction);
     if (seen == 0) return none;
-    float3 arrives =
-        ray_transmittance(media, place, light.direction, light.distance, stretch->inside);
-    return value * light.irradiance * arrives * (phase / density);
+    float3 arrives = ray_transmittance(params, media, place, light.direction, light.distance,
+                                       stretch->inside, random);
+    return at->value * light.irradiance * arrives * (phase / density);
+}
+
+/// The same in a homogeneous medium, where transmittance and densities are known.
+static inline float3 scattered_light(const Params* params, const PathScene* world,
+                                     const Media* media, const Stretch* stretch,
+                                     const ChosenPoint* chosen, float t, Random* random,
+                                     uint* rays) {
+    float3 left = transmittance(stretch->sigma_t, t);
+    float3 source = stretch->ratio * stretch->sigma_t * left;
+    ScatterPoint at;
+    at.t = t;
+    at.value = stretch->throughput * source * xyz(stretch->medium.albedo);
+    at.free = (source.x + source.y + source.z) * 0.333333333f;
+    at.angular = 1.0f;
+    return light_scattered_at(params, world, media, stretch, chosen, &at, random, rays);
 }
 
 /// Weight of emission of a surface that a ray of the path met after `t`.
@@ -200,11 +222,24 @@ static inline uint surface_light(const Params* params, const PathScene* world, c
                                   : sees_point(world->scene, params, light.origin, light.towards);
     if (seen == 0) return 1u;
     float length = light.distant != 0 ? RAY_INFINITY : length3(light.towards);
-    float3 left =
-        ray_transmittance(media, light.origin, normalize3(light.towards), length, path->inside);
+    float3 left = ray_transmittance(params, media, light.origin, normalize3(light.towards), length,
+                                    path->inside, random);
     add_scattered(params, sum, path->bounce,
                   vertex->throughput * path->ratio * light.irradiance * left * 0.318309886f);
     return 1u;
+}
+
+/// Leaves the stretch at `t`, in a direction of the phase function.
+static inline void scatter_path(const Stretch* stretch, float t, float u, float v,
+                                MediaPath* path) {
+    path->throughput = path->throughput * xyz(stretch->medium.albedo);
+    path->stretch = *stretch;
+    path->along = t;
+    path->origin = stretch->origin + stretch->direction * t;
+    path->direction =
+        scatter_direction(stretch->medium.anisotropy, stretch->direction, u, v, &path->density);
+    path->inside = stretch->inside;
+    path->kind = RAY_OF_MEDIUM;
 }
 
 /// Russian roulette. Returns 0 where the path ends.

@@ -27,6 +27,7 @@
 #define FEATURE_INDIRECT 256u        // the plan has VPLs
 #define FEATURE_SAMPLED_DIRECT 512u  // and direct light that is filtered
 #define FEATURE_EXACT_DIRECT 1024u   // and direct light that is not
+#define FEATURE_DENSITY_GRIDS 2048u  // of media
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -147,6 +148,7 @@ typedef struct {
     uint block;      // voxels along the edge of a block, a power of two
     float greatest;  // density
     uint pad0, pad1;
+    float4 to_x, to_y, to_z;  // rows of the affine map from kernel space to the unit cube
 } DensityGridRecord;
 
 // Participating media (medium_walk.h). Space outside all boundaries, and what each boundary
@@ -159,7 +161,7 @@ typedef struct {
     float4 sigma_t;    // rgb extinction, 1 / kernel unit
     float4 albedo;     // rgb share of it that is scattered
     float anisotropy;  // Henyey-Greenstein g
-    uint grid;         // NO_TRIANGLE: the same everywhere
+    uint grid;         // of densities that multiply sigma_t; NO_TRIANGLE: the same everywhere
     uint pad0, pad1;
 } MediumRecord;
 

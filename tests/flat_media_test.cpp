@@ -50,8 +50,15 @@ TEST(FlatMedia, NothingWhereMediaAreClearOrUnused) {
     scene.media[0].scale = 0.0F;
     EXPECT_FALSE(flatten(scene).media.present());
     scene.media[0].scale = 1.0F;
-    scene.media[0].density_file = "/smoke.vol";
+    // A grid without voxels, one of voxels of 0, and one of others.
+    scene.media[0].grid = 0;
+    scene.grids.emplace_back();
     EXPECT_FALSE(flatten(scene).media.present());
+    scene.grids[0].size = {1, 1, 2};
+    scene.grids[0].densities = {0.0F, 0.0F};
+    EXPECT_FALSE(flatten(scene).media.present());
+    scene.grids[0].densities = {0.0F, 1e-30F};
+    EXPECT_TRUE(flatten(scene).media.present());
 }
 
 TEST(FlatMedia, ExtinctionIsPerKernelUnit) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -40,6 +41,7 @@ class GltfBuilder {
   public:
     nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
     std::string binary;
+    std::map<std::string, std::string> files;  ///< beside the scene, for read()
 
     /// Appends numbers as a new bufferView with a new accessor, and returns the accessor's index.
     template <typename T>
@@ -94,6 +96,7 @@ class GltfBuilder {
     /// Reads and validates what was built; warnings go to `diagnostics`.
     Scene read() {
         const TemporaryFolder folder;
+        for (const auto& [name, content] : files) folder.write(name, content);
         diagnostics = {};
         Scene scene = read_gltf(folder.write("scene.gltf", text()), diagnostics);
         validate_scene(scene);

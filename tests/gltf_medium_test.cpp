@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/gltf_builder.h"
+#include "tests/vol_bytes.h"
 
 namespace weft {
 namespace {
@@ -102,6 +103,75 @@ TEST(GltfMedium, RefusesWrongValues) {
               "attenuationColor has the value 2, expected 0 to 1");
     EXPECT_NE(error({{"scattering", {1, 1}}}), "none");
     EXPECT_NE(error({{"scattering", "much"}}), "none");
+}
+
+/// A medium of this density object, with a grid of one voxel beside it.
+GltfBuilder smoke_of(const Json& density) {
+    GltfBuilder builder =
+        triangle_of({{"WEFT_medium", {{"scattering", {3, 1, 0}}, {"density", density}}}});
+    builder.files["a b.vol"] = vol_file({1, 1, 2}, {2, 5}, {1, 2, 3, 2, 4, 6});
+    return builder;
+}
+
+TEST(GltfMedium, MediaHaveGrids) {
+    GltfBuilder builder = smoke_of({{"uri", "a%20b.vol"}});
+    builder.json["scenes"][0]["extensions"] = {
+        {"WEFT_medium",
+         {{"absorption", {1, 1, 1}},
+          {"density",
+           {{"uri", "a b.vol"},
+            {"box", {-1, -1, -1, 1, 3, 7}},
+            {"matrix", {0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1}}}}}}};
+    const Scene scene = builder.read();
+    ASSERT_EQ(scene.grids.size(), 1U);
+    EXPECT_EQ(scene.grids[0].densities, (std::vector<float>{2, 5}));
+    ASSERT_EQ(scene.media.size(), 2U);
+    const Medium& smoke = scene.media[0];
+    EXPECT_EQ(smoke.type, "heterogeneous");
+    EXPECT_EQ(smoke.sigma_t, glm::vec3(3, 1, 0));
+    EXPECT_EQ(smoke.grid, 0);
+    // Placed by the file's own box.
+    EXPECT_EQ(smoke.grid_to_world * glm::dvec4(1, 1, 1, 1), glm::dvec4(2, 4, 6, 1));
+    EXPECT_EQ(smoke.grid_to_world * glm::dvec4(0, 0, 0, 1), glm::dvec4(1, 2, 3, 1));
+    // By a box and a matrix that exchanges x and y.
+    EXPECT_EQ(scene.outer_medium, 1);
+    EXPECT_EQ(scene.media[1].grid, 0);
+    EXPECT_EQ(scene.media[1].grid_to_world * glm::dvec4(1, 1, 1, 1), glm::dvec4(8, 1, 7, 1));
+    EXPECT_EQ(scene.media[1].grid_to_world * glm::dvec4(0, 0, 0, 1), glm::dvec4(4, -1, -1, 1));
+    EXPECT_TRUE(builder.diagnostics.warnings().empty());
+}
+
+TEST(GltfMedium, RefusesWrongGrids) {
+    const auto error = [](const Json& density, const std::string& content = "") {
+        GltfBuilder builder = smoke_of(density);
+        if (!content.empty()) builder.files["a b.vol"] = content;
+        try {
+            (void)builder.read();
+        } catch (const Error& found) {
+            EXPECT_EQ(found.code(), ExitCode::bad_input);
+            const std::string text = found.what();
+            return text.substr(text.rfind('/', text.find(": ")) + 1);
+        }
+        return std::string("none");
+    };
+    EXPECT_NE(error(Json::object()).find("uri"), std::string::npos);
+    EXPECT_EQ(error({{"uri", "none.vol"}}).rfind("uri: ", 0), 0U);
+    EXPECT_EQ(error({{"uri", "../a b.vol"}}).rfind("uri: reference ", 0), 0U);
+    EXPECT_EQ(error({{"uri", "a b.vol"}, {"box", {0, 0, 0, 1, 0, 1}}}),
+              "box: reaches from 0 to 0 along y, expected increasing numbers");
+    EXPECT_NE(error({{"uri", "a b.vol"}, {"box", {0, 0, 0, 1}}}), "none");
+    EXPECT_EQ(
+        error({{"uri", "a b.vol"}, {"matrix", {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}),
+        "matrix: cannot be inverted, expected one that can");
+    EXPECT_EQ(
+        error({{"uri", "a b.vol"}, {"matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}),
+        "matrix: is not affine, expected 0, 0, 0, 1 as its last row");
+    EXPECT_EQ(error({{"uri", "a b.vol"}}, vol_file({1, 2, 1}, {1, -1})),
+              "a b.vol: voxel (0, 1, 0) is -1, expected a finite density of at least 0");
+    // A file without voxels is clear air.
+    GltfBuilder empty = smoke_of({{"uri", "a b.vol"}});
+    empty.files["a b.vol"] = vol_header({0, 1, 1});
+    EXPECT_TRUE(empty.read().grids.at(0).densities.empty());
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #define NATIVE_KERNELS "kernels/grid_tracking.h"
 #include "tests/native_kernels.h"
 
-#define RESULTS 8
+#define RESULTS 11
 
 #include "tests/grid_rays.h"
 #include "tests/native_density_grid.h"
@@ -38,7 +38,9 @@ WEFT_KERNEL(track)(GLOBAL const DensityGridRecord* records, GLOBAL const float* 
     Random random = make_random(1u, 2u, i);
     float t;
     float density;
-    r[0] = (float)grid_collision(&grid, origin, direction, ray[6], ray[7], sigma, &random, &t,
+    float3 ratio = f3(1.0f, 1.0f, 1.0f);
+    r[0] = (float)grid_collision(&grid, origin, direction, ray[6], ray[7],
+                                 f3(sigma, 0.1f * sigma, 0.7f * sigma), &ratio, &random, &t,
                                  &density);
     r[1] = t;
     r[2] = density;
@@ -49,6 +51,9 @@ WEFT_KERNEL(track)(GLOBAL const DensityGridRecord* records, GLOBAL const float* 
     r[5] = passed.z;
     r[6] = grid_depth(&grid, origin, direction, ray[6], ray[7]);
     r[7] = density_at(&grid, origin);
+    r[8] = ratio.x;
+    r[9] = ratio.y;
+    r[10] = ratio.z;
 }
 )
 // clang-format on

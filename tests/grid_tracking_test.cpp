@@ -84,6 +84,18 @@ void expect_ratio_tracking(const native::DensityGrid& grid, const Line& line, na
     }
 }
 
+/// Delta tracking of a medium of one extinction for all channels, whose ratio stays 1 to the bit.
+int grey_collision(const native::DensityGrid* grid, native::float3 origin, native::float3 direction,
+                   float first, float last, float sigma, native::Random* random, float* t,
+                   float* density) {
+    native::float3 ratio = native::f3(1.0F, 1.0F, 1.0F);
+    const int collided =
+        native::grid_collision(grid, origin, direction, first, last,
+                               native::f3(sigma, sigma, sigma), &ratio, random, t, density);
+    EXPECT_TRUE(ratio.x == 1.0F && ratio.y == 1.0F && ratio.z == 1.0F);
+    return collided;
+}
+
 /// Delta tracking collides with probability 1 - T(last), at t of the distribution 1 - T(t), where
 /// T(t) is exp(-sigma depth(t)).
 void expect_delta_tracking(const native::DensityGrid& grid, const Line& line, float sigma,
@@ -91,21 +103,20 @@ void expect_delta_tracking(const native::DensityGrid& grid, const Line& line, fl
                            std::uint32_t samples = many) {
     std::vector<double> collided;  // 1 - T(t) of each
     const double all = -std::expm1(-sigma * depth(line.last));
-    expect_mean(
-        estimate(samples,
-                 [&](native::Random& random) {
-                     float t = -1.0F;
-                     float density = -1.0F;
-                     if (native::grid_collision(&grid, line.origin, line.direction, 0.0F, line.last,
+    expect_mean(estimate(samples,
+                         [&](native::Random& random) {
+                             float t = -1.0F;
+                             float density = -1.0F;
+                             if (grey_collision(&grid, line.origin, line.direction, 0.0F, line.last,
                                                 sigma, &random, &t, &density) == 0) {
-                         EXPECT_EQ(t, line.last);
-                         return 0.0;
-                     }
-                     EXPECT_TRUE(density > 0.0F && t >= 0.0F && t <= line.last);
-                     collided.push_back(-std::expm1(-sigma * depth(t)) / all);
-                     return 1.0;
-                 }),
-        all);
+                                 EXPECT_EQ(t, line.last);
+                                 return 0.0;
+                             }
+                             EXPECT_TRUE(density > 0.0F && t >= 0.0F && t <= line.last);
+                             collided.push_back(-std::expm1(-sigma * depth(t)) / all);
+                             return 1.0;
+                         }),
+                all);
     std::sort(collided.begin(), collided.end());
     double distance = 0.0;
     const auto count = static_cast<double>(collided.size());
@@ -163,8 +174,8 @@ TEST(GridTracking, ConstantGridIsTheHomogeneousMedium) {
         float t = 0.0F;
         float density = 0.0F;
         const double flight = native::random_depth(&same) / (0.5 * 3.0);
-        if (native::grid_collision(&view, diagonal.origin, diagonal.direction, 0.0F, 4.0F, 3.0F,
-                                   &random, &t, &density) != 0) {
+        if (grey_collision(&view, diagonal.origin, diagonal.direction, 0.0F, 4.0F, 3.0F, &random,
+                           &t, &density) != 0) {
             EXPECT_NEAR(t, 1.0 + flight, 1e-6);
             EXPECT_EQ(density, 0.5F);
         } else {
@@ -220,13 +231,13 @@ TEST(GridTracking, NothingCollidesWithNothing) {
     for (const TestRay& ray : test_rays()) {
         float t = 0.0F;
         float density = 1.0F;
-        EXPECT_EQ(native::grid_collision(&nothing, ray.origin, ray.direction, ray.first, ray.last,
-                                         1e30F, &random, &t, &density),
+        EXPECT_EQ(grey_collision(&nothing, ray.origin, ray.direction, ray.first, ray.last, 1e30F,
+                                 &random, &t, &density),
                   0);
         EXPECT_EQ(t, ray.last);
         EXPECT_EQ(density, 0.0F);
-        EXPECT_EQ(native::grid_collision(&something, ray.origin, ray.direction, ray.first, ray.last,
-                                         0.0F, &random, &t, &density),
+        EXPECT_EQ(grey_collision(&something, ray.origin, ray.direction, ray.first, ray.last, 0.0F,
+                                 &random, &t, &density),
                   0);
         for (const auto& [grid, sigma] : {std::pair{nothing, 1e30F}, {something, 0.0F}}) {
             const native::float3 passed =
@@ -248,8 +259,8 @@ TEST(GridTracking, NothingPassesADenseGrid) {
             const native::float3 direction = native::f3(1.0F, 0.1F, 0.2F);
             float t = 0.0F;
             float density = 0.0F;
-            ASSERT_EQ(native::grid_collision(&view, origin, direction, 0.0F, infinity, sigma,
-                                             &random, &t, &density),
+            ASSERT_EQ(grey_collision(&view, origin, direction, 0.0F, infinity, sigma, &random, &t,
+                                     &density),
                       1);
             // The first density is that of random voxels, down to 1e-8 and less.
             EXPECT_NEAR(t, 0.3F, 0.1F);
@@ -258,6 +269,80 @@ TEST(GridTracking, NothingPassesADenseGrid) {
             EXPECT_TRUE(passed.x == 0.0F && passed.y == 0.0F && passed.z == 1.0F);
         }
     }
+}
+
+/// Delta tracking of all channels: weighted by the ratio, channel i collides before t with
+/// probability 1 - exp(-sigma_i depth(t)) and passes with the rest; no weight is above 3.
+void expect_spectral_tracking(const native::DensityGrid& grid, const Line& line,
+                              native::float3 sigma, const std::function<double(double)>& depth,
+                              std::uint32_t samples) {
+    const auto part = [](native::float3 v, int channel) {
+        return static_cast<double>(channel == 0 ? v.x : (channel == 1 ? v.y : v.z));
+    };
+    const float middle = 0.5F * line.last;
+    for (int channel = 0; channel < 3; ++channel)
+        for (const bool early : {true, false}) {
+            const auto sample = [&](native::Random& random) {
+                native::float3 ratio = native::f3(1.0F, 1.0F, 1.0F);
+                float t = 0.0F;
+                float density = 0.0F;
+                const bool collided =
+                    native::grid_collision(&grid, line.origin, line.direction, 0.0F, line.last,
+                                           sigma, &ratio, &random, &t, &density) != 0;
+                const bool counts = early ? collided && t <= middle : !collided;
+                // Scaled to what `estimate` expects.
+                return counts ? part(ratio, channel) / 3.0 * (1.0 - 1e-5) : 0.0;
+            };
+            const double depth_there = part(sigma, channel) * depth(early ? middle : line.last);
+            const double expected = early ? -std::expm1(-depth_there) : std::exp(-depth_there);
+            if (expected == 0.0) {
+                EXPECT_EQ(estimate(samples, sample).mean, 0.0);
+                continue;
+            }
+            expect_mean(estimate(samples, sample), expected / 3.0 * (1.0 - 1e-5));
+        }
+}
+
+TEST(GridTracking, ChannelsShareTheirCollisions) {
+    const NativeGrid random_grid(make_random_grid({33, 17, 20}, 3));
+    const NativeGrid slab(linear_slab());
+    const native::DensityGrid uneven = random_grid.view();
+    const native::DensityGrid linear = slab.view();
+    const native::float3 origin = native::f3(0.1F, -0.2F, 1.3F);
+    const Line line{origin, native::f3(0.8F, 0.9F, 0.4F) - origin, 2.0F};
+    const Line across{native::f3(0.0F, 0.3F, 0.6F), native::f3(1.0F, 0.0F, 0.0F), 1.0F};
+    for (const native::float3& sigma :
+         {native::f3(4.0F, 8.0F, 1.0F), native::f3(1.0F, 0.1F, 3.0F)}) {
+        expect_spectral_tracking(
+            uneven, line, sigma,
+            [&](double t) -> double {
+                return native::grid_depth(&uneven, line.origin, line.direction, 0.0F,
+                                          static_cast<float>(t));
+            },
+            many);
+        expect_spectral_tracking(linear, across, sigma, slab_depth, many);
+    }
+    // Beyond GRID_TENTATIVE, where channels share a depth that is integrated.
+    const NativeGrid sparse(make_grid({32, 8, 8}, [](std::uint32_t i, auto j, auto k) {
+        return j == 0 && k == 0 ? 1.0 : (1.0 + 0.1 * (i % 7)) * 1e-4;
+    }));
+    const native::DensityGrid mostly_clear = sparse.view();
+    const Line through{native::f3(0.0F, 0.3F, 0.3F), native::f3(1.0F, 0.3F, 0.3F), 1.0F};
+    expect_spectral_tracking(
+        mostly_clear, through, native::f3(1e4F, 3e3F, 2e4F),
+        [&](double t) -> double {
+            return native::grid_depth(&mostly_clear, through.origin, through.direction, 0.0F,
+                                      static_cast<float>(t));
+        },
+        5000);
+}
+
+TEST(GridTracking, ChannelsMayBeClearOrOpaque) {
+    const NativeGrid held(make_grid({5, 5, 5}, [](auto, auto, auto) { return 1.0; }));
+    const native::DensityGrid view = held.view();
+    const Line across{native::f3(0.0F, 0.3F, 0.6F), native::f3(1.0F, 0.0F, 0.0F), 1.0F};
+    const auto depth = [](double t) { return t; };
+    expect_spectral_tracking(view, across, native::f3(0.0F, 1.0F, 5.0F), depth, many);
 }
 
 // Whatever the ray, the density and the extinction, results are numbers within their ranges.
@@ -276,8 +361,8 @@ TEST(GridTracking, IsAlwaysDefined) {
         native::Random random = native::make_random(3, n++, 1);
         float t = 0.0F;
         float density = -1.0F;
-        const int collided = native::grid_collision(&view, ray.origin, ray.direction, ray.first,
-                                                    ray.last, sigma, &random, &t, &density);
+        const int collided = grey_collision(&view, ray.origin, ray.direction, ray.first, ray.last,
+                                            sigma, &random, &t, &density);
         ASSERT_TRUE(t <= ray.last && (collided == 0 || t >= ray.first));
         ASSERT_TRUE(density >= 0.0F && density <= most);
         const native::float3 passed =

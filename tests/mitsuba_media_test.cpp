@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "tests/mitsuba_folder.h"
+#include "tests/vol_bytes.h"
 
 namespace weft {
 namespace {
@@ -72,33 +73,85 @@ TEST(MitsubaMedia, AbsorptionAndScatteringBecomeExtinctionAndAlbedo) {
     EXPECT_EQ(scene.media.at(0).albedo, glm::vec3(0.75F, 0, 0));
 }
 
-TEST(MitsubaMedia, HeterogeneousMediaKeepTheirGridFile) {
-    MitsubaFolder folder;
-    folder.folder().write("grids/smoke.vol", "VOL");
-    const std::string medium =
+/// A box of smoke whose density is grids/`file`.
+std::string smoke(const std::string& file, const std::string& more = "") {
+    return cube(
         "<bsdf type=\"null\"/><medium name=\"interior\" type=\"heterogeneous\">"
         "<volume name=\"sigma_t\" type=\"gridvolume\">"
-        "<string name=\"filename\" value=\"grids/FILE\"/><transform name=\"to_world\">"
-        "<translate x=\"2\"/></transform></volume>"
+        "<string name=\"filename\" value=\"grids/" +
+        file + "\"/><transform name=\"to_world\"><scale x=\"4\"/><translate x=\"2\"/></transform>" +
+        more +
+        "</volume>"
         "<volume name=\"albedo\" type=\"constvolume\"><rgb name=\"value\" value=\"0.9\"/></volume>"
-        "<float name=\"scale\" value=\"10\"/></medium>";
-    const auto with = [&](const std::string& file) {
-        std::string text = cube(medium);
-        return text.replace(text.find("FILE"), 4, file);
-    };
-    const Scene scene = folder.read(with("smoke.vol"));
-    const Medium& smoke = scene.media.at(0);
-    EXPECT_EQ(smoke.type, "heterogeneous");
-    EXPECT_TRUE(std::filesystem::equivalent(smoke.density_file,
-                                            folder.folder().path() / "grids/smoke.vol"));
-    EXPECT_TRUE(std::filesystem::path(smoke.density_file).is_absolute());
-    EXPECT_EQ(smoke.grid_to_world[3][0], 2.0);
-    EXPECT_EQ(smoke.albedo, glm::vec3(0.9F));
-    EXPECT_EQ(smoke.scale, 10.0F);
+        "<float name=\"scale\" value=\"10\"/>"
+        "<phase type=\"hg\"><float name=\"g\" value=\"0.4\"/></phase></medium>");
+}
+
+TEST(MitsubaMedia, HeterogeneousMediaHaveGrids) {
+    MitsubaFolder folder;
+    folder.folder().write("grids/smoke.vol",
+                          vol_file({2, 1, 3}, {0, 1, 2, 3, 4, 5}, {1, 2, 3, 2, 4, 6}));
+    const Scene scene = folder.read(smoke("smoke.vol") + smoke("smoke.vol"));
+    const Medium& medium = scene.media.at(0);
+    EXPECT_EQ(medium.type, "heterogeneous");
+    EXPECT_EQ(medium.sigma_t, glm::vec3(1.0F));
+    EXPECT_EQ(medium.albedo, glm::vec3(0.9F));
+    EXPECT_EQ(medium.scale, 10.0F);
+    EXPECT_EQ(medium.anisotropy, 0.4F);
+    // Read once for both media.
+    ASSERT_EQ(scene.grids.size(), 1U);
+    EXPECT_EQ(medium.grid, 0);
+    EXPECT_EQ(scene.media.at(1).grid, 0);
+    EXPECT_EQ(scene.grids[0].size, (GridSize{2, 1, 3}));
+    EXPECT_EQ(scene.grids[0].densities, (std::vector<float>{0, 1, 2, 3, 4, 5}));
+    // The unit cube is placed, whatever the file's box is.
+    EXPECT_EQ(medium.grid_to_world[0][0], 4.0);
+    EXPECT_EQ(medium.grid_to_world[3][0], 2.0);
+    EXPECT_TRUE(folder.warnings().empty());
+}
+
+TEST(MitsubaMedia, GridsMayKeepTheirBox) {
+    MitsubaFolder folder;
+    folder.folder().write("grids/smoke.vol", vol_file({1, 1, 1}, {1}, {1, 2, 3, 2, 4, 6}));
+    const Scene scene = folder.read(smoke("smoke.vol",
+                                          "<boolean name=\"use_grid_bbox\" value=\"true\"/>"
+                                          "<string name=\"filter_type\" value=\"nearest\"/>\n"
+                                          "<string name=\"wrap_mode\" value=\"repeat\"/>"));
+    const glm::dmat4& placed = scene.media.at(0).grid_to_world;
+    EXPECT_EQ(placed[0][0], 4.0);
+    EXPECT_EQ(placed[1][1], 2.0);
+    EXPECT_EQ(placed[2][2], 3.0);
+    EXPECT_EQ(placed[3], glm::dvec4(6.0, 2.0, 3.0, 1.0));
     EXPECT_EQ(folder.warnings(),
-              Strings{"s.xml:2: media with a density grid are read but not simulated"});
-    const std::string missing = folder.error(with("none.vol"));
-    EXPECT_EQ(missing.rfind("s.xml:2: file 'grids/none.vol' is missing", 0), 0U) << missing;
+              (Strings{"s.xml:2: densities are trilinear whatever filter_type says",
+                       "s.xml:2: densities are clamped whatever wrap_mode says"}));
+}
+
+TEST(MitsubaMedia, RefusesBrokenGrids) {
+    MitsubaFolder folder;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    folder.folder().write("grids/nan.vol", vol_file({2, 1, 2}, {0, 1, 2, nan}));
+    folder.folder().write("grids/huge.vol", vol_header({65535, 65535, 65535}));
+    folder.folder().write("grids/short.vol", vol_file({2, 2, 2}, {1, 1, 1}));
+    folder.folder().write("grids/colour.vol", vol_header({1, 1, 1}, 3));
+    folder.folder().write("grids/text.vol", "density");
+    EXPECT_EQ(folder.error(smoke("none.vol")),
+              "s.xml:2: file 'grids/none.vol' is missing, expected a grid volume");
+    EXPECT_EQ(folder.error(smoke("nan.vol")),
+              "grids/nan.vol: voxel (1, 0, 1) is nan, expected a finite density of at least 0");
+    EXPECT_EQ(folder.error(smoke("huge.vol")).rfind("grids/huge.vol: a grid of 65535 x", 0), 0U);
+    EXPECT_EQ(folder.error(smoke("short.vol")), "grids/short.vol: the file holds 3 of 8 voxels");
+    EXPECT_EQ(folder.error(smoke("colour.vol")),
+              "grids/colour.vol: a grid volume of 3 channels, expected 1 (density)");
+    EXPECT_EQ(folder.error(smoke("text.vol")).rfind("grids/text.vol: not a density grid", 0), 0U);
+    EXPECT_EQ(folder.error(smoke("../s.xml")).rfind("s.xml:2: reference ", 0), 0U);
+    const std::string albedo =
+        folder.error(cube("<bsdf type=\"null\"/>\n<medium name=\"interior\" type=\"heterogeneous\">"
+                          "<volume name=\"sigma_t\" type=\"constvolume\"/>\n"
+                          "<volume name=\"albedo\" type=\"gridvolume\"/></medium>"));
+    EXPECT_EQ(albedo,
+              "s.xml:4: a grid for 'albedo', expected a constant: only the sigma_t of "
+              "heterogeneous media may vary");
 }
 
 TEST(MitsubaMedia, MediaBehindOpaqueSurfacesAreNamed) {

@@ -30,7 +30,10 @@ class NativeGrid {
                    majorants_.block,
                    greatest_density(grid),
                    0U,
-                   0U};
+                   0U,
+                   {1.0F, 0.0F, 0.0F, 0.0F},
+                   {0.0F, 1.0F, 0.0F, 0.0F},
+                   {0.0F, 0.0F, 1.0F, 0.0F}};
     }
     NativeGrid(const NativeGrid&) = delete;
     NativeGrid& operator=(const NativeGrid&) = delete;

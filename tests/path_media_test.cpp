@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "media_builder.h"
 #include "path_fixture.h"
 
 // Path tracing through participating media where the light is known: furnaces, airlight, slabs.
@@ -18,43 +19,17 @@
 namespace weft {
 namespace {
 
+using test::add_boundary;
 using test::at;
 using test::Backend;
+using test::cube_mesh;
+using test::medium_of;
 using test::Rendering;
 using test::SceneBuilder;
 using test::Tolerance;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
-
-Medium medium_of(const glm::vec3& sigma_t, const glm::vec3& albedo, float g = 0.0F) {
-    Medium medium;
-    medium.name = "fog";
-    medium.type = "homogeneous";
-    medium.sigma_t = sigma_t;
-    medium.albedo = albedo;
-    medium.anisotropy = g;
-    return medium;
-}
-
-/// Adds a mesh as the boundary of a medium, or of clear air.
-void add_boundary(Scene& scene, Mesh mesh, const glm::dmat4& to_world, int interior,
-                  int exterior = -1) {
-    MediumBoundary boundary;
-    boundary.mesh = static_cast<std::uint32_t>(scene.meshes.size());
-    boundary.to_world = to_world;
-    boundary.interior = interior;
-    boundary.exterior = exterior;
-    scene.meshes.push_back(std::move(mesh));
-    scene.medium_boundaries.push_back(boundary);
-}
-
-/// The cube [-1,1]^3 with normals outwards.
-Mesh cube_mesh() {
-    Mesh cube = test::room_mesh();
-    for (auto& t : cube.triangles) std::swap(t[1], t[2]);
-    return cube;
-}
 
 void expect_beauty(const Rendering& rendering, const glm::vec3& expected, double error,
                    const std::string& what) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "run_program.h"
+#include "vol_bytes.h"
 
 namespace weft {
 namespace {
@@ -146,6 +147,16 @@ TEST(Program, InfoOfAnEmptySceneAndOfMedia) {
     EXPECT_EQ(media["medium_list"],
               json::array({"homogeneous (homogeneous, extinction 1, albedo 0.75, g 0)"}));
     EXPECT_EQ(media["triangles"], 0);  // the boundary is no surface
+    folder.write("smoke.vol", vol_file({2, 1, 3}, {0, 1, 2, 3, 4, 5}));
+    const json smoke = info_of(
+        folder.write("smoke.xml",
+                     "<scene version=\"3.0.0\">\n<shape type=\"cube\"><bsdf type=\"null\"/>"
+                     "<medium name=\"interior\" type=\"heterogeneous\"><volume name=\"sigma_t\" "
+                     "type=\"gridvolume\"><string name=\"filename\" value=\"smoke.vol\"/></volume>"
+                     "</medium></shape>\n</scene>\n"));
+    EXPECT_EQ(smoke["medium_list"],
+              json::array({"heterogeneous (density grid of 2 x 1 x 3 voxels up to 5, extinction 1, "
+                           "albedo 0.75, g 0)"}));
     const json effects = media["effects"];
     EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [](const json& effect) {
         return effect.get<std::string>().starts_with("participating media");

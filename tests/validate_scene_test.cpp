@@ -152,6 +152,19 @@ TEST(ValidateScene, ChecksLightsCamerasMediaAndFilm) {
               "a.gltf: medium 'fog' has an extinction that is negative or not finite");
     EXPECT_EQ(error_after([](Scene& s) { s.media[0].anisotropy = 1; }),
               "a.gltf: medium 'fog' has an anisotropy outside (-1, 1)");
+    EXPECT_EQ(error_after([](Scene& s) { s.media[0].grid = 0; }),
+              "a.gltf: medium 'fog' refers to a density grid that does not exist");
+    EXPECT_EQ(
+        error_after([](Scene& s) {
+            s.grids.push_back({{1, 1, 2}, {0, -1}});
+        }),
+        "a.gltf: density grid: voxel (0, 0, 1) is -1, expected a finite density of at least 0");
+    EXPECT_EQ(error_after([](Scene& s) {
+                  s.grids.push_back({{1, 1, 1}, {1}});
+                  s.media[0].grid = 0;
+                  s.media[0].grid_to_world[0][0] = 0.0;
+              }),
+              "a.gltf: medium 'fog' has a transform that cannot be inverted");
     EXPECT_EQ(error_after([](Scene& s) { s.medium_boundaries[0].exterior = 1; }),
               "a.gltf: medium boundary refers to a medium that does not exist");
     EXPECT_EQ(error_after([](Scene& s) { s.camera_medium = 1; }),

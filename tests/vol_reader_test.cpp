@@ -12,36 +12,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "tests/vol_bytes.h"
 
 namespace weft {
 namespace {
 
-constexpr std::array<float, 6> unit_box = {0, 0, 0, 1, 1, 1};
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-void put(std::string& bytes, std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> 8 * i & 255);
-}
-
-void put(std::string& bytes, float value) {
-    put(bytes, std::bit_cast<std::uint32_t>(value));
-}
-
-std::string header(const std::array<std::uint32_t, 3>& size, std::uint32_t channels = 1,
-                   const std::array<float, 6>& box = unit_box) {
-    std::string bytes = "VOL\3";
-    put(bytes, std::uint32_t{1});
-    for (const std::uint32_t edge : size) put(bytes, edge);
-    put(bytes, channels);
-    for (const float bound : box) put(bytes, bound);
-    return bytes;
-}
-
-std::string file(const std::array<std::uint32_t, 3>& size, const std::vector<float>& densities) {
-    std::string bytes = header(size);
-    for (const float density : densities) put(bytes, density);
-    return bytes;
-}
 
 DensityGrid decode(const std::string& bytes, Diagnostics& diagnostics) {
     return decode_vol(std::as_bytes(std::span(bytes)), "smoke.vol", diagnostics);
@@ -66,14 +42,14 @@ std::string error_of(const std::string& bytes) {
 }
 
 TEST(VolReader, ReadsVoxelsWithXFirst) {
-    const DensityGrid grid = decode(file({3, 2, 1}, {0, 1, 2, 3, 4, 5.5F}));
+    const DensityGrid grid = decode(vol_file({3, 2, 1}, {0, 1, 2, 3, 4, 5.5F}));
     EXPECT_EQ(grid.size, (GridSize{3, 2, 1}));
     EXPECT_EQ(grid.densities, (std::vector<float>{0, 1, 2, 3, 4, 5.5F}));
     EXPECT_EQ(grid.placement, glm::dmat4(1.0));
 }
 
 TEST(VolReader, PlacesTheCubeInTheBoundingBox) {
-    std::string bytes = header({1, 1, 1}, 1, {-1, 2, 3, 1, 2.5F, 13});
+    std::string bytes = vol_header({1, 1, 1}, 1, {-1, 2, 3, 1, 2.5F, 13});
     put(bytes, 1.0F);
     const DensityGrid grid = decode(bytes);
     EXPECT_EQ(glm::dvec3(grid.placement * glm::dvec4(0, 0, 0, 1)), glm::dvec3(-1, 2, 3));
@@ -85,7 +61,7 @@ TEST(VolReader, ABoundingBoxThatIsNoneCountsAsTheUnitCube) {
          {std::array<float, 6>{0, 0, 0, 0, 1, 1}, std::array<float, 6>{0, 0, 2, 1, 1, 1},
           std::array<float, 6>{0, -infinity, 0, 1, 1, 1},
           std::array<float, 6>{0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 1}}) {
-        std::string bytes = header({1, 1, 1}, 1, box);
+        std::string bytes = vol_header({1, 1, 1}, 1, box);
         put(bytes, 1.0F);
         Diagnostics diagnostics;
         EXPECT_EQ(decode(bytes, diagnostics).placement, glm::dmat4(1.0));
@@ -97,12 +73,12 @@ TEST(VolReader, ABoundingBoxThatIsNoneCountsAsTheUnitCube) {
 TEST(VolReader, TakesAnEmptyGrid) {
     for (const std::array<std::uint32_t, 3>& size :
          {std::array<std::uint32_t, 3>{0, 0, 0}, {5, 0, 5}, {2147483647, 2147483647, 0}})
-        EXPECT_TRUE(decode(header(size)).densities.empty());
+        EXPECT_TRUE(decode(vol_header(size)).densities.empty());
 }
 
 TEST(VolReader, IgnoresWhatFollowsTheVoxels) {
     Diagnostics diagnostics;
-    EXPECT_EQ(decode(file({1, 1, 1}, {2}) + "x", diagnostics).densities.size(), 1U);
+    EXPECT_EQ(decode(vol_file({1, 1, 1}, {2}) + "x", diagnostics).densities.size(), 1U);
     ASSERT_EQ(diagnostics.warnings().size(), 1U);
     EXPECT_EQ(diagnostics.warnings()[0], "smoke.vol: data after the last voxel is ignored");
 }
@@ -112,39 +88,39 @@ TEST(VolReader, RefusesOtherFiles) {
     EXPECT_EQ(error_of(""), no_vol);
     EXPECT_EQ(error_of("VO"), no_vol);
     EXPECT_EQ(error_of("ply\nformat ascii 1.0\n"), no_vol);
-    std::string version = file({1, 1, 1}, {1});
+    std::string version = vol_file({1, 1, 1}, {1});
     version[3] = 4;
     EXPECT_EQ(error_of(version), "smoke.vol: grid volume of version 4, expected 3");
-    std::string encoding = file({1, 1, 1}, {1});
+    std::string encoding = vol_file({1, 1, 1}, {1});
     encoding[4] = 3;
     EXPECT_EQ(error_of(encoding), "smoke.vol: voxels of encoding 3, expected 1 (float32)");
-    EXPECT_EQ(error_of(header({1, 1, 1}, 3) + std::string(12, '\0')),
+    EXPECT_EQ(error_of(vol_header({1, 1, 1}, 3) + std::string(12, '\0')),
               "smoke.vol: a grid volume of 3 channels, expected 1 (density)");
-    EXPECT_EQ(error_of(header({1, 1, 1}, 0)),
+    EXPECT_EQ(error_of(vol_header({1, 1, 1}, 0)),
               "smoke.vol: a grid volume of 0 channels, expected 1 (density)");
 }
 
 TEST(VolReader, RefusesSizesThatTheFileDoesNotHold) {
-    EXPECT_EQ(error_of(header({1, 0xFFFFFFFE, 1})),
+    EXPECT_EQ(error_of(vol_header({1, 0xFFFFFFFE, 1})),
               "smoke.vol: a grid of -2 voxels along y, expected 0 or more");
-    EXPECT_EQ(error_of(header({2147483647, 2147483647, 2147483647})).substr(0, 64),
+    EXPECT_EQ(error_of(vol_header({2147483647, 2147483647, 2147483647})).substr(0, 64),
               "smoke.vol: a grid of 2147483647 x 2147483647 x 2147483647 voxels");
     // Allowed, but a gigabyte that is not there: refused before memory is taken.
-    EXPECT_EQ(error_of(header({1024, 512, 512})),
+    EXPECT_EQ(error_of(vol_header({1024, 512, 512})),
               "smoke.vol: the file holds 0 of 268435456 voxels");
-    EXPECT_EQ(error_of(file({2, 2, 2}, {1, 1, 1, 1, 1, 1, 1}) + "abc"),
+    EXPECT_EQ(error_of(vol_file({2, 2, 2}, {1, 1, 1, 1, 1, 1, 1}) + "abc"),
               "smoke.vol: the file holds 7 of 8 voxels");
 }
 
 TEST(VolReader, RefusesVoxelsThatAreNoDensities) {
-    EXPECT_EQ(error_of(file({1, 2, 2}, {0, 1, 2, -1})),
+    EXPECT_EQ(error_of(vol_file({1, 2, 2}, {0, 1, 2, -1})),
               "smoke.vol: voxel (0, 1, 1) is -1, expected a finite density of at least 0");
-    EXPECT_EQ(error_of(file({2, 1, 1}, {0, infinity})),
+    EXPECT_EQ(error_of(vol_file({2, 1, 1}, {0, infinity})),
               "smoke.vol: voxel (1, 0, 0) is inf, expected a finite density of at least 0");
 }
 
 TEST(VolReader, RefusesAFileThatIsCutAnywhere) {
-    const std::string whole = file({2, 2, 1}, {1, 2, 3, 4});
+    const std::string whole = vol_file({2, 2, 1}, {1, 2, 3, 4});
     for (std::size_t length = 0; length < whole.size(); ++length)
         EXPECT_NE(error_of(whole.substr(0, length)), "no error") << length;
     EXPECT_EQ(error_of(whole), "no error");
@@ -152,7 +128,7 @@ TEST(VolReader, RefusesAFileThatIsCutAnywhere) {
 
 // Whatever a byte is changed to, the file is read or refused.
 TEST(VolReader, ReadsOrRefusesAFileWithAnyByteChanged) {
-    const std::string whole = file({2, 2, 1}, {1, 2, 3, 4});
+    const std::string whole = vol_file({2, 2, 1}, {1, 2, 3, 4});
     for (std::size_t i = 0; i < whole.size(); ++i) {
         for (int value = 0; value < 256; ++value) {
             std::string changed = whole;

@@ -38,16 +38,23 @@ std::vector<std::string> effects_of(const FlatScene& flat) {
     return effects;
 }
 
+/// Where a medium's extinction comes from.
+std::string density_of(const Scene& scene, const Medium& medium) {
+    if (medium.grid < 0) return "homogeneous";
+    const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.grid)];
+    return fmt::format("density grid of {} x {} x {} voxels up to {:g}", grid.size[0], grid.size[1],
+                       grid.size[2], greatest_density(grid));
+}
+
 /// A medium in one line.
-std::string describe(const Medium& medium) {
+std::string describe(const Scene& scene, const Medium& medium) {
     const auto colour = [](const glm::vec3& c) {
         return c.r == c.g && c.g == c.b ? fmt::format("{:g}", c.r)
                                         : fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b);
     };
     return fmt::format("{} ({}, extinction {}, albedo {}, g {:g})", medium.name,
-                       medium.density_file.empty() ? "homogeneous" : "density grid, not simulated",
-                       colour(medium.sigma_t * medium.scale), colour(medium.albedo),
-                       medium.anisotropy);
+                       density_of(scene, medium), colour(medium.sigma_t * medium.scale),
+                       colour(medium.albedo), medium.anisotropy);
 }
 
 nlohmann::json info_json(const Scene& scene) {
@@ -59,7 +66,7 @@ nlohmann::json info_json(const Scene& scene) {
     std::vector<std::string> kernels;
     for (const KernelId kernel : kernels_of(plan)) kernels.emplace_back(kernel_name(kernel));
     std::vector<std::string> media;
-    for (const Medium& medium : scene.media) media.push_back(describe(medium));
+    for (const Medium& medium : scene.media) media.push_back(describe(scene, medium));
     std::vector<std::string> cameras;
     for (const Camera& camera : scene.cameras) cameras.push_back(camera.name);
     return {{"scene", scene.source},

@@ -57,6 +57,7 @@ inline constexpr std::uint32_t max_threads = 4096;
 inline constexpr std::uint32_t max_tile_edge = 4096;                     // pixels
 inline constexpr std::size_t max_hdr_vdp_pixels = std::size_t{1} << 26;  // 7 GB of maps
 inline constexpr std::size_t max_grid_voxels = power(28);                // of one density grid
+inline constexpr std::size_t max_scene_voxels = power(30);               // of all of them
 inline constexpr std::size_t max_nanovdb_bytes = power(31);              // one grid, unpacked
 inline constexpr double max_coordinate = 1e15;  // |world coordinate|; beyond it squares overflow
 

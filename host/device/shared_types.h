@@ -23,7 +23,7 @@ static_assert(sizeof(TextureRecord) == 16);
 static_assert(sizeof(LightRecord) == 112);
 static_assert(sizeof(EmissiveTriangle) == 16);
 static_assert(sizeof(Vpl) == 64);
-static_assert(sizeof(DensityGridRecord) == 48);
+static_assert(sizeof(DensityGridRecord) == 96);
 static_assert(sizeof(MediumRecord) == 48);
 static_assert(sizeof(MediaRecord) == 144);
 static_assert(sizeof(TileRecord) == 32);

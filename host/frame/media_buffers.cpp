@@ -10,6 +10,10 @@ namespace weft {
 std::vector<Buffer*> MediaBuffers::followed_by(const std::vector<Buffer*>& others) const {
     std::vector<Buffer*> list;
     for (const auto& buffer : all) list.push_back(buffer.get());
+    for (const auto& buffer : grids) list.push_back(buffer.get());
+    // Arguments that no kernel looks at without grids.
+    constexpr std::size_t grid_arguments = 3;
+    if (!all.empty() && grids.empty()) list.insert(list.end(), grid_arguments, all.back().get());
     list.insert(list.end(), others.begin(), others.end());
     return list;
 }
@@ -28,6 +32,13 @@ MediaBuffers upload_media(Executor& executor, const FlatMedia& media) {
     add(std::span<const shared::float4>(media.normals), "normals of media boundaries");
     add(std::span<const shared::MediumRecord>(media.records), "media");
     add(std::span<const shared::MediaRecord>(&media.space, 1), "space of media");
+    if (media.grids.records.empty()) return buffers;
+    const auto add_grid = [&]<class T>(const std::vector<T>& values, const char* what) {
+        buffers.grids.push_back(upload<T>(executor, std::span<const T>(values), what));
+    };
+    add_grid(media.grids.records, "density grids");
+    add_grid(media.grids.densities, "densities");
+    add_grid(media.grids.bounds, "bounds of densities");
     return buffers;
 }
 

@@ -12,10 +12,11 @@
 
 namespace weft {
 
-/// Participating media on the device; the order of `all` is that of MEDIA_ARGS. Empty for scenes
-/// without any.
+/// Participating media on the device; the order of `all`, and of `grids` behind it, is that of
+/// MEDIA_ARGS. Empty for scenes without any, and `grids` for scenes without density grids.
 struct MediaBuffers {
     std::vector<std::unique_ptr<Buffer>> all;
+    std::vector<std::unique_ptr<Buffer>> grids;
 
     /// The buffers, followed by others.
     [[nodiscard]] std::vector<Buffer*> followed_by(const std::vector<Buffer*>& others) const;

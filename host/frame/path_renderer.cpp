@@ -67,7 +67,9 @@ std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings
     constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
                                           FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
                                           FEATURE_ENVIRONMENT;
-    return (scene.features & of_surfaces) | (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
+    return (scene.features & of_surfaces) |
+           (scene.media.grids.records.empty() ? 0U : FEATURE_DENSITY_GRIDS) |
+           (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
 
@@ -91,6 +93,8 @@ std::string picture_identity(const FlatScene& scene, const shared::Params& param
         add(scene.media.records);
         add(scene.media.positions);
         add(scene.media.triangles);
+        add(scene.media.grids.records);
+        add(scene.media.grids.densities);
         digest.add(std::span<const shared::MediaRecord>(&scene.media.space, 1));
     }
     shared::Params constant = params;

@@ -30,21 +30,27 @@ std::uint32_t medium_or_none(int medium) {
     return medium >= 0 ? static_cast<std::uint32_t>(medium) : NO_MEDIUM;
 }
 
-/// Whether the medium is of no effect, or not simulated.
-bool is_clear(const Medium& medium) {
-    const glm::vec3 sigma = medium.sigma_t * medium.scale;
-    return !medium.density_file.empty() || !(std::max({sigma.r, sigma.g, sigma.b}) > 0.0F);
+/// The density that a medium's extinction is for, in kernels: the greatest of its grid.
+float unit_density(const Scene& scene, const Medium& medium) {
+    return medium.grid < 0 ? 1.0F
+                           : greatest_density(scene.grids[static_cast<std::size_t>(medium.grid)]);
 }
 
-shared::MediumRecord record_of(const Medium& medium, const KernelUnits& units) {
+/// Whether the medium is of no effect.
+bool is_clear(const Scene& scene, const Medium& medium) {
+    const glm::vec3 sigma = medium.sigma_t * medium.scale;
+    return !(std::max({sigma.r, sigma.g, sigma.b}) > 0.0F) || !(unit_density(scene, medium) > 0.0F);
+}
+
+shared::MediumRecord record_of(const Scene& scene, const Medium& medium, const KernelUnits& units) {
     shared::MediumRecord record{};
     glm::vec3 sigma(0.0F);
-    if (!is_clear(medium))
-        for (int c = 0; c < 3; ++c) {
-            const double value = static_cast<double>(medium.sigma_t[c]) *
-                                 static_cast<double>(medium.scale) / units.scale;
-            sigma[c] = static_cast<float>(std::min(value, static_cast<double>(largest_extinction)));
-        }
+    const auto density = static_cast<double>(unit_density(scene, medium));
+    for (int c = 0; c < 3; ++c) {
+        const double value = static_cast<double>(medium.sigma_t[c]) *
+                             static_cast<double>(medium.scale) * density / units.scale;
+        sigma[c] = static_cast<float>(std::min(value, static_cast<double>(largest_extinction)));
+    }
     record.sigma_t = {sigma.r, sigma.g, sigma.b, 0.0F};
     record.albedo = {medium.albedo.r, medium.albedo.g, medium.albedo.b, 0.0F};
     record.anisotropy = medium.anisotropy;
@@ -159,7 +165,9 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 }  // namespace
 
 FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
-    if (std::all_of(scene.media.begin(), scene.media.end(), is_clear)) return {};
+    std::vector<bool> clear;
+    for (const Medium& medium : scene.media) clear.push_back(is_clear(scene, medium));
+    if (std::find(clear.begin(), clear.end(), false) == clear.end()) return {};
     FlatMedia media;
     std::fill(std::begin(media.space.inside), std::end(media.space.inside), NO_MEDIUM);
     std::uint32_t outside_largest = NO_MEDIUM;
@@ -173,13 +181,16 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
         extent = std::max({extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     media.space.rounding = extent * 0x1p-22F;
     media.space.outside = outermost(scene, units, media, outside_largest);
-    const auto counts = [&](std::uint32_t medium) {
-        return medium != NO_MEDIUM && !is_clear(scene.media[medium]);
-    };
+    const auto counts = [&](std::uint32_t medium) { return medium != NO_MEDIUM && !clear[medium]; };
     if (!counts(media.space.outside) &&
         std::none_of(std::begin(media.space.inside), std::end(media.space.inside), counts))
         return {};
-    for (const Medium& medium : scene.media) media.records.push_back(record_of(medium, units));
+    for (std::size_t i = 0; i < scene.media.size(); ++i) {
+        const Medium& medium = scene.media[i];
+        media.records.push_back(record_of(scene, medium, units));
+        if (medium.grid >= 0 && !clear[i])
+            media.records.back().grid = media.grids.add(scene, medium, units);
+    }
     return media;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device/shared_types.h"
+#include "scene/flat_grids.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -23,6 +24,7 @@ struct FlatMedia {
     std::vector<shared::float4> positions;    ///< of the boundaries
     std::vector<shared::Triangle> triangles;  ///< `instance` is the number of the boundary
     std::vector<shared::float4> normals;      ///< by triangle, outwards; w: the number, as bits
+    FlatGrids grids;                          ///< that records refer to
 
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
 };

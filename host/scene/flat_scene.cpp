@@ -44,11 +44,18 @@ struct Extent {
 
     void add(const Mesh& mesh, const glm::dmat4& to_world) {
         for (const auto& triangle : mesh.triangles)
-            for (const std::uint32_t vertex : triangle) {
-                const glm::dvec3 p(to_world * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0));
-                low = glm::min(low, p);
-                high = glm::max(high, p);
-            }
+            for (const std::uint32_t vertex : triangle)
+                add(glm::dvec3(to_world * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0)));
+    }
+    /// The unit cube.
+    void add_cube(const glm::dmat4& to_world) {
+        for (int corner = 0; corner < 8; ++corner)
+            add(glm::dvec3(to_world *
+                           glm::dvec4(corner & 1, corner >> 1 & 1, corner >> 2 & 1, 1.0)));
+    }
+    void add(const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
     }
     [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
 };
@@ -58,9 +65,12 @@ KernelUnits kernel_units(const Scene& scene) {
     for (const Instance& instance : scene.instances)
         extent.add(scene.meshes[instance.mesh], instance.to_world);
     // Where there are surfaces their precision counts, however large the fog about them.
-    if (extent.empty())
+    if (extent.empty()) {
         for (const MediumBoundary& boundary : scene.medium_boundaries)
             extent.add(scene.meshes[boundary.mesh], boundary.to_world);
+        for (const Medium& medium : scene.media)
+            if (medium.grid >= 0) extent.add_cube(medium.grid_to_world);
+    }
     KernelUnits units;
     if (extent.empty()) return units;
     units.centre = 0.5 * (extent.low + extent.high);

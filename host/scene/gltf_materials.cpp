@@ -67,11 +67,12 @@ void read_uv_mapping(const GltfValue& info, GltfSurface& surface) {
 }  // namespace
 
 GltfMaterials::GltfMaterials(const GltfDocument& document, GltfTextures& textures,
-                             GltfReport& report, std::vector<Material>& materials,
-                             std::vector<Medium>& media)
+                             GltfReport& report, GltfDensities& densities,
+                             std::vector<Material>& materials, std::vector<Medium>& media)
     : root_(document.root()),
       textures_(textures),
       report_(report),
+      densities_(densities),
       materials_(materials),
       media_(media) {}
 
@@ -97,7 +98,7 @@ GltfSurface GltfMaterials::convert(const GltfValue& value, std::size_t index) {
     GltfSurface surface;
     Material material;
     material.name = value.name_or("material " + std::to_string(index));
-    if (std::optional<Medium> medium = read_gltf_medium(value, material.name)) {
+    if (std::optional<Medium> medium = read_gltf_medium(value, material.name, densities_)) {
         surface.medium = static_cast<int>(media_.size());
         media_.push_back(*std::move(medium));
         return surface;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/gltf_density.h"
 #include "scene/gltf_textures.h"
 
 namespace weft {
@@ -27,7 +28,8 @@ struct GltfSurface {
 class GltfMaterials {
   public:
     GltfMaterials(const GltfDocument& document, GltfTextures& textures, GltfReport& report,
-                  std::vector<Material>& materials, std::vector<Medium>& media);
+                  GltfDensities& densities, std::vector<Material>& materials,
+                  std::vector<Medium>& media);
 
     /// The material whose index `reference` holds, or glTF's default material. Throws Error (exit
     /// code 2).
@@ -44,6 +46,7 @@ class GltfMaterials {
     GltfValue root_;
     GltfTextures& textures_;
     GltfReport& report_;
+    GltfDensities& densities_;
     std::vector<Material>& materials_;
     std::vector<Medium>& media_;
     std::map<std::size_t, GltfSurface> surfaces_;

@@ -49,7 +49,8 @@ glm::dvec3 attenuation(const GltfValue& value) {
 
 }  // namespace
 
-std::optional<Medium> read_gltf_medium(const GltfValue& value, const std::string& name) {
+std::optional<Medium> read_gltf_medium(const GltfValue& value, const std::string& name,
+                                       GltfDensities& densities) {
     const std::optional<GltfValue> extension = value.extension("WEFT_medium");
     if (!extension) return std::nullopt;
     const glm::dvec3 scattered = coefficients(*extension, "scattering");
@@ -67,15 +68,17 @@ std::optional<Medium> read_gltf_medium(const GltfValue& value, const std::string
         medium.sigma_t[c] = static_cast<float>(extinction);
         medium.albedo[c] = extinction > 0.0 ? static_cast<float>(scattered[c] / extinction) : 0.0F;
     }
+    if (const std::optional<GltfValue> density = extension->find("density"))
+        densities.read(*density, medium);
     return medium;
 }
 
-std::optional<Medium> read_gltf_outer_medium(const GltfValue& root) {
+std::optional<Medium> read_gltf_outer_medium(const GltfValue& root, GltfDensities& densities) {
     const std::size_t scenes = root.size_of("scenes");
     if (scenes == 0) return std::nullopt;
     const std::optional<GltfValue> chosen = root.find("scene");
     const std::size_t scene = chosen ? chosen->as_index(scenes, "scenes") : 0;
-    return read_gltf_medium(root.at("scenes").element(scene), "fog");
+    return read_gltf_medium(root.at("scenes").element(scene), "fog", densities);
 }
 
 }  // namespace weft

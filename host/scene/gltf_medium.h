@@ -6,19 +6,22 @@
 #include <optional>
 #include <string>
 
+#include "scene/gltf_density.h"
 #include "scene/gltf_document.h"
 #include "scene/scene.h"
 
 namespace weft {
 
-/// The medium of a material or scene with the extension WEFT_medium: its scattering and absorption,
-/// and the absorption of KHR_materials_volume. Throws Error (exit code 2) for coefficients that are
-/// negative or too large and an anisotropy outside (-1, 1).
+/// The medium of a material or scene with the extension WEFT_medium: its scattering, absorption and
+/// density, and the absorption of KHR_materials_volume. Throws Error (exit code 2) for coefficients
+/// that are negative or too large, an anisotropy outside (-1, 1), and what GltfDensities refuses.
 [[nodiscard]] std::optional<Medium> read_gltf_medium(const GltfValue& value,
-                                                     const std::string& name);
+                                                     const std::string& name,
+                                                     GltfDensities& densities);
 
 /// The medium that fills the space of the scene that is rendered.
-[[nodiscard]] std::optional<Medium> read_gltf_outer_medium(const GltfValue& root);
+[[nodiscard]] std::optional<Medium> read_gltf_outer_medium(const GltfValue& root,
+                                                           GltfDensities& densities);
 
 }  // namespace weft
 

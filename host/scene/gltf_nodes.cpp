@@ -85,23 +85,6 @@ std::vector<std::size_t> find_roots(const GltfValue& root, const std::vector<std
     return roots;
 }
 
-glm::dmat4 read_matrix(const GltfValue& node) {
-    std::array<double, 16> identity{};
-    for (std::size_t i = 0; i < 4; ++i) identity[5 * i] = 1.0;
-    const std::array<double, 16> values = node.numbers_or<16>("matrix", identity);
-    glm::dmat4 matrix(1.0);
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            matrix[column][row] = values[static_cast<std::size_t>(4 * column + row)];
-    for (int column = 0; column < 4; ++column) {
-        const double expected = column == 3 ? 1.0 : 0.0;
-        if (std::abs(matrix[column][3] - expected) > 1e-6)
-            throw node.at("matrix").error("is not affine, expected 0, 0, 0, 1 as its last row");
-        matrix[column][3] = expected;
-    }
-    return matrix;
-}
-
 Pose read_pose(const GltfValue& node) {
     const std::array<double, 3> t = node.numbers_or<3>("translation", {0.0, 0.0, 0.0});
     const std::array<double, 4> r = node.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
@@ -120,7 +103,7 @@ glm::dmat4 read_local_transform(const GltfValue& node) {
         if (node.find(key))
             throw node.error(std::string("has both 'matrix' and '") + key +
                              "', expected one of them");
-    return read_matrix(node);
+    return read_gltf_matrix(node);
 }
 
 /// What carries the children of a node that `parent` carries. An animated one is a moving node of
@@ -140,6 +123,23 @@ Attachment attach(const GltfValue& node, const glm::dmat4& local, const Attachme
 }
 
 }  // namespace
+
+glm::dmat4 read_gltf_matrix(const GltfValue& value) {
+    std::array<double, 16> identity{};
+    for (std::size_t i = 0; i < 4; ++i) identity[5 * i] = 1.0;
+    const std::array<double, 16> values = value.numbers_or<16>("matrix", identity);
+    glm::dmat4 matrix(1.0);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            matrix[column][row] = values[static_cast<std::size_t>(4 * column + row)];
+    for (int column = 0; column < 4; ++column) {
+        const double expected = column == 3 ? 1.0 : 0.0;
+        if (std::abs(matrix[column][3] - expected) > 1e-6)
+            throw value.at("matrix").error("is not affine, expected 0, 0, 0, 1 as its last row");
+        matrix[column][3] = expected;
+    }
+    return matrix;
+}
 
 std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
                                       const GltfAnimatedNodes& animated, Animation& animation,

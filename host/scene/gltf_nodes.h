@@ -29,6 +29,10 @@ struct GltfNode {
                                                     const GltfAnimatedNodes& animated,
                                                     Animation& animation, GltfReport& report);
 
+/// The `matrix` of an object, 16 numbers by columns; else the identity. Throws Error (exit code 2)
+/// where it is not affine.
+[[nodiscard]] glm::dmat4 read_gltf_matrix(const GltfValue& value);
+
 /// Whether things can be placed with `to_world`: throws Error (exit code 2) where it is not
 /// finite; warns and returns false where it flattens space, as exporters do to hide objects.
 [[nodiscard]] bool usable_transform(const GltfNode& node, GltfReport& report);

@@ -35,7 +35,8 @@ class GltfReader {
           report_(diagnostics),
           data_(document),
           textures_(document, data_, report_, scene_.textures),
-          materials_(document, textures_, report_, scene_.materials, scene_.media) {}
+          densities_(document.path, scene_.grids, diagnostics),
+          materials_(document, textures_, report_, densities_, scene_.materials, scene_.media) {}
 
     GltfReader(const GltfReader&) = delete;
     GltfReader& operator=(const GltfReader&) = delete;
@@ -48,7 +49,7 @@ class GltfReader {
             read_gltf_animations(document_, data_, report_, animation.tracks);
         for (const GltfNode& node : read_gltf_nodes(document_, animated, animation, report_))
             add_node(node);
-        if (std::optional<Medium> fog = read_gltf_outer_medium(root_)) {
+        if (std::optional<Medium> fog = read_gltf_outer_medium(root_, densities_)) {
             scene_.outer_medium = static_cast<int>(scene_.media.size());
             scene_.media.push_back(*std::move(fog));
         }
@@ -136,6 +137,7 @@ class GltfReader {
     GltfReport report_;
     GltfData data_;
     GltfTextures textures_;
+    GltfDensities densities_;
     GltfMaterials materials_;
     std::size_t triangles_read_ = 0;
     std::map<std::size_t, std::vector<Part>> parts_;

@@ -80,6 +80,11 @@ glm::vec3 MediumReader::read_volume(Object& object, const char* name, const glm:
         return object.colour(name, ColourUse::medium, missing);
     Object volume(*found, context_);
     if (volume.type() == "constvolume") return volume.colour("value", ColourUse::medium, missing);
+    if (volume.type() == "gridvolume")
+        throw input_error(volume.place(),
+                          fmt::format("a grid for {}, expected a constant: only the "
+                                      "sigma_t of heterogeneous media may vary",
+                                      quote(name)));
     context_.warnings.once(*found, fmt::format("volume {} for {} is not supported: {} instead",
                                                quote(volume.type()), quote(name), missing.r));
     return missing;
@@ -99,10 +104,15 @@ void MediumReader::read_grid(const Element& volume, Medium& medium) {
     if (!std::filesystem::is_regular_file(path, error))
         throw input_error(object.place(),
                           "file " + quote(path.string()) + " is missing, expected a grid volume");
-    context_.warnings.once(volume, "media with a density grid are read but not simulated");
-    medium.density_file = std::filesystem::absolute(path).string();
+    medium.grid = grids_.add(path, "", object.place());
     medium.grid_to_world = object.transform("to_world");
-    object.ignore({"filter_type", "wrap_mode", "raw", "use_grid_bbox", "accel"});
+    if (object.boolean("use_grid_bbox", false))
+        medium.grid_to_world *= scene_.grids[static_cast<std::size_t>(medium.grid)].placement;
+    if (object.text("filter_type").value_or("trilinear") != "trilinear")
+        context_.warnings.once(volume, "densities are trilinear whatever filter_type says");
+    if (object.text("wrap_mode").value_or("clamp") != "clamp")
+        context_.warnings.once(volume, "densities are clamped whatever wrap_mode says");
+    object.ignore({"raw", "accel"});
     object.report_unused();
 }
 

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <map>
 
+#include "scene/density_grid_set.h"
 #include "scene/mitsuba_object.h"
 #include "scene/scene.h"
 
@@ -14,10 +15,11 @@ namespace weft::mitsuba {
 /// Turns `<medium>` elements into Scene::media; each is read once.
 class MediumReader {
   public:
-    MediumReader(Context& context, Scene& scene) : context_(context), scene_(scene) {}
+    MediumReader(Context& context, Scene& scene)
+        : context_(context), scene_(scene), grids_(scene.grids, context.warnings.diagnostics()) {}
 
     /// The index of a medium in Scene::media, -1 for null. Throws Error (exit code 2) for a wrong
-    /// element or missing grid file.
+    /// element, or a grid file that is missing or broken.
     [[nodiscard]] int index(const Element* medium);
 
   private:
@@ -29,6 +31,7 @@ class MediumReader {
 
     Context& context_;
     Scene& scene_;
+    DensityGridSet grids_;
     std::map<const Element*, int> indices_;
 };
 

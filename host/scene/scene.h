@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/animation.h"
+#include "scene/density_grid.h"
 
 namespace weft {
 
@@ -88,16 +89,17 @@ struct Camera {
     Attachment motion{};    ///< what carries it over time, if it moves
 };
 
-/// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit.
+/// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit, times the
+/// density of its grid where it has one; outside of the grid it is 0.
 struct Medium {
     std::string name;
     std::string type;  ///< "homogeneous" or "heterogeneous"
     glm::vec3 sigma_t{1.0F};
     glm::vec3 albedo{0.75F};
     float scale = 1.0F;
-    float anisotropy = 0.0F;   ///< Henyey-Greenstein g
-    std::string density_file;  ///< grid volume, absolute path; empty: constant
-    glm::dmat4 grid_to_world{1.0};
+    float anisotropy = 0.0F;        ///< Henyey-Greenstein g
+    int grid = -1;                  ///< index into Scene::grids, or -1: the same everywhere
+    glm::dmat4 grid_to_world{1.0};  ///< from the grid's unit cube; its own placement is part of it
 };
 
 /// A closed boundary of a medium, invisible by itself. The interior is behind its normals.
@@ -126,6 +128,7 @@ struct Scene {
     std::optional<Environment> environment;
     std::vector<Camera> cameras;
     Animation animation;
+    std::vector<DensityGrid> grids;
     std::vector<Medium> media;
     std::vector<MediumBoundary> medium_boundaries;
     int camera_medium = -1;  ///< the file's word on what is around the cameras, or -1: see

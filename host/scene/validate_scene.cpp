@@ -205,7 +205,21 @@ class Validator {
                     "camera " + quote(camera.name), "moves with a node that does not exist");
     }
 
+    void check_grid(const Medium& medium, const std::string& object) const {
+        if (medium.grid < 0) return;
+        require(static_cast<std::size_t>(medium.grid) < scene_.grids.size(), object,
+                "refers to a density grid that does not exist");
+        check_transform(medium.grid_to_world, object);
+        check_extent({glm::dvec3(0.0), glm::dvec3(1.0)}, medium.grid_to_world, object);
+    }
+
     void check_media() const {
+        std::size_t voxels = 0;
+        for (const DensityGrid& grid : scene_.grids) {
+            validate_density_grid(grid, scene_.source + ": density grid");
+            voxels += grid.densities.size();
+        }
+        require(voxels <= limits::max_scene_voxels, "density grids", "have too many voxels");
         const auto exists = [&](int medium) {
             return medium >= -1 &&
                    (medium < 0 || static_cast<std::size_t>(medium) < scene_.media.size());
@@ -218,6 +232,7 @@ class Validator {
             require(in_unit_cube(medium.albedo), object, "has an albedo outside [0, 1]");
             require(medium.anisotropy > -1.0F && medium.anisotropy < 1.0F, object,
                     "has an anisotropy outside (-1, 1)");
+            check_grid(medium, object);
         }
         for (const MediumBoundary& boundary : scene_.medium_boundaries) {
             check_placed_mesh(boundary.mesh, boundary.to_world, "medium boundary");

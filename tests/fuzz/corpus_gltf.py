@@ -204,6 +204,19 @@ def materials():
     return b
 
 
+def media():
+    b = Builder()
+    b.json["materials"] = [{"extensions": {
+        "WEFT_medium": {"scattering": [1, 2, 3], "absorption": [0, 0, 1], "anisotropy": 0.5,
+                        "density": {"uri": "smoke.vol", "grid": "density",
+                                    "box": [0, 0, 0, 1, 1, 1]}},
+        "KHR_materials_volume": {"attenuationDistance": 2}}}]
+    b.mesh(material=0)
+    b.json["scenes"][0]["extensions"] = {"WEFT_medium": {"density": {
+        "uri": "smoke.vol", "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 1, 1, 1]}}}
+    return b
+
+
 def outside():
     b = Builder()
     b.json.update(buffers=[{"uri": "data.bin", "byteLength": 36}],
@@ -219,7 +232,8 @@ def files():
             "nodes": [{"children": [1]}, {"children": [2]}, {"children": [1]}]}
     made = {"attributes": attributes(), "quantized": quantized(), "sparse": sparse(),
             "modes": modes(), "nodes": nodes(), "animation": animation(),
-            "materials": materials(), "outside": outside()}
+            "materials": materials(), "media": media(),
+            "outside": outside()}
     out = {name + ".gltf": builder.gltf() for name, builder in made.items()}
     binary = ("attributes", "sparse", "nodes", "animation")
     out.update({name + ".glb": made[name].glb() for name in binary})

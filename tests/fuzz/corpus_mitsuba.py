@@ -62,7 +62,7 @@ MEDIA = """<medium type="homogeneous" id="fog"><rgb name="sigma_t" value="1 2 3"
  <rgb name="albedo" value="0.9"/><float name="scale" value="2"/>
  <phase type="hg"><float name="g" value="0.5"/></phase></medium>
 <medium type="heterogeneous" id="smoke"><volume name="sigma_t" type="gridvolume">
-  <string name="filename" value="data.bin"/>
+  <string name="filename" value="smoke.vol"/>
   <transform name="to_world"><scale value="2"/></transform></volume>
  <volume name="albedo" type="constvolume"><rgb name="value" value="0.5"/></volume>
  <phase type="isotropic"/></medium>

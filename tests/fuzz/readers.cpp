@@ -31,6 +31,7 @@
 #include "scene/validate_scene.h"
 #include "scene/vol_reader.h"
 #include "tests/temporary_folder.h"
+#include "tests/vol_bytes.h"
 
 #if __has_include("scene/obj_reader.h")
 #include "scene/obj_reader.h"
@@ -279,6 +280,7 @@ void write_companions(const TemporaryFolder& folder) {
     folder.write("pixel.tga", pixel_tga);
     folder.write("data.bin", std::string(36, '\0'));
     folder.write("part.xml", part_xml);
+    folder.write("smoke.vol", vol_file({1, 2, 2}, {0, 1, 2, 3}));
 }
 
 std::span<const Reader> readers() {

@@ -1,0 +1,33 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_FLAT_GRIDS_H
+#define WEFT_SCENE_FLAT_GRIDS_H
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "device/shared_types.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+struct KernelUnits;
+
+/// Density grids as kernels read them (kernels/density_grid.h). Densities are shares of the
+/// greatest one of their grid, so that however large they are no product with them overflows.
+struct FlatGrids {
+    std::vector<shared::DensityGridRecord> records;  ///< one for each medium that has a grid
+    std::vector<float> densities;                    ///< of all grids, each once
+    std::vector<float> bounds;
+
+    /// Adds the grid of a medium, which must have voxels; returns the number of its record.
+    std::uint32_t add(const Scene& scene, const Medium& medium, const KernelUnits& units);
+
+  private:
+    std::map<int, shared::DensityGridRecord> added_;  ///< by index into Scene::grids
+};
+
+}  // namespace weft
+
+#endif
