@@ -117,7 +117,7 @@ TEST(PathGrid, ConstantGridsAreHomogeneousMedia) {
             const Rendering found = test::path_picture(backend, *scene, room_camera(),
                                                        test::path_settings(24, 24, 256, 2));
             expect_same_light(
-                found, expected, "", 0.01,
+                found, expected, "", 0.03,
                 std::string(test::backend_name(backend)) + (scene == &open ? " open" : " bounded"));
         }
     }
