@@ -64,7 +64,7 @@ static inline int next_tentative(const DensityGrid* grid, float sigma, Random* r
 }
 
 // Delta tracking of all channels at once, in the space of paths with null collisions (Miller,
-// Georgiev and Jarosz 2019, eqs. 10 to 16; Kutz et al. 2017, sec. 3, for the common majorant).
+// Georgiev and Jarosz 2019; Kutz et al. 2017 for the common majorant).
 // Tentative collisions come at the rate greatest sigma times the bound, the same for each channel.
 // Were it for channel i alone, one of them would be real with probability p_i = sigma_i density /
 // (greatest sigma bound), which is also what the light of channel i is multiplied with; and null
