@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "density_grid_twin.h"
-#include "media_builder.h"
-#include "path_fixture.h"
+#include "smoky_room.h"
 
 // Path tracing through media with density grids where the light is known, or is that of a
 // homogeneous medium.
@@ -29,10 +27,14 @@ using test::add_grid;
 using test::at;
 using test::Backend;
 using test::cube_mesh;
+using test::foggy_room;
 using test::medium_of;
+using test::patchy_grid;
 using test::Rendering;
+using test::room_camera;
 using test::SceneBuilder;
 using test::Tolerance;
+using test::turned;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 400;
@@ -41,25 +43,9 @@ DensityGrid constant_grid(double density) {
     return make_grid({9, 6, 7}, [&](auto, auto, auto) { return density; });
 }
 
-/// Voxels of many densities in a few places, and nothing in between.
-DensityGrid patchy_grid() {
-    DensityGrid grid = make_random_grid({20, 24, 16}, 5);
-    for (std::uint32_t k = 0; k < 16; ++k)
-        for (std::uint32_t j = 0; j < 24; ++j)
-            for (std::uint32_t i = 0; i < 20; ++i)
-                if ((i / 6 + j / 6 + k / 6) % 2 == 1)
-                    grid.densities[(std::size_t{k} * 24 + j) * 20 + i] = 0.0F;
-    return grid;
-}
-
 /// Density 1 + z in [-1,1]^3, but constant within half a voxel of the faces.
 DensityGrid linear_grid() {
     return make_grid({2, 3, 64}, [](auto, auto, std::uint32_t k) { return 2.0 * (k + 0.5) / 64; });
-}
-
-glm::dmat4 turned(double size, const glm::dvec3& move) {
-    return glm::rotate(glm::translate(glm::dmat4(1.0), move), 0.7, glm::dvec3(1.0, 2.0, -0.5)) *
-           glm::scale(glm::dmat4(1.0), glm::dvec3(size, 0.8 * size, -1.2 * size));
 }
 
 /// Two pictures of the same light: means of a layer differ by no more than chance explains.
@@ -75,26 +61,6 @@ void expect_same_light(const Rendering& a, const Rendering& b, const std::string
                               Tolerance{comparisons, error, 1e-5},
                               what + " " + layer + " channel " + std::to_string(c));
     }
-}
-
-/// A room with a lamp, and fog in a box with a point light inside.
-SceneBuilder foggy_room() {
-    SceneBuilder builder;
-    builder.add(test::room_mesh(), builder.material({0.7F, 0.5F, 0.3F}));
-    builder.add(test::quad_mesh({-0.2F, 0.9F, -0.2F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.4F}),
-                builder.material(glm::vec3(0.0F), glm::vec3(5.0F)));
-    PunctualLight light;
-    light.position = {0.4, 0.1, -0.3};
-    light.intensity = glm::vec3(0.3F);
-    builder.scene.lights.push_back(light);
-    builder.scene.media.push_back(medium_of({0.3F, 1.0F, 2.0F}, {0.9F, 0.8F, 0.7F}, 0.5F));
-    return builder;
-}
-
-const glm::dvec3 room_eye(0.1, 0.2, 0.9);
-
-Camera room_camera() {
-    return test::look_at(room_eye, {0.0, -0.2, 0.0}, 1.2);
 }
 
 TEST(PathGrid, ConstantGridsAreHomogeneousMedia) {
@@ -328,83 +294,6 @@ TEST(PathGrid, GridsMoveWithTheirTransform) {
             test::path_picture(backend, here.scene, room_camera(),
                                test::path_settings(24, 24, 256, 4)),
             "", 0.02, test::backend_name(backend));
-}
-
-/// A room with smoke and a box of even fog in it.
-Scene smoky_room() {
-    SceneBuilder builder = foggy_room();
-    add_grid(builder.scene, 0, patchy_grid(), turned(0.6, {0.0, 0.1, 0.0}));
-    builder.scene.media[0].scale = 5.0F;
-    builder.scene.outer_medium = 0;
-    builder.scene.media.push_back(medium_of({1.0F, 0.5F, 0.2F}, glm::vec3(0.8F)));
-    add_boundary(builder.scene, cube_mesh(), test::placement(0.3, {0.3, -0.4, 0.0}), 1);
-    return builder.scene;
-}
-
-TEST(PathGrid, SameBitsOnDevicesAndInParts) {
-    const FlatScene flat = flatten(smoky_room());
-    Executor& own = test::shared_executor(Backend::own_bvh);
-    const FilmSums whole =
-        test::path_sums(own, flat, room_camera(), test::path_settings(24, 16, 8));
-    PathSettings half = test::path_settings(24, 16, 8);
-    half.samples = {0, 3};
-    const FilmSums first = test::path_sums(own, flat, room_camera(), half);
-    half.samples = {3, 8};
-    EXPECT_EQ(test::path_sums(own, flat, room_camera(), half, first).words, whole.words);
-    const auto single = test::make_executor(Backend::own_bvh, 0, 1);
-    EXPECT_EQ(test::path_sums(*single, flat, room_camera(), test::path_settings(24, 16, 8)).words,
-              whole.words);
-    if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    EXPECT_EQ(test::path_sums(test::shared_executor(Backend::opencl), flat, room_camera(),
-                              test::path_settings(24, 16, 8))
-                  .words,
-              whole.words);
-}
-
-TEST(PathGrid, EmptyGridsAreClearAir) {
-    Scene scene = smoky_room();
-    scene.media.pop_back();
-    scene.medium_boundaries.clear();
-    for (float& density : scene.grids[0].densities) density = 0.0F;
-    const FlatScene empty = flatten(scene);
-    EXPECT_FALSE(empty.media.present());
-    EXPECT_TRUE(empty.media.grids.densities.empty());
-    scene.media.clear();
-    scene.grids.clear();
-    scene.outer_medium = -1;
-    Executor& executor = test::shared_executor(Backend::own_bvh);
-    const PathSettings settings = test::path_settings(16, 16, 4);
-    EXPECT_EQ(test::path_sums(executor, empty, room_camera(), settings).words,
-              test::path_sums(executor, flatten(scene), room_camera(), settings).words);
-}
-
-TEST(PathGrid, HostileGridsStayFinite) {
-    // Densities of all magnitudes, enormous and tiny extinction, grids that are flat or far away,
-    // the light inside, no light. path_sums expects every value to be finite.
-    const std::vector<double> values = {0.0, 3e38, 1e-45, 1.0, 1e30};
-    for (const float sigma : {1e-30F, 1.0F, 1e30F})
-        for (const glm::dvec3& size :
-             {glm::dvec3(1.0), glm::dvec3(1.0, 1e-30, 1.0), glm::dvec3(1e12)}) {
-            Scene scene = foggy_room().scene;
-            scene.media[0] = medium_of({sigma, 1.0F, 0.0F}, glm::vec3(0.9F), 0.9999F);
-            add_grid(scene, 0,
-                     make_grid({9, 5, 7},
-                               [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-                                   return values[(i + j + k) % values.size()];
-                               }),
-                     glm::scale(glm::dmat4(1.0), size));
-            scene.outer_medium = 0;
-            scene.lights[0].position = {0.0, 0.0, 0.0};
-            for (const glm::dvec3& from : {room_eye, glm::dvec3(0.0, 0.0, 1.0)})
-                (void)test::path_picture(Backend::own_bvh, scene,
-                                         test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
-                                         test::path_settings(9, 9, 8));
-            scene.instances.clear();
-            scene.lights.clear();
-            (void)test::path_picture(Backend::own_bvh, scene,
-                                     test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
-                                     test::path_settings(9, 9, 8));
-        }
 }
 
 }  // namespace
