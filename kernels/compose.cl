@@ -9,7 +9,7 @@
 
 // FilmSample of LANES pixels.
 typedef struct {
-    WFloat3 emission, direct, indirect, albedo, normal;
+    WFloat3 emission, direct, indirect, media, albedo, normal;
     WFloat depth;
 } WideSample;
 
@@ -68,6 +68,11 @@ static inline WMask wide_sample(const Params* params, const SeenPixels* seen,
     reflectance.x = sample->albedo.x * M_INV_PI;
     reflectance.y = sample->albedo.y * M_INV_PI;
     reflectance.z = sample->albedo.z * M_INV_PI;
+    if (HAS(params, FEATURE_MEDIA)) {
+        WFloat3 left = load_vectors(buffers->view_left + first);
+        reflectance = product(reflectance, left);
+        sample->emission = product(sample->emission, left);
+    }
     sample->direct = product(reflectance, direct_irradiance(params, seen, buffers, first));
     WFloat3 indirect;
     indirect.x = WIDE(0.0f);
@@ -75,8 +80,15 @@ static inline WMask wide_sample(const Params* params, const SeenPixels* seen,
     indirect.z = indirect.x;
     if (HAS(params, FEATURE_INDIRECT)) indirect = load_vectors(buffers->indirect + first);
     sample->indirect = product(reflectance, indirect);
-    return are_good(sample->emission) & are_good(sample->direct) & are_good(sample->indirect) &
-           are_good(sample->albedo) & is_good_lane(sample->depth);
+    WMask good = are_good(sample->emission) & are_good(sample->direct);
+    good = good & are_good(sample->indirect);
+    good = good & are_good(sample->albedo);
+    good = good & is_good_lane(sample->depth);
+    if (HAS(params, FEATURE_AIRLIGHT)) {
+        sample->media = load_vectors(buffers->media_light + first);
+        good = good & are_good(sample->media);
+    }
+    return good;
 }
 
 /// add_to_film for LANES pixels but those of `others`, which keep what they have.
@@ -123,6 +135,9 @@ static inline void add_wide_sample(const Params* params, GLOBAL float* film_high
     add_wide_vector(high + FILM_NORMAL * stride, low + FILM_NORMAL * stride, stride, samples,
                     others, sample->normal);
     add_wide(high + FILM_DEPTH * stride, low + FILM_DEPTH * stride, samples, others, sample->depth);
+    if (HAS(params, FEATURE_AIRLIGHT))
+        add_wide_vector(high + FILM_MEDIA * stride, low + FILM_MEDIA * stride, stride, samples,
+                        others, sample->media);
 }
 
 WEFT_KERNEL(compose)

@@ -53,6 +53,19 @@ static inline WFloat wide_spot(WFloat cosine, float cos_inner, float cos_outer) 
     return x * x;
 }
 
+/// phase_function per lane, of the cosine between the directions of travel.
+static inline WFloat wide_phase(WFloat g, WFloat cosine) {
+    WFloat zero = WIDE(0.0f);
+    WFloat one = WIDE(1.0f);
+    WFloat size = VMAX(g, -g);
+    WFloat ahead = SELECT(g < zero, -cosine, cosine);
+    WFloat turned = one - ahead;
+    turned = VMAX(turned, zero);
+    WFloat rest = one - size;
+    WFloat square = rest * rest + size * turned * 2.0f;
+    return (rest * (one + size)) / (square * wide_square_root(square) * 12.5663706f);
+}
+
 /// From the VPL to every receiver.
 static inline WFloat3 from_vpl(const ReceiverPacket* packet, GLOBAL const Vpl* vpl) {
     WFloat3 d;
@@ -80,6 +93,11 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
     }
     WFloat distance = wide_square_root(square);
     WFloat g = receiver / (square * distance);
+    if (kind == VPL_MEDIUM) {
+        WFloat bound = WIDE(vpl->position.w);
+        g = SELECT(g < bound, g, bound);
+        return g * wide_phase(WIDE(vpl->cone.x), emitter / distance);
+    }
     if (kind == VPL_SPOT) {
         g = g * wide_spot(emitter / distance, vpl->cone.x, vpl->cone.y);
         *useful = *useful & (g > zero);

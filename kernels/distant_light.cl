@@ -5,12 +5,22 @@
 // each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
+#include "packet_media.h"
 #include "receiver_values.h"
 #include "sampling.h"
 #include "visibility.h"
 
+/// What media leave of light from that direction; see packet_transmittance.
+static inline float3 distant_transmittance(const Params* params, const Media* media,
+                                           float3 position, float3 direction, uint inside,
+                                           uint number) {
+    if (!HAS(params, FEATURE_MEDIA)) return f3(1.0f, 1.0f, 1.0f);
+    Random random = way_random(params, position, number);
+    return ray_transmittance(params, media, position, direction, RAY_INFINITY, inside, &random);
+}
+
 WEFT_KERNEL(distant_light)
-(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
  GLOBAL const LightRecord* lights, GLOBAL const Vpl* samples, GLOBAL float* sampled_irradiance,
  GLOBAL float* exact_irradiance, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
@@ -18,26 +28,31 @@ WEFT_KERNEL(distant_light)
     uint stride = params.slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
     float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
     float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
     float3 normal = shading;
     if (HAS(&params, FEATURE_SMOOTH_NORMALS))
         normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
+    uint inside = 0u;
+    if (HAS(&params, FEATURE_MEDIA))
+        inside = as_bits(receiver_planes[RECEIVER_INSIDE * stride + slot]);
     uint rays = 0u;
     if (HAS(&params, FEATURE_ENVIRONMENT)) {
         uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
         uint count = params.gather_sets == 1u ? params.environment_samples * params.sets
                                               : params.environment_samples;
         GLOBAL const Vpl* first = samples + params.list_first + set * params.list_stride;
-        uint open = 0u;
+        float3 open = f3(0.0f, 0.0f, 0.0f);
         for (uint i = 0u; i < count; ++i) {
             float3 direction = turn_to(xyz(first[i].position), shading);
             if (!(dot3(direction, normal) > 0.0f)) continue;
             ++rays;
-            open += (uint)sees_infinity(scene, &params, position, direction);
+            if (sees_infinity(scene, &params, position, direction) == 0) continue;
+            open += distant_transmittance(&params, &through, position, direction, inside, i);
         }
-        float share = 3.14159265f * (float)open / (float)count;
-        add_irradiance(sampled_irradiance, stride, slot, xyz(params.environment) * share);
+        add_irradiance(sampled_irradiance, stride, slot,
+                       xyz(params.environment) * (open * (3.14159265f / (float)count)));
     }
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
         for (uint i = 0u; i < params.directional_lights; ++i) {
@@ -47,7 +62,8 @@ WEFT_KERNEL(distant_light)
             if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
             ++rays;
             if (sees_infinity(scene, &params, position, direction) == 0) continue;
-            add_irradiance(exact_irradiance, stride, slot, xyz(light.power) * cosine);
+            float3 left = distant_transmittance(&params, &through, position, direction, inside, i);
+            add_irradiance(exact_irradiance, stride, slot, xyz(light.power) * left * cosine);
         }
     }
     count_rays(counters + params.counter, rays);

@@ -113,6 +113,23 @@ static inline uint irradiance_source(const Params* params, const SeenPixels* see
     return most_similar(params, seen, surface, pixel);
 }
 
+/// The pixel within NEAR_RADIUS of `pixel` that shows this instance, or the background where that
+/// is NO_TRIANGLE; `pixel` itself where none does.
+static inline uint pixel_of_instance(const Params* params, const SeenPixels* seen, uint instance,
+                                     uint pixel) {
+    if (seen->ids[2u * pixel] == instance) return pixel;
+    int column = (int)(pixel % params->width);
+    int row = (int)(pixel / params->width);
+    for (int j = row - NEAR_RADIUS; j <= row + NEAR_RADIUS; ++j) {
+        for (int i = column - NEAR_RADIUS; i <= column + NEAR_RADIUS; ++i) {
+            if (i < 0 || j < 0 || i >= (int)params->width || j >= (int)params->height) continue;
+            uint other = (uint)j * params->width + (uint)i;
+            if (seen->ids[2u * other] == instance) return other;
+        }
+    }
+    return pixel;
+}
+
 /// What a ray through the point (`x`, `y`) of `pixel` in that direction shows.
 static inline FilmSample hit_sample(const Params* params, const Geometry* geometry,
                                     const SeenPixels* seen, const IrradianceBuffers* buffers,
@@ -122,12 +139,18 @@ static inline FilmSample hit_sample(const Params* params, const Geometry* geomet
     Irradiance e = no_irradiance();
     if (hit.triangle == NO_TRIANGLE) {
         float3 emission = HAS(params, FEATURE_ENVIRONMENT) ? xyz(params->environment) : none;
+        if (HAS(params, FEATURE_MEDIA))
+            add_view_media(params, buffers, pixel_of_instance(params, seen, NO_TRIANGLE, pixel),
+                           &e);
         return film_sample(params, nonfinite, pixel, emission, none, e, none, 0.0f);
     }
     Surface surface = surface_at(params, geometry, hit, direction, params->texture_angle);
     if (max_component(surface.albedo) > 0.0f) {
         uint from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
         e = pixel_irradiance(params, buffers, from, pixel_is_lit(seen->ids, seen->albedo, from));
+    } else if (HAS(params, FEATURE_MEDIA)) {
+        add_view_media(params, buffers, pixel_of_instance(params, seen, surface.instance, pixel),
+                       &e);
     }
     return film_sample(params, nonfinite, pixel, surface.emission, surface.albedo, e,
                        surface.shading, hit.t);
@@ -138,6 +161,7 @@ static inline void add_share(FilmSample* sum, const FilmSample* sample, float sh
     sum->emission += sample->emission * share;
     sum->direct += sample->direct * share;
     sum->indirect += sample->indirect * share;
+    sum->media += sample->media * share;
     sum->albedo += sample->albedo * share;
     sum->normal += sample->normal * share;
     sum->depth += sample->depth * share;
@@ -211,8 +235,13 @@ WEFT_KERNEL(edge_samples)
     uint ray = 0u;
     for (uint at = first; at < end; ++at) {
         uint pixel = edge_pixels[at];
-        FilmSample sum = {f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f),
-                          f3(0.0f, 0.0f, 0.0f), f3(0.0f, 0.0f, 0.0f), 0.0f};
+        FilmSample sum = {f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          0.0f};
         FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
         add_share(&sum, &centre, share);
         for (uint k = 0u; k < params.edge_samples; ++k, ++ray) {

@@ -10,15 +10,18 @@
 #include "guard.h"
 
 // Irradiance as the components leave it; those that a frame does not have are never read.
-#define IRRADIANCE_ARGS                                         \
-    GLOBAL const uint *pixel_slot, GLOBAL const float4 *direct, \
-        GLOBAL const float *exact_irradiance, GLOBAL const float4 *indirect
+#define IRRADIANCE_ARGS                                                      \
+    GLOBAL const uint *pixel_slot, GLOBAL const float4 *direct,              \
+        GLOBAL const float *exact_irradiance, GLOBAL const float4 *indirect, \
+        GLOBAL const float4 *view_left, GLOBAL const float4 *media_light
 #define IRRADIANCE_MAKE(name)                 \
     IrradianceBuffers name;                   \
     name.pixel_slot = pixel_slot;             \
     name.direct = direct;                     \
     name.exact_irradiance = exact_irradiance; \
-    name.indirect = indirect
+    name.indirect = indirect;                 \
+    name.view_left = view_left;               \
+    name.media_light = media_light
 
 #define SEEN_PIXELS_MAKE(name)   \
     SeenPixels name;             \
@@ -33,10 +36,14 @@ typedef struct {
     GLOBAL const float4* direct;           // by pixel
     GLOBAL const float* exact_irradiance;  // by slot
     GLOBAL const float4* indirect;         // by pixel
+    GLOBAL const float4* view_left;        // what media leave of a pixel's light
+    GLOBAL const float4* media_light;      // radiance that they scatter to it
 } IrradianceBuffers;
 
 typedef struct {
     float3 direct, indirect;
+    float3 left;   // what media leave of their light on its way to the camera
+    float3 media;  // radiance that media scatter to it
 } Irradiance;
 
 // What the primary rays through pixels found; see GBUFFER_ARGS.
@@ -50,7 +57,7 @@ typedef struct {
 
 // What the film holds of one point of the picture.
 typedef struct {
-    float3 emission, direct, indirect;  // radiance
+    float3 emission, direct, indirect, media;  // radiance
     float3 albedo, normal;
     float depth;  // scene units
 } FilmSample;
@@ -59,7 +66,16 @@ static inline Irradiance no_irradiance(void) {
     Irradiance e;
     e.direct = f3(0.0f, 0.0f, 0.0f);
     e.indirect = e.direct;
+    e.left = f3(1.0f, 1.0f, 1.0f);
+    e.media = e.direct;
     return e;
+}
+
+/// What media do to a pixel's light.
+static inline void add_view_media(const Params* params, const IrradianceBuffers* buffers,
+                                  uint pixel, Irradiance* e) {
+    if (HAS(params, FEATURE_MEDIA)) e->left = xyz(buffers->view_left[pixel]);
+    if (HAS(params, FEATURE_AIRLIGHT)) e->media = xyz(buffers->media_light[pixel]);
 }
 
 /// Irradiance of a pixel; `lit` says whether it shows a surface that reflects.
@@ -71,6 +87,7 @@ static inline Irradiance pixel_irradiance(const Params* params, const Irradiance
         e.direct +=
             slot_irradiance(buffers->exact_irradiance, params->slots, buffers->pixel_slot[pixel]);
     if (HAS(params, FEATURE_INDIRECT)) e.indirect = xyz(buffers->indirect[pixel]);
+    add_view_media(params, buffers, pixel, &e);
     return e;
 }
 
@@ -80,9 +97,16 @@ static inline FilmSample film_sample(const Params* params, GLOBAL NonfiniteCount
                                      float3 normal, float depth) {
     FilmSample sample;
     float3 reflectance = albedo * 0.318309886f;
+    if (HAS(params, FEATURE_MEDIA)) {
+        reflectance *= e.left;
+        emission *= e.left;
+    }
     sample.emission = guard(nonfinite, COMPONENT_EMISSION, pixel, emission);
     sample.direct = guard(nonfinite, COMPONENT_DIRECT, pixel, reflectance * e.direct);
     sample.indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * e.indirect);
+    sample.media = e.media;
+    if (HAS(params, FEATURE_AIRLIGHT))
+        sample.media = guard(nonfinite, COMPONENT_MEDIA, pixel, e.media);
     sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
     sample.normal = normal;
     sample.depth =
@@ -144,6 +168,8 @@ static inline void add_film_sample(const Params* params, GLOBAL float* film_high
     add_vector(high, low, FILM_ALBEDO * stride, stride, samples, sample->albedo);
     add_vector(high, low, FILM_NORMAL * stride, stride, samples, sample->normal);
     add_to_film(high, low, FILM_DEPTH * stride, samples, sample->depth);
+    if (HAS(params, FEATURE_AIRLIGHT))
+        add_vector(high, low, FILM_MEDIA * stride, stride, samples, sample->media);
 }
 
 #endif

@@ -6,6 +6,11 @@
 // environment (unit vectors about +z with density cos / pi).
 #include "light.h"
 
+/// Where on view rays a sample's scattered light is looked for; see Vpl::cone.
+static inline float view_number(const Params* params, uint prime, uint index, uint key) {
+    return HAS(params, FEATURE_AIRLIGHT) ? radical_inverse(prime, index, key) : 0.0f;
+}
+
 static inline void store_area_sample(const Params* params, const Geometry* geometry,
                                      GLOBAL const LightRecord* lights,
                                      GLOBAL const EmissiveTriangle* emissive, uint set, uint item,
@@ -39,16 +44,18 @@ static inline void store_area_sample(const Params* params, const Geometry* geome
     vpl->position = f4(origin.x, origin.y, origin.z, params->light_bound_scale / light.area);
     vpl->normal = f4(normal.x, normal.y, normal.z, from_bits(VPL_SURFACE));
     vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);
-    vpl->cone = f4(0.0f, 0.0f, 0.0f, 0.0f);
+    vpl->cone = f4(0.0f, 0.0f, 0.0f, view_number(params, PRIME_LIGHT, index, key));
 }
 
-static inline void store_punctual(LightRecord light, float sets, GLOBAL Vpl* vpl) {
+static inline void store_punctual(const Params* params, LightRecord light, float sets,
+                                  GLOBAL Vpl* vpl) {
     uint kind = light.kind == EMITTER_SPOT ? VPL_SPOT : VPL_POINT;
     float3 flux = xyz(light.power) * (1.0f / sets);
     vpl->position = light.position;
     vpl->normal = f4(light.axis.x, light.axis.y, light.axis.z, from_bits(kind));
     vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);
-    vpl->cone = f4(light.cos_inner, light.cos_outer, 0.0f, 0.0f);
+    vpl->cone = f4(light.cos_inner, light.cos_outer, 0.0f,
+                   view_number(params, PRIME_POSITION_U, params->frame, params->seed));
 }
 
 WEFT_KERNEL(light_samples)
@@ -64,7 +71,7 @@ WEFT_KERNEL(light_samples)
     }
     uint punctual = item - area_samples;
     if (punctual < params.delta_lights) {
-        store_punctual(lights[params.delta_lights_first + punctual], params.gather_scale,
+        store_punctual(&params, lights[params.delta_lights_first + punctual], params.gather_scale,
                        samples + item);
         return;
     }

@@ -53,6 +53,15 @@ static inline float3 transmittance(float3 sigma, float length) {
               transmittance1(sigma.z, length));
 }
 
+/// The least of the channels that are not clear; 0 where all are.
+static inline float clearest_channel(float3 sigma) {
+    float x = sigma.x > 0.0f ? sigma.x : M_INFINITY;
+    float y = sigma.y > 0.0f ? sigma.y : M_INFINITY;
+    float z = sigma.z > 0.0f ? sigma.z : M_INFINITY;
+    float least = m_min(x, m_min(y, z));
+    return least < M_INFINITY ? least : 0.0f;
+}
+
 /// Phase function of Henyey and Greenstein (1941), 1/sr: (1 - g^2) / (4 pi (1 + g^2 - 2 g
 /// cos)^(3/2)); -1 < g < 1. `from` and `to` are directions of travel.
 static inline float phase_function(float g, float3 from, float3 to) {

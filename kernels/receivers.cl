@@ -9,8 +9,8 @@
 #include "triangle.h"
 
 WEFT_KERNEL(receivers)
-(PARAMS, GBUFFER_ARGS, GLOBAL const uint* slot_pixel, GLOBAL float* receiver_planes,
- GLOBAL uint* pixel_slot) {
+(PARAMS, GBUFFER_ARGS, GLOBAL const uint* slot_pixel, GLOBAL const uint* view_inside,
+ GLOBAL float* receiver_planes, GLOBAL uint* pixel_slot) {
     if (GLOBAL_ID >= params.count) return;
     uint slot = params.first + GLOBAL_ID;
     uint pixel = slot_pixel[slot];
@@ -18,6 +18,7 @@ WEFT_KERNEL(receivers)
     float3 position = f3(0.0f, 0.0f, 0.0f);
     float3 normal = position;
     float3 shading = position;
+    uint inside = 0u;
     if (pixel != NO_TRIANGLE) {
         pixel_slot[pixel] = slot;
         valid = gb_ids[2u * pixel] != NO_TRIANGLE ? gb_albedo[pixel].w : 0.0f;
@@ -25,6 +26,7 @@ WEFT_KERNEL(receivers)
         shading = xyz(gb_shading[pixel]);
         position = xyz(gb_position[pixel]);
         position += normal * surface_offset(position, params.extent);
+        if (HAS(&params, FEATURE_MEDIA)) inside = view_inside[pixel];
     }
     GLOBAL float* plane = receiver_planes + slot;
     uint stride = params.slots;
@@ -40,4 +42,5 @@ WEFT_KERNEL(receivers)
         plane[RECEIVER_NORMAL_Y * stride] = normal.y;
         plane[RECEIVER_NORMAL_Z * stride] = normal.z;
     }
+    if (HAS(&params, FEATURE_MEDIA)) plane[RECEIVER_INSIDE * stride] = from_bits(inside);
 }

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Planes of the de-interleaved receivers, each Params::slots floats. The last three exist only
-// where the scene has smooth normals.
+// Planes of the de-interleaved receivers, each Params::slots floats. Those of normals exist only
+// where the scene has smooth ones or media, the last one only where it has media.
 #ifndef WEFT_RECEIVERS_H
 #define WEFT_RECEIVERS_H
 
@@ -16,7 +16,9 @@
 #define RECEIVER_NORMAL_X 7u
 #define RECEIVER_NORMAL_Y 8u
 #define RECEIVER_NORMAL_Z 9u
+#define RECEIVER_INSIDE 10u  // boundaries of media around it, a bit each (bits)
 #define RECEIVER_PLANES_FLAT 7u
 #define RECEIVER_PLANES_SMOOTH 10u
+#define RECEIVER_PLANES_MEDIA 11u
 
 #endif

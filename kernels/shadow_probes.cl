@@ -8,28 +8,22 @@
 //
 // `pixel_shadows` tells of every pixel which groups of lights were seen (low bits) and which were
 // not (high bits, SHADOW_HIDDEN on). shadow_edges.cl reads it.
-#include "connection.h"
 #include "counters.h"
+#include "packet_media.h"
 #include "shadow_groups.h"
 
-/// Irradiance from one light with the visibility of the point that is looked at.
-typedef struct {
-    WFloat red, green, blue;
-} WideLight;
-
 /// Adds the light's samples [first, end), of which `blocked` lanes see none.
-static inline void add_light(const ReceiverPacket* packet, GLOBAL const Vpl* first,
+static inline void add_light(const Params* params, const Media* media, const ReceiverPacket* packet,
+                             const PacketInside* inside, GLOBAL const Vpl* first,
                              GLOBAL const Vpl* end, WMask blocked, WideLight* light) {
-    WFloat zero = WIDE(0.0f);
     for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
         float4 flux = vpl->flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
+        WFloat3 d = from_vpl(packet, vpl);
         WMask useful;
-        WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
-        g = SELECT(useful & mask_not(blocked), g, zero);
-        light->red = light->red + g * flux.x;
-        light->green = light->green + g * flux.y;
-        light->blue = light->blue + g * flux.z;
+        WFloat g = connection(packet, vpl, VPL_SURFACE, d, &useful);
+        add_connection(params, media, packet, inside, flux, g, d, (uint)(vpl - first),
+                       useful & mask_not(blocked), light);
     }
 }
 
@@ -69,17 +63,18 @@ static inline void store_shadows(const Params* params, GLOBAL const uint* slot_p
 }
 
 WEFT_KERNEL(shadow_probes)
-(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
  GLOBAL const uint* slot_pixel, GLOBAL const Vpl* samples, GLOBAL float* irradiance,
  GLOBAL uint* pixel_shadows, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
     uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
+    PacketInside inside = load_inside(&params, receiver_planes, slot);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
     GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
-    WideLight light;
-    light.red = light.green = light.blue = WIDE(0.0f);
+    WideLight light = no_light();
     uint seen[SHADOW_GROUPS];
     uint hidden[SHADOW_GROUPS];
     uint rays = 0u;
@@ -95,12 +90,11 @@ WEFT_KERNEL(shadow_probes)
             seen[group] |= mask_bits(looked & mask_not(blocked));
             hidden[group] |= mask_bits(blocked);
             if (mask_any(looked & mask_not(blocked)))
-                add_light(&packet, first, first + params.samples_per_light, blocked, &light);
+                add_light(&params, &through, &packet, &inside, first,
+                          first + params.samples_per_light, blocked, &light);
         }
     }
-    wide_store(light.red * params.gather_scale, irradiance, slot);
-    wide_store(light.green * params.gather_scale, irradiance, params.slots + slot);
-    wide_store(light.blue * params.gather_scale, irradiance, 2u * params.slots + slot);
+    store_light(&params, &light, params.gather_scale, slot, irradiance);
     store_shadows(&params, slot_pixel, slot, seen, hidden, pixel_shadows);
     count_rays(counters + params.counter, rays);
 }

@@ -6,8 +6,8 @@
 // shadow, and where that could be seen. The irradiance takes the place of that which
 // shadow_probes.cl made.
 #include "brightness.h"
-#include "connection.h"
 #include "counters.h"
+#include "packet_media.h"
 #include "shadow_groups.h"
 
 /// What is known of a packet's pixels.
@@ -72,7 +72,7 @@ static inline WMask visible_lanes(const Params* params, const ReceiverPacket* pa
 }
 
 WEFT_KERNEL(soft_shadows)
-(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
  GLOBAL const uint* slot_pixel, GLOBAL const uint* shadow_blocks, GLOBAL const Vpl* samples,
  GLOBAL const uint* pixel_shadows, GLOBAL const uint* shadow_edges, GLOBAL const float* slopes,
  GLOBAL const float4* gb_albedo, GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
@@ -81,7 +81,9 @@ WEFT_KERNEL(soft_shadows)
     uint block = shadow_blocks[item / PACKET_BLOCK];
     uint slot = block * PACKET_BLOCK + item % PACKET_BLOCK;
     SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
+    PacketInside inside = load_inside(&params, receiver_planes, slot);
     PacketPixels pixels;
     load_pixels(&params, slot_pixel, slot, pixel_shadows, shadow_edges, gb_albedo, irradiance,
                 &pixels);
@@ -89,10 +91,7 @@ WEFT_KERNEL(soft_shadows)
     GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
     uint count = params.samples_per_light;
     uint start = shadow_start(&params, slot_pixel, slot, set);
-    WFloat zero = WIDE(0.0f);
-    WFloat red = zero;
-    WFloat green = zero;
-    WFloat blue = zero;
+    WideLight light = no_light();
     uint rays = 0u;
     for (uint group = 0u; group < params.shadow_groups; ++group) {
         GLOBAL const Vpl* first = of_set + shadow_group_light(&params, group) * count;
@@ -117,14 +116,10 @@ WEFT_KERNEL(soft_shadows)
                 WMask found = trace_any_packet(scene, xyz(vpl->position), d, unsure);
                 blocked = (hidden & mask_not(edge)) | (found & edge);
             }
-            g = SELECT(useful & mask_not(blocked), g, zero);
-            red = red + g * flux.x;
-            green = green + g * flux.y;
-            blue = blue + g * flux.z;
+            add_connection(&params, &through, &packet, &inside, flux, g, d, (uint)(vpl - first),
+                           useful & mask_not(blocked), &light);
         }
     }
-    wide_store(red * params.gather_scale, irradiance, slot);
-    wide_store(green * params.gather_scale, irradiance, params.slots + slot);
-    wide_store(blue * params.gather_scale, irradiance, 2u * params.slots + slot);
+    store_light(&params, &light, params.gather_scale, slot, irradiance);
     count_rays(counters + params.counter, rays);
 }

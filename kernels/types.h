@@ -28,6 +28,8 @@
 #define FEATURE_SAMPLED_DIRECT 512u  // and direct light that is filtered
 #define FEATURE_EXACT_DIRECT 1024u   // and direct light that is not
 #define FEATURE_DENSITY_GRIDS 2048u  // of media
+#define FEATURE_MEDIA 4096u          // light goes through participating media
+#define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -112,7 +114,8 @@ typedef struct {
     float area_probability;
     float choice_cumulative;  // the same for path tracing, which chooses from all but environments
     float choice_probability;
-    uint pad0, pad1, pad2;
+    uint inside;  // media boundaries about its centre, a bit each
+    uint pad0, pad1;
 } LightRecord;
 
 // An emissive triangle; `cumulative` is relative to its light, by area.
@@ -125,17 +128,19 @@ typedef struct {
 
 // A virtual point light, or a sample point on a light. Irradiance at x with unit normal n:
 // flux * min(G, bound) for VPL_SURFACE, flux * cos / d^2 for VPL_POINT, times the cone for
-// VPL_SPOT.
+// VPL_SPOT; flux * phase function * min(cos / d^2, bound) for VPL_MEDIUM, a point of a medium.
 #define VPL_SURFACE 0u
 #define VPL_POINT 1u
 #define VPL_SPOT 2u
+#define VPL_MEDIUM 3u
 
 typedef struct {
     float4 position;  // xyz, offset to the lit side; w: bound on G, 1/unit^2
-    float4 normal;    // xyz unit; w: kind (bits)
+    float4 normal;    // xyz unit, of VPL_MEDIUM the direction in which light came; w: kind (bits)
     float4 flux;  // rgb: reflected flux over pi, summed over all sets; 0: unused; w: of indirect
                   // VPLs their random number for roulette, in (0, 1]
-    float4 cone;  // spot: cos_inner, cos_outer
+    float4 cone;  // spot: cos_inner, cos_outer; VPL_MEDIUM: x is the phase function's g; w: where
+                  // on view rays its light is looked for, in [0, 1)
 } Vpl;
 
 // A medium's densities and their bounds, floats of two buffers from `first` and `first_bound` on,
@@ -234,11 +239,13 @@ typedef struct {
 #define COMPONENT_DIRECT 1
 #define COMPONENT_INDIRECT 2
 #define COMPONENT_SURFACE 3  // albedo, normal and depth
-#define COMPONENT_COUNT 4
+#define COMPONENT_MEDIA 4
+#define COMPONENT_COUNT 5
 
 typedef struct {
-    uint count[4];
-    uint first_pixel[4];
+    uint count[COMPONENT_COUNT];
+    uint first_pixel[COMPONENT_COUNT];
+    uint pad[2];
 } NonfiniteCounter;
 
 // Film planes, each width * height floats, in this order, FILM_STRIDE apart; sums over samples.
@@ -249,6 +256,9 @@ typedef struct {
 #define FILM_NORMAL 12
 #define FILM_DEPTH 15
 #define FILM_PLANES 16
+// Of previews of scenes with media, further planes: what media scatter to the camera.
+#define FILM_MEDIA 16
+#define FILM_PLANES_MEDIA 19
 // Values from one plane to the next. Planes of a power of two would all meet in the same few lines
 // of a cache: composition took three times as long.
 #define FILM_STRIDE(pixels) ((pixels) + 80u)
@@ -316,7 +326,8 @@ typedef struct {
     float shadow_step;     // change of one look at a light that stays unseen, in just noticeable
                            // differences
     uint interleave;       // edge of the squares of pixels that hold every set once
-    uint pad[2];
+    uint media_steps;      // places on a view ray where a light's scattered light is looked for
+    uint media_adds;       // 1: scattered light is added to what is there
 } Params;
 
 #endif

@@ -11,6 +11,7 @@
 // small contribution.
 #include "connection.h"
 #include "counters.h"
+#include "packet_media.h"
 
 /// `roulette` times the mean over a list of VPLs of what each adds to every lane's luminance where
 /// nothing lies between.
@@ -29,21 +30,20 @@ static inline WFloat roulette_level(const Params* params, const ReceiverPacket* 
 }
 
 WEFT_KERNEL(vpl_gather)
-(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
  GLOBAL const Vpl* vpls, GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
     uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
+    PacketInside inside = load_inside(&params, receiver_planes, slot);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
     GLOBAL const Vpl* vpl = vpls + params.list_first + set * params.list_stride;
-    WFloat zero = WIDE(0.0f);
-    WFloat red = zero;
-    WFloat green = zero;
-    WFloat blue = zero;
+    WideLight light = no_light();
     uint rays = 0u;
     uint count = mask_any(packet.valid) ? params.list_length : 0u;
-    WFloat level = zero;
+    WFloat level = WIDE(0.0f);
     if (params.roulette > 0.0f && count > 0u) level = roulette_level(&params, &packet, vpl, count);
     for (uint i = 0u; i < count; ++i, ++vpl) {
         float4 flux = vpl->flux;
@@ -60,13 +60,9 @@ WEFT_KERNEL(vpl_gather)
         if (!mask_any(useful)) continue;
         rays += mask_count(useful);
         WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
-        g = SELECT(useful & mask_not(blocked), g, zero);
-        red = red + g * flux.x;
-        green = green + g * flux.y;
-        blue = blue + g * flux.z;
+        add_connection(&params, &through, &packet, &inside, flux, g, d, i,
+                       useful & mask_not(blocked), &light);
     }
-    wide_store(red * params.gather_scale, irradiance, slot);
-    wide_store(green * params.gather_scale, irradiance, params.slots + slot);
-    wide_store(blue * params.gather_scale, irradiance, 2u * params.slots + slot);
+    store_light(&params, &light, params.gather_scale, slot, irradiance);
     count_rays(counters + params.counter, rays);
 }

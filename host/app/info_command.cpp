@@ -33,8 +33,7 @@ std::vector<std::string> effects_of(const FlatScene& flat) {
         if ((flat.features & bit) != 0) effects.emplace_back(name);
     if (!flat.lights.empty() && flat.mean_reflectance > 0.0)
         effects.emplace_back("diffuse interreflection");
-    if (flat.media.present())
-        effects.emplace_back("participating media (simulated by --algorithm path)");
+    if (flat.media.present()) effects.emplace_back("participating media");
     return effects;
 }
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/choose_executor.h"
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/overlay_output.h"
@@ -46,6 +47,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     if (options.components) {
         settings.direct = options.names_component("direct");
         settings.indirect = options.names_component("indirect");
+        settings.media = options.names_component("media");
         for (const std::string_view name : choosable_components(Choice::on_request))
             if (options.names_component(name)) settings.requested.emplace_back(name);
     }
@@ -152,6 +154,7 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     used.components.emplace();
     if (settings.direct) used.components->emplace_back("direct");
     if (settings.indirect) used.components->emplace_back("indirect");
+    if (renderer.plan().media_light) used.components->emplace_back("media");
     used.components->insert(used.components->end(), settings.requested.begin(),
                             settings.requested.end());
     if (!used.spp) used.spp = static_cast<std::uint32_t>(renderer.samples());
@@ -297,10 +300,9 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
     if (flat.lights.empty())
         diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
-    if (flat.media.present() && options.algorithm != Algorithm::path)
-        diagnostics.warn(scene.source,
-                         "participating media are simulated by --algorithm path only, the picture "
-                         "is that of clear air");
+    if (flat.media.present() && options.compensation)
+        throw usage_error(
+            "--vpl-compensation: knows nothing of participating media, which the scene has");
     check_frames(scene, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");

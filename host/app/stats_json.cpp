@@ -13,7 +13,7 @@ namespace {
 
 // In the order of COMPONENT_*.
 constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "direct", "indirect",
-                                                                   "surface"};
+                                                                   "surface", "media"};
 
 nlohmann::json stage_json(const StageStats& stage) {
     nlohmann::json json{{"name", stage.name},

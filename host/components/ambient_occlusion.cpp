@@ -46,7 +46,7 @@ class AmbientOcclusion : public Component {
           directions_(inputs.executor.allocate(
               std::size_t{inputs.plan.sets} * occlusion_directions_per_set * sizeof(shared::float4),
               "occlusion directions")),
-          irradiance_(inputs, name),
+          irradiance_(inputs, name, inputs.buffers.gbuffer, inputs.buffers.tiles.get()),
           sums_(inputs.pixels(), 0.0) {}
 
     void sample(FrameContext& frame) override;

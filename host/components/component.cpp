@@ -39,6 +39,7 @@ ComponentNeeds needs_of(const FramePlan& plan, std::span<const ComponentKind> ki
         kernels.insert(needs.kernels.begin(), needs.kernels.end());
         all.features |= needs.features;
         all.tiles = all.tiles || needs.tiles;
+        all.own_tiles = all.own_tiles || needs.own_tiles;
         all.all_receivers = all.all_receivers || needs.all_receivers;
     }
     all.kernels.assign(kernels.begin(), kernels.end());

@@ -89,6 +89,7 @@ struct ComponentNeeds {
     std::vector<KernelId> kernels;
     std::uint32_t features = 0;  ///< FEATURE_* that it brings to composition and other kernels
     bool tiles = false;          ///< FrameBuffers::tiles
+    bool own_tiles = false;      ///< tiles of other surfaces than those of the G-buffer
     bool all_receivers = false;  ///< FrameBuffers::receivers, of every pixel
 };
 

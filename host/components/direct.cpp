@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/interleaved_irradiance.h"
 #include "components/soft_shadows.h"
+#include "frame/view_media.h"
+#include "frame/virtual_lights.h"
 
 namespace weft {
 namespace {
@@ -60,9 +62,8 @@ class Direct : public Component {
     void clear(FrameContext& frame, Buffer& irradiance);
 
     const FrameBuffers& shared_;
-    std::unique_ptr<Buffer> samples_;     ///< of all sets; null without lights that are sampled
-    std::unique_ptr<Buffer> irradiance_;  ///< by slot, and
-    std::unique_ptr<Buffer> filtered_;    ///< by pixel; null without light that is filtered
+    std::unique_ptr<Buffer> irradiance_;         ///< by slot, and
+    std::unique_ptr<Buffer> filtered_;           ///< by pixel; null without light that is filtered
     std::unique_ptr<Buffer> exact_irradiance_;   ///< by slot; null without such lights
     std::unique_ptr<SoftShadows> soft_shadows_;  ///< where area lights adapt
 };
@@ -78,9 +79,6 @@ Direct::Direct(const ComponentInputs& inputs) : shared_(inputs.buffers) {
     }
     if (plan.has_exact_direct())
         exact_irradiance_ = dark_irradiance(executor, shared_.slots, "exact direct irradiance");
-    if (plan.light_sample_count() > 0)
-        samples_ =
-            executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
 }
 
 void Direct::gather(FrameContext& frame, const char* stage, Buffer* irradiance, std::uint32_t first,
@@ -88,11 +86,11 @@ void Direct::gather(FrameContext& frame, const char* stage, Buffer* irradiance, 
     frame.params.list_first = first;
     frame.params.list_stride = stride;
     frame.params.list_length = length;
-    frame.run(KernelId::vpl_gather, stage, name, true,
-              {shared_.receivers.get(), shared_.block_set.get(), samples_.get(), irradiance,
-               shared_.counters.get()},
-              shared_.slots / frame.executor.lanes(),
-              gather_items_per_launch(frame.executor, length));
+    frame.run(
+        KernelId::vpl_gather, stage, name, true,
+        with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
+                             shared_.light_samples.get(), irradiance, shared_.counters.get()}),
+        shared_.slots / frame.executor.lanes(), gather_items_per_launch(frame.executor, length));
 }
 
 void Direct::sample_distant(FrameContext& frame) {
@@ -100,9 +98,11 @@ void Direct::sample_distant(FrameContext& frame) {
     frame.params.list_first = plan.area_samples() + plan.punctual_lights;
     frame.params.list_stride = plan.environment_samples;
     frame.run(KernelId::distant_light, "distant light", name, true,
-              {shared_.receivers.get(), shared_.block_set.get(), frame.scene_buffers.lights.get(),
-               shared_.or_nothing(samples_), shared_.or_nothing(irradiance_),
-               shared_.or_nothing(exact_irradiance_), shared_.counters.get()},
+              with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
+                                   frame.scene_buffers.lights.get(),
+                                   shared_.or_nothing(shared_.light_samples),
+                                   shared_.or_nothing(irradiance_),
+                                   shared_.or_nothing(exact_irradiance_), shared_.counters.get()}),
               shared_.slots);
 }
 
@@ -113,16 +113,12 @@ void Direct::clear(FrameContext& frame, Buffer& irradiance) {
 
 void Direct::sample(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
-    frame.run(KernelId::light_samples, "light samples", name, false,
-              with_geometry(frame.scene_buffers,
-                            {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             shared_.or_nothing(samples_)}),
-              plan.light_sample_count());
+    make_light_samples(frame, name);
     // What no gather writes, the distant lights add to.
     if (irradiance_ && plan.samples_per_set == 0) clear(frame, *irradiance_);
     if (exact_irradiance_ && plan.punctual_lights == 0) clear(frame, *exact_irradiance_);
     if (soft_shadows_) {
-        soft_shadows_->sample(frame, *samples_, *irradiance_);
+        soft_shadows_->sample(frame, *shared_.light_samples, *irradiance_);
     } else if (plan.samples_per_set > 0) {
         const bool all = plan.gather_sets == 1;
         gather(frame, "area lights", irradiance_.get(), 0, plan.samples_per_set,
@@ -135,7 +131,7 @@ void Direct::sample(FrameContext& frame) {
 }
 
 void Direct::reconstruct(FrameContext& frame) {
-    if (irradiance_) reconstruct_all(frame, name, *irradiance_, *filtered_);
+    if (irradiance_) reconstruct_all(frame, name, shared_.gbuffer, *irradiance_, *filtered_);
 }
 
 std::unique_ptr<Component> make(const ComponentInputs& inputs) {

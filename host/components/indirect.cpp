@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "components/interleaved_irradiance.h"
+#include "frame/view_media.h"
+#include "frame/virtual_lights.h"
 
 namespace weft {
 namespace {
@@ -25,10 +27,7 @@ ComponentNeeds needs(const FramePlan& plan) {
 class Indirect : public Component {
   public:
     explicit Indirect(const ComponentInputs& inputs)
-        : vpls_(inputs.executor.allocate(
-              std::size_t{inputs.plan.sets} * inputs.plan.vpls_per_set * sizeof(shared::Vpl),
-              "VPLs")),
-          irradiance_(inputs, name) {}
+        : irradiance_(inputs, name, inputs.buffers.gbuffer, inputs.buffers.tiles.get()) {}
 
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext& frame) override { irradiance_.reconstruct(frame); }
@@ -46,7 +45,6 @@ class Indirect : public Component {
   private:
     void gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
 
-    std::unique_ptr<Buffer> vpls_;
     InterleavedIrradiance irradiance_;
 };
 
@@ -58,22 +56,17 @@ void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& s
     frame.params.list_length = plan.vpls_per_set * (plan.gather_sets == 1 ? plan.sets : 1);
     const float roulette_before =
         std::exchange(frame.params.roulette, static_cast<float>(plan.roulette));
-    frame.run(KernelId::vpl_gather, "VPL gather", name, true,
-              {&slots.receivers, &slots.block_set, vpls_.get(), &slots.irradiance,
-               frame.buffers.counters.get()},
-              slots.count / lanes,
-              gather_items_per_launch(frame.executor, frame.params.list_length),
-              slots.first / lanes);
+    frame.run(
+        KernelId::vpl_gather, "VPL gather", name, true,
+        with_media(frame.buffers, {&slots.receivers, &slots.block_set, frame.buffers.vpls.get(),
+                                   &slots.irradiance, frame.buffers.counters.get()}),
+        slots.count / lanes, gather_items_per_launch(frame.executor, frame.params.list_length),
+        slots.first / lanes);
     frame.params.roulette = roulette_before;
 }
 
 void Indirect::sample(FrameContext& frame) {
-    const FramePlan& plan = frame.plan;
-    frame.run(KernelId::vpl_walk, "VPL walk", name, true,
-              with_geometry(frame.scene_buffers,
-                            {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             vpls_.get(), frame.buffers.counters.get()}),
-              plan.sets * plan.paths_per_set);
+    walk_vpls(frame, name);
     irradiance_.sample(frame,
                        [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); });
 }

@@ -4,13 +4,16 @@
 
 namespace weft {
 
-InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, const char* component)
+InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, const char* component,
+                                             const GBuffer& gbuffer, TileGeometry* tiles)
     : component_(component),
       shared_(inputs.buffers),
+      gbuffer_(gbuffer),
+      tiles_(tiles),
       filtered_(inputs.executor.allocate(inputs.pixels() * sizeof(shared::float4),
                                          "filtered irradiance")) {
     if (inputs.plan.adaptive)
-        adaptive_ = std::make_unique<AdaptiveSampling>(inputs.executor, shared_.tiles->grid(),
+        adaptive_ = std::make_unique<AdaptiveSampling>(inputs.executor, tiles_->grid(),
                                                        inputs.levels(), inputs.features);
     irradiance_ = dark_irradiance(inputs.executor, adaptive_ ? adaptive_->slots() : shared_.slots,
                                   "irradiance");
@@ -19,22 +22,23 @@ InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, cons
 void InterleavedIrradiance::sample(FrameContext& frame, const Gather& gather,
                                    const std::function<std::vector<Level>()>& least_levels) {
     if (!adaptive_) {
-        gather({*shared_.receivers, *shared_.block_set, *irradiance_, 0, shared_.slots});
+        gather({*shared_.receivers, *shared_.slot_pixel, *shared_.block_set, *irradiance_, 0,
+                shared_.slots});
         return;
     }
-    adaptive_->sample(
-        frame, component_, *shared_.tiles, *irradiance_,
-        {[&](std::uint32_t first, std::uint32_t count) {
-             gather({adaptive_->receivers(), adaptive_->block_set(), *irradiance_, first, count});
-         },
-         least_levels});
+    adaptive_->sample(frame, component_, gbuffer_, *tiles_, *irradiance_,
+                      {[&](std::uint32_t first, std::uint32_t count) {
+                           gather({adaptive_->receivers(), adaptive_->slot_pixel(),
+                                   adaptive_->block_set(), *irradiance_, first, count});
+                       },
+                       least_levels});
 }
 
 void InterleavedIrradiance::reconstruct(FrameContext& frame) {
     if (adaptive_)
-        adaptive_->reconstruct(frame, component_, *shared_.tiles, *irradiance_, *filtered_);
+        adaptive_->reconstruct(frame, component_, gbuffer_, *tiles_, *irradiance_, *filtered_);
     else
-        reconstruct_all(frame, component_, *irradiance_, *filtered_);
+        reconstruct_all(frame, component_, gbuffer_, *irradiance_, *filtered_);
 }
 
 SlotIrradiance InterleavedIrradiance::slots_of(LightPart part) const {
@@ -53,10 +57,10 @@ ComponentNeeds needs_of_interleaved(bool adapts) {
     return needs;
 }
 
-void reconstruct_all(FrameContext& frame, const char* component, Buffer& irradiance,
-                     Buffer& filtered) {
+void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                     Buffer& irradiance, Buffer& filtered) {
     frame.run(KernelId::reconstruct, "reconstruction", component, false,
-              with_gbuffer(frame.buffers, {frame.buffers.pixel_slot.get(), &irradiance, &filtered}),
+              with_gbuffer(gbuffer, {frame.buffers.pixel_slot.get(), &irradiance, &filtered}),
               TileGrid{frame.params.width, frame.params.height}.tiles());
 }
 

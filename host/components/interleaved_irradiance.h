@@ -21,6 +21,7 @@ class InterleavedIrradiance {
     /// PACKET_BLOCK.
     struct Slots {
         Buffer& receivers;
+        Buffer& slot_pixel;
         Buffer& block_set;
         Buffer& irradiance;
         std::uint32_t first;
@@ -28,8 +29,10 @@ class InterleavedIrradiance {
     };
     using Gather = std::function<void(const Slots& slots)>;
 
-    /// `component` names the stages, and outlives this.
-    InterleavedIrradiance(const ComponentInputs& inputs, const char* component);
+    /// `component` names the stages. `gbuffer` holds the surfaces that are sampled, `tiles` is
+    /// their tiles where the plan adapts. All outlive this.
+    InterleavedIrradiance(const ComponentInputs& inputs, const char* component,
+                          const GBuffer& gbuffer, TileGeometry* tiles);
 
     /// Calls `gather` for all samples of a frame. `least_levels`, a component's own heuristic, is
     /// AdaptiveSampling::Steps::least_levels; nothing asks for it where every pixel is sampled.
@@ -47,6 +50,8 @@ class InterleavedIrradiance {
   private:
     const char* component_;
     const FrameBuffers& shared_;
+    const GBuffer& gbuffer_;
+    TileGeometry* tiles_;
     std::unique_ptr<AdaptiveSampling> adaptive_;
     std::unique_ptr<Buffer> irradiance_, filtered_;
 };
@@ -55,8 +60,8 @@ class InterleavedIrradiance {
 [[nodiscard]] ComponentNeeds needs_of_interleaved(bool adapts);
 
 /// The discontinuity buffer of irradiance that every pixel has: reconstruct.cl as a stage.
-void reconstruct_all(FrameContext& frame, const char* component, Buffer& irradiance,
-                     Buffer& filtered);
+void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                     Buffer& irradiance, Buffer& filtered);
 
 /// Of irradiance that every pixel has.
 [[nodiscard]] SlotIrradiance all_slots(LightPart part, Buffer& irradiance,

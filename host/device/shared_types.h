@@ -28,7 +28,7 @@ static_assert(sizeof(MediumRecord) == 48);
 static_assert(sizeof(MediaRecord) == 144);
 static_assert(sizeof(TileRecord) == 32);
 static_assert(sizeof(RayCounter) == 16);
-static_assert(sizeof(NonfiniteCounter) == 32);
+static_assert(sizeof(NonfiniteCounter) == 48);
 static_assert(sizeof(Params) % 16 == 0 && sizeof(Params) <= 1024);
 
 }  // namespace weft::shared

@@ -8,6 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "frame/level_layers.h"
+#include "frame/view_media.h"
 #include "schedule/work_order.h"
 
 namespace weft {
@@ -32,9 +33,9 @@ TileGeometry::TileGeometry(Executor& executor, std::uint32_t width, std::uint32_
     : grid_{width, height},
       buffer_(executor.allocate(grid_.tiles() * sizeof(shared::TileRecord), "tiles")) {}
 
-void TileGeometry::examine(FrameContext& frame) {
+void TileGeometry::examine(FrameContext& frame, const GBuffer& gbuffer) {
     frame.run(KernelId::tile_geometry, "tile geometry", "", false,
-              with_gbuffer(frame.buffers, {buffer_.get()}), grid_.tiles());
+              with_gbuffer(gbuffer, {buffer_.get()}), grid_.tiles());
     records_ = read_buffer<shared::TileRecord>(frame.executor, *buffer_, grid_.tiles());
     ordered_masks_.clear();
 }
@@ -80,15 +81,15 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
                                 "lattice signal");
 }
 
-void AdaptiveSampling::sample(FrameContext& frame, const char* component, TileGeometry& tiles,
-                              Buffer& irradiance, const Steps& steps) {
+void AdaptiveSampling::sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                              TileGeometry& tiles, Buffer& irradiance, const Steps& steps) {
     const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
     double host_ms = 0.0;
     const auto round = [&](const auto& decide) {
         const Stopwatch watch;
         const bool any = take_round(frame, tiles, decide());
         host_ms += watch.total();
-        if (any) run_round(frame, component, steps);
+        if (any) run_round(frame, component, gbuffer, steps);
     };
     begin(frame);
     write_buffer<std::uint32_t>(frame.executor, *pixel_slot_, no_slots_);
@@ -107,7 +108,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, TileGe
                 round([&] { return scheduler_->next_round(); });
                 continue;
             }
-            const auto points = signal(frame, component, level, irradiance);
+            const auto points = signal(frame, component, gbuffer, level, irradiance);
             // What a frame that ended has not written says nothing.
             if (frame.ended_early()) break;
             round([&] { return scheduler_->refine(level, points, slope_); });
@@ -144,32 +145,35 @@ bool AdaptiveSampling::take_round(FrameContext& frame, TileGeometry& tiles, cons
     return true;
 }
 
-void AdaptiveSampling::run_round(FrameContext& frame, const char* component, const Steps& steps) {
+void AdaptiveSampling::run_round(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                                 const Steps& steps) {
     const auto count = static_cast<std::uint32_t>(round_.pixels.size());
     const auto first = static_cast<std::uint32_t>(work_.pixels.size()) - count;
     frame.run(KernelId::receivers, "receivers", component, false,
-              with_gbuffer(frame.buffers, {slot_pixel_.get(), receivers_.get(), pixel_slot_.get()}),
+              with_gbuffer(gbuffer, {slot_pixel_.get(), view_inside(frame.buffers),
+                                     receivers_.get(), pixel_slot_.get()}),
               count, 0, first);
     steps.gather(first, count);
 }
 
 std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const char* component,
-                                                     Level level, Buffer& irradiance) {
+                                                     const GBuffer& gbuffer, Level level,
+                                                     Buffer& irradiance) {
     const std::uint32_t points = lattice_points(grid_, level);
     frame.params.list_stride = stride_of(level);
     frame.run(KernelId::lattice_signal, "heuristic", component, false,
-              with_gbuffer(frame.buffers, {pixel_slot_.get(), &irradiance, signal_.get()}), points);
+              with_gbuffer(gbuffer, {pixel_slot_.get(), &irradiance, signal_.get()}), points);
     return read_buffer<shared::float4>(frame.executor, *signal_, points);
 }
 
 void AdaptiveSampling::reconstruct(FrameContext& frame, const char* component,
-                                   const TileGeometry& tiles, Buffer& irradiance,
-                                   Buffer& filtered) {
+                                   const GBuffer& gbuffer, const TileGeometry& tiles,
+                                   Buffer& irradiance, Buffer& filtered) {
     write_buffer<float>(frame.executor, *tile_height_, scheduler_->heights());
     const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
     frame.run(KernelId::reconstruct_tiles, "reconstruction", component, false,
-              with_gbuffer(frame.buffers, {&tiles.buffer(), tile_height_.get(), pixel_slot_.get(),
-                                           &irradiance, &filtered}),
+              with_gbuffer(gbuffer, {&tiles.buffer(), tile_height_.get(), pixel_slot_.get(),
+                                     &irradiance, &filtered}),
               grid_.tiles());
     frame.params.slots = slots_before;
 }

@@ -21,8 +21,8 @@ class TileGeometry {
   public:
     TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height);
 
-    /// Launches tile_geometry.cl on the frame's G-buffer and reads its records.
-    void examine(FrameContext& frame);
+    /// Launches tile_geometry.cl on a G-buffer and reads its records.
+    void examine(FrameContext& frame, const GBuffer& gbuffer);
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
     [[nodiscard]] std::span<const shared::TileRecord> records() const { return records_; }
@@ -68,13 +68,14 @@ class AdaptiveSampling : public SamplingDecision {
     [[nodiscard]] Buffer& slot_pixel() const { return *slot_pixel_; }
     [[nodiscard]] Buffer& pixel_slot() const { return *pixel_slot_; }
 
-    /// All rounds of a frame: `irradiance` by slot, made by `steps`.
-    void sample(FrameContext& frame, const char* component, TileGeometry& tiles, Buffer& irradiance,
-                const Steps& steps);
+    /// All rounds of a frame: `irradiance` by slot of the surfaces of a G-buffer, whose tiles are
+    /// `tiles`, made by `steps`.
+    void sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                TileGeometry& tiles, Buffer& irradiance, const Steps& steps);
 
     /// Irradiance by slot to irradiance of every pixel.
-    void reconstruct(FrameContext& frame, const char* component, const TileGeometry& tiles,
-                     Buffer& irradiance, Buffer& filtered);
+    void reconstruct(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                     const TileGeometry& tiles, Buffer& irradiance, Buffer& filtered);
 
     [[nodiscard]] LevelCounts counts() const override {
         return {scheduler_->tiles_by_level(), scheduler_->samples()};
@@ -91,9 +92,11 @@ class AdaptiveSampling : public SamplingDecision {
     void begin(const FrameContext& frame);
     /// Orders a round and adds it to the work list on the device; returns whether it has any pixel.
     bool take_round(FrameContext& frame, TileGeometry& tiles, const WorkList& round);
-    void run_round(FrameContext& frame, const char* component, const Steps& steps);
+    void run_round(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                   const Steps& steps);
     [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
-                                                     Level level, Buffer& irradiance);
+                                                     const GBuffer& gbuffer, Level level,
+                                                     Buffer& irradiance);
 
     TileGrid grid_;
     LevelSettings settings_;

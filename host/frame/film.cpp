@@ -3,10 +3,15 @@
 #include "frame/film.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "device/shared_types.h"
 
 namespace weft {
+
+std::size_t film_planes(std::uint32_t features) {
+    return (features & FEATURE_AIRLIGHT) != 0 ? FILM_PLANES_MEDIA : FILM_PLANES;
+}
 
 Image resolve_film(std::span<const float> high, std::span<const float> low, std::uint32_t width,
                    std::uint32_t height, std::uint32_t samples) {
@@ -21,7 +26,7 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     image.width = width;
     image.height = height;
     const auto add = [&](const char* name, const char* channels,
-                         std::initializer_list<std::size_t> planes) {
+                         const std::vector<std::size_t>& planes) {
         Layer layer{name, channels, {}};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
@@ -32,9 +37,13 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
             }
         image.layers.push_back(std::move(layer));
     };
-    add("", "RGB", {FILM_EMISSION, FILM_DIRECT, FILM_INDIRECT});
+    const bool media = high.size() >= FILM_PLANES_MEDIA * FILM_STRIDE(pixels);
+    std::vector<std::size_t> beauty{FILM_EMISSION, FILM_DIRECT, FILM_INDIRECT};
+    if (media) beauty.push_back(FILM_MEDIA);
+    add("", "RGB", beauty);
     add("direct", "RGB", {FILM_DIRECT});
     add("indirect", "RGB", {FILM_INDIRECT});
+    if (media) add("media", "RGB", {FILM_MEDIA});
     add("emission", "RGB", {FILM_EMISSION});
     add("albedo", "RGB", {FILM_ALBEDO});
     add("normal", "XYZ", {FILM_NORMAL});

@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "frame/adaptive_sampling.h"
 #include "frame/edge_samples.h"
+#include "frame/film.h"
+#include "frame/view_media.h"
 #include "kernels/receivers.h"
 #include "scene/mip_levels.h"
 
@@ -45,7 +47,16 @@ FrameBuffers& FrameBuffers::operator=(FrameBuffers&&) noexcept = default;
 FrameBuffers::~FrameBuffers() = default;
 
 std::size_t receiver_planes(std::uint32_t features) {
+    if ((features & FEATURE_MEDIA) != 0) return RECEIVER_PLANES_MEDIA;
     return (features & FEATURE_SMOOTH_NORMALS) != 0 ? RECEIVER_PLANES_SMOOTH : RECEIVER_PLANES_FLAT;
+}
+
+GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of) {
+    GBuffer gbuffer;
+    gbuffer.push_back(executor.allocate(2 * pixels * sizeof(std::uint32_t), of));
+    while (gbuffer.size() < gbuffer_buffers)
+        gbuffer.push_back(executor.allocate(pixels * sizeof(shared::float4), of));
+    return gbuffer;
 }
 
 FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const WorkList& work,
@@ -57,10 +68,7 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
     const auto floats = [&](std::size_t count, const char* what) {
         return executor.allocate(count * sizeof(float), what);
     };
-    frame.gbuffer.push_back(floats(2 * pixels, "G-buffer ids"));
-    for (const char* what : {"G-buffer positions", "G-buffer normals", "G-buffer shading normals",
-                             "G-buffer albedo", "G-buffer emission"})
-        frame.gbuffer.push_back(floats(4 * pixels, what));
+    frame.gbuffer = allocate_gbuffer(executor, pixels, "G-buffer");
     frame.nothing = floats(4, "a dummy buffer");
     frame.slot_pixel = upload<std::uint32_t>(executor, work.pixels, "work list");
     frame.block_set = upload<std::uint32_t>(executor, work.block_sets, "sample sets");
@@ -68,8 +76,14 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
     frame.receivers = floats(receiver_planes(features) * frame.slots, "receivers");
     if (tiles) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
     if (plan.edge_samples > 0) frame.edges = std::make_unique<EdgeSamples>(executor, width, height);
-    frame.film_high = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
-    frame.film_low = floats(FILM_PLANES * FILM_STRIDE(pixels), "film");
+    frame.film_high = floats(film_planes(features) * FILM_STRIDE(pixels), "film");
+    frame.film_low = floats(film_planes(features) * FILM_STRIDE(pixels), "film");
+    if (plan.light_sample_count() > 0)
+        frame.light_samples =
+            executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
+    if (plan.has_vpls())
+        frame.vpls = executor.allocate(
+            std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
     return frame;
 }
 
@@ -151,19 +165,27 @@ std::vector<Buffer*> with_geometry(const SceneBuffers& scene, const std::vector<
     return all;
 }
 
-std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<Buffer*>& others) {
+std::vector<Buffer*> with_gbuffer(const GBuffer& gbuffer, const std::vector<Buffer*>& others) {
     std::vector<Buffer*> all;
-    for (const auto& buffer : frame.gbuffer) all.push_back(buffer.get());
+    for (const auto& buffer : gbuffer) all.push_back(buffer.get());
     all.insert(all.end(), others.begin(), others.end());
     return all;
+}
+
+std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<Buffer*>& others) {
+    return with_gbuffer(frame.gbuffer, others);
 }
 
 std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
                                      const std::vector<Buffer*>& others) {
     const ComposedIrradiance& irradiance = frame.irradiance;
-    std::vector<Buffer*> all{frame.pixel_slot.get(), frame.or_nothing(irradiance.direct),
-                             frame.or_nothing(irradiance.exact_direct),
-                             frame.or_nothing(irradiance.indirect)};
+    std::vector<Buffer*> all{
+        frame.pixel_slot.get(),
+        frame.or_nothing(irradiance.direct),
+        frame.or_nothing(irradiance.exact_direct),
+        frame.or_nothing(irradiance.indirect),
+        frame.or_nothing(frame.view_media ? &frame.view_media->left() : nullptr),
+        frame.or_nothing(irradiance.media)};
     all.insert(all.end(), others.begin(), others.end());
     return all;
 }

@@ -30,22 +30,30 @@ struct SceneBuffers {
 
 class EdgeSamples;
 class TileGeometry;
+class ViewMedia;
+
+/// Buffers in the order of GBUFFER_ARGS.
+using GBuffer = std::vector<std::unique_ptr<Buffer>>;
 
 /// The irradiance that composition adds up: buffers of the components, null where there is none.
 struct ComposedIrradiance {
     Buffer* direct = nullptr;        ///< by pixel, float4
     Buffer* exact_direct = nullptr;  ///< by slot of all pixels, three planes
     Buffer* indirect = nullptr;      ///< by pixel, float4
+    Buffer* media = nullptr;         ///< by pixel, float4: radiance that media scatter to it
 };
 
 /// What all stages and components of a frame share; the order of `gbuffer` is that of GBUFFER_ARGS.
 /// Buffers that the plan does not call for are null.
 struct FrameBuffers {
-    std::vector<std::unique_ptr<Buffer>> gbuffer;
+    GBuffer gbuffer;
     std::unique_ptr<Buffer> slot_pixel, pixel_slot, block_set, receivers;
     std::unique_ptr<Buffer> film_high, film_low;
-    std::unique_ptr<TileGeometry> tiles;  ///< where a component adapts
-    std::unique_ptr<EdgeSamples> edges;   ///< where the plan has edge samples
+    std::unique_ptr<TileGeometry> tiles;    ///< where a component adapts
+    std::unique_ptr<EdgeSamples> edges;     ///< where the plan has edge samples
+    std::unique_ptr<ViewMedia> view_media;  ///< where light goes through media
+    std::unique_ptr<Buffer> light_samples;  ///< points on lights, of all sets
+    std::unique_ptr<Buffer> vpls;           ///< of indirect light, of all sets
     ComposedIrradiance irradiance;
     std::unique_ptr<Buffer> counters, nonfinite;
     std::unique_ptr<Buffer> nothing;  ///< stands in for buffers that the plan does not call for
@@ -65,11 +73,16 @@ struct FrameBuffers {
     }
 };
 
-/// Places in FrameBuffers::gbuffer.
+/// Places in a GBuffer, and how many there are.
 inline constexpr std::size_t gbuffer_position = 1;
 inline constexpr std::size_t gbuffer_albedo = 4;
+inline constexpr std::size_t gbuffer_buffers = 6;
 
-/// What a frame shares, of a picture of this size. `tiles`: whether a component adapts.
+/// A G-buffer of that many pixels; `of` says of what.
+[[nodiscard]] GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of);
+
+/// What a frame shares, of a picture of this size, but for the media that it is seen through.
+/// `tiles`: whether a component adapts.
 [[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan,
                                           const WorkList& work, std::uint32_t width,
                                           std::uint32_t height, std::uint32_t features, bool tiles);
@@ -160,7 +173,9 @@ class FrameContext : public FrameInputs {
 [[nodiscard]] std::vector<Buffer*> with_geometry(const SceneBuffers& scene,
                                                  const std::vector<Buffer*>& others);
 
-/// The buffers of GBUFFER_ARGS, followed by others.
+/// The buffers of a G-buffer, by default the frame's own, followed by others.
+[[nodiscard]] std::vector<Buffer*> with_gbuffer(const GBuffer& gbuffer,
+                                                const std::vector<Buffer*>& others);
 [[nodiscard]] std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame,
                                                 const std::vector<Buffer*>& others);
 

@@ -67,8 +67,7 @@ std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings
     constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
                                           FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
                                           FEATURE_ENVIRONMENT;
-    return (scene.features & of_surfaces) |
-           (scene.media.grids.records.empty() ? 0U : FEATURE_DENSITY_GRIDS) |
+    return (scene.features & of_surfaces) | scene.media.features() |
            (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }

@@ -11,6 +11,7 @@
 #include "frame/camera_params.h"
 #include "frame/edge_samples.h"
 #include "frame/film.h"
+#include "frame/view_media.h"
 
 namespace weft {
 
@@ -49,6 +50,9 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     statistics.punctual_lights = scene.punctual_lights;
     statistics.directional_lights = scene.directional_lights;
     statistics.environment = (scene.features & FEATURE_ENVIRONMENT) != 0;
+    statistics.media = scene.media.present();
+    statistics.scattering = scene.media.scatters();
+    statistics.media_light = settings.media;
     statistics.direct = settings.direct;
     statistics.indirect = settings.indirect;
     statistics.surface_area = scene.surface_area;
@@ -64,7 +68,8 @@ std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const Componen
     const ComponentNeeds needs = needs_of(plan, kinds);
     std::set<KernelId> kernels(needs.kernels.begin(), needs.kernels.end());
     kernels.insert({KernelId::gbuffer, KernelId::compose, KernelId::receivers});
-    if (needs.tiles) kernels.insert(KernelId::tile_geometry);
+    if (needs.tiles || needs.own_tiles) kernels.insert(KernelId::tile_geometry);
+    if (plan.media) kernels.insert(KernelId::view_media);
     if (plan.edge_samples > 0) kernels.insert({KernelId::edge_masks, KernelId::edge_samples});
     return {kernels.begin(), kernels.end()};
 }
@@ -74,7 +79,8 @@ std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
     constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
                                           FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
                                           FEATURE_ENVIRONMENT;
-    return (scene.features & of_surfaces) | needs_of(plan, kinds).features;
+    const std::uint32_t of_media = plan.media ? FEATURE_MEDIA | scene.media.features() : 0U;
+    return (scene.features & of_surfaces) | of_media | needs_of(plan, kinds).features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
@@ -89,9 +95,12 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     executor_.build(kernels_of(plan_, settings.components), features);
     scene_buffers_ = upload_scene(executor_, scene);
     const ComponentNeeds needs = needs_of(plan_, settings.components);
-    all_receivers_ = needs.all_receivers || !needs.tiles;
+    all_receivers_ = needs.all_receivers || !(needs.tiles || needs.own_tiles);
     buffers_ = allocate_frame(executor_, plan_, work_, settings.width, settings.height, features,
                               needs.tiles);
+    if (plan_.media)
+        buffers_.view_media = std::make_unique<ViewMedia>(
+            executor_, scene, camera, std::size_t{settings.width} * settings.height, features);
     components_ = make_components(settings.components, {.executor = executor_,
                                                         .scene = scene,
                                                         .plan = plan_,
@@ -138,6 +147,7 @@ void Renderer::set_camera(const Camera& camera) {
 
 void Renderer::move_camera(const Camera& camera) {
     weft::set_camera(camera, scene_.units, base_params_);
+    if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
     base_params_.texture_angle = texture_angle(base_params_, settings_);
     frames_in_film_ = 0;
     ++picture_;
@@ -160,12 +170,13 @@ void Renderer::trace_primary(FrameContext& frame) {
     frame.run(KernelId::gbuffer, "primary rays", "", true,
               with_geometry(scene_buffers_, with_gbuffer(buffers_, {})),
               pixel_blocks(settings_.width, settings_.height, executor_.lanes()));
+    if (buffers_.view_media) buffers_.view_media->find(frame);
     if (all_receivers_)
         frame.run(KernelId::receivers, "receivers", "", false,
-                  with_gbuffer(buffers_, {buffers_.slot_pixel.get(), buffers_.receivers.get(),
-                                          buffers_.pixel_slot.get()}),
+                  with_gbuffer(buffers_, {buffers_.slot_pixel.get(), view_inside(buffers_),
+                                          buffers_.receivers.get(), buffers_.pixel_slot.get()}),
                   buffers_.slots);
-    if (buffers_.tiles) buffers_.tiles->examine(frame);
+    if (buffers_.tiles) buffers_.tiles->examine(frame, buffers_.gbuffer);
 }
 
 void Renderer::compose(FrameContext& frame) {
@@ -227,8 +238,8 @@ void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
 }
 
 Image Renderer::image() {
-    const std::size_t values =
-        FILM_PLANES * FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
+    const std::size_t values = film_planes(base_params_.features) *
+                               FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
     const auto high = read_buffer<float>(executor_, *buffers_.film_high, values);
     const auto low =
         read_buffer<float>(executor_, *buffers_.film_low, frames_in_film_ > 1 ? values : 0);

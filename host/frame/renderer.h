@@ -33,6 +33,7 @@ struct RenderSettings {
     double frame_time_ms = 0.0;
     bool direct = true;
     bool indirect = true;
+    bool media = true;  ///< light that participating media scatter to the camera
     /// Names of further components (Choice::on_request).
     std::vector<std::string> requested;
     /// Those to choose from.

@@ -164,6 +164,17 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 
 }  // namespace
 
+bool FlatMedia::scatters() const {
+    return std::any_of(records.begin(), records.end(), [](const shared::MediumRecord& m) {
+        return m.sigma_t.x * m.albedo.x > 0.0F || m.sigma_t.y * m.albedo.y > 0.0F ||
+               m.sigma_t.z * m.albedo.z > 0.0F;
+    });
+}
+
+std::uint32_t FlatMedia::features() const {
+    return grids.records.empty() ? 0U : FEATURE_DENSITY_GRIDS;
+}
+
 FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
     std::vector<bool> clear;
     for (const Medium& medium : scene.media) clear.push_back(is_clear(scene, medium));

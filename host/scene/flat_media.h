@@ -27,6 +27,10 @@ struct FlatMedia {
     FlatGrids grids;                          ///< that records refer to
 
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
+    /// Whether any medium scatters light.
+    [[nodiscard]] bool scatters() const;
+    /// FEATURE_* of what they hold.
+    [[nodiscard]] std::uint32_t features() const;
 };
 
 /// Flattens the media of a validated scene. Boundaries are numbered by the volume that they

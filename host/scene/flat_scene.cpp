@@ -215,6 +215,23 @@ void measure(const Scene& scene, FlatScene& flat) {
     flat.extent = static_cast<float>(extent > 0.0 ? extent : 1.0);
 }
 
+/// Tells lights which boundaries of media are around them: around the middle of their first
+/// triangle, where they have an area.
+void put_lights_in_media(FlatScene& flat) {
+    const auto vector = [](const shared::float4& v) { return glm::dvec3(v.x, v.y, v.z); };
+    for (shared::LightRecord& light : flat.lights) {
+        glm::dvec3 centre = vector(light.position);
+        if (light.kind == EMITTER_DIRECTIONAL || light.kind == EMITTER_ENVIRONMENT) continue;
+        if (light.kind == EMITTER_AREA) {
+            const shared::Triangle& t = flat.triangles[flat.emissive[light.first].triangle];
+            centre = (vector(flat.positions[t.v0]) + vector(flat.positions[t.v1]) +
+                      vector(flat.positions[t.v2])) /
+                     3.0;
+        }
+        light.inside = boundaries_around(flat.media, centre);
+    }
+}
+
 }  // namespace
 
 double triangle_area(const FlatScene& flat, const shared::Triangle& t) {
@@ -242,6 +259,7 @@ FlatScene flatten(const Scene& scene) {
     measure(scene, flat);
     build_light_table(scene, flat);
     flat.media = flatten_media(scene, flat.units);
+    if (flat.media.present()) put_lights_in_media(flat);
     return flat;
 }
 

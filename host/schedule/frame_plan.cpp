@@ -38,6 +38,17 @@ void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflect
     }
 }
 
+/// Some view ray passes close to any point of a light, so media want more points than surfaces do:
+/// four times as many, but of all lights together about as many as there are VPLs.
+void plan_media_samples(FramePlan& plan, const SamplingSettings& settings, std::uint32_t lights) {
+    plan.media_samples_per_light = plan.samples_per_light;
+    plan.media_samples_per_set = plan.samples_per_set;
+    if (plan.samples_per_light == 0 || lights == 0) return;
+    plan.media_samples_per_light = std::clamp(settings.vpls_per_set / lights,
+                                              plan.samples_per_light, 4 * plan.samples_per_light);
+    plan.media_samples_per_set = lights * plan.media_samples_per_light;
+}
+
 }  // namespace
 
 double vpl_bound(double area, double count, double spacing) {
@@ -63,17 +74,25 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.filter_radius = interleaved ? settings.filter_radius : 0;
     const std::uint32_t lights = scene.area_lights + scene.punctual_lights +
                                  scene.directional_lights + (scene.environment ? 1U : 0U);
-    if (scene.direct) {
+    plan.media = scene.media;
+    plan.media_light = scene.scattering && scene.media_light && lights > 0;
+    plan.direct = scene.direct;
+    plan.indirect = scene.indirect;
+    plan.media_steps = settings.samples_per_light;
+    if (scene.direct || plan.media_light) {
         const bool all_lights =
             scene.area_lights * settings.samples_per_light <= settings.max_samples_per_set;
         plan.samples_per_light = all_lights ? settings.samples_per_light : 0;
         plan.samples_per_set = all_lights ? scene.area_lights * settings.samples_per_light
                                           : settings.max_samples_per_set;
+        if (plan.media_light) plan_media_samples(plan, settings, scene.area_lights);
         plan.environment_samples = scene.environment ? settings.samples_per_light : 0;
         plan.punctual_lights = scene.punctual_lights;
         plan.directional_lights = scene.directional_lights;
     }
-    if (scene.indirect && lights > 0 && scene.mean_reflectance > 0.0)
+    // Paths may be scattered by media where no surface does.
+    const bool scatters = scene.mean_reflectance > 0.0 || scene.scattering;
+    if ((scene.indirect || plan.media_light) && lights > 0 && scatters)
         plan_vpls(plan, settings, scene.mean_reflectance);
     plan.adaptive = algorithm == Algorithm::ais;
     if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);

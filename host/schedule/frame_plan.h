@@ -51,7 +51,10 @@ struct SceneStatistics {
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
     bool environment = false;
+    bool media = false;             ///< some medium takes from light
+    bool scattering = false;        ///< and scatters some of it
     bool direct = true;             ///< the user wants direct light
+    bool media_light = true;        ///< the user wants light scattered by media to the camera
     bool indirect = true;           ///< the user wants indirect light
     double surface_area = 0.0;      ///< kernel units squared
     double mean_reflectance = 0.0;  ///< [0, 1]
@@ -64,7 +67,7 @@ struct FramePlan {
     std::uint32_t gather_sets = 1;  ///< sample sets a pixel chooses from: 1 means all at once
     std::uint32_t filter_radius = 0;
 
-    std::uint32_t paths_per_set = 0;  ///< 0: no indirect light
+    std::uint32_t paths_per_set = 0;  ///< 0: no VPLs
     std::uint32_t vpls_per_set = 0;
     std::uint32_t bounces = 0;
     std::array<std::uint32_t, MAX_BOUNCES> survivors{};
@@ -75,6 +78,14 @@ struct FramePlan {
     std::uint32_t environment_samples = 0;
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
+
+    bool direct = false;            ///< surfaces gather the light of lights
+    bool indirect = false;          ///< and of VPLs
+    bool media = false;             ///< light goes through participating media
+    bool media_light = false;       ///< what they scatter to the camera is gathered, too
+    std::uint32_t media_steps = 1;  ///< places on a view ray for each light without area
+    std::uint32_t media_samples_per_light = 0;  ///< as samples_per_light, of light in media
+    std::uint32_t media_samples_per_set = 0;    ///< as samples_per_set
 
     std::vector<std::string> requested;  ///< components that frames have only where asked for
 
@@ -99,21 +110,24 @@ struct FramePlan {
     [[nodiscard]] bool requests(std::string_view component) const {
         return std::find(requested.begin(), requested.end(), component) != requested.end();
     }
-    [[nodiscard]] bool has_indirect() const { return paths_per_set > 0; }
+    [[nodiscard]] bool has_vpls() const { return paths_per_set > 0; }
+    [[nodiscard]] bool has_indirect() const { return indirect && has_vpls(); }
     [[nodiscard]] bool has_sampled_direct() const {
-        return samples_per_set > 0 || environment_samples > 0;
+        return direct && (samples_per_set > 0 || environment_samples > 0);
     }
     /// One ray to a light can stand for others where there are any.
     [[nodiscard]] bool adapts_direct() const {
-        return adaptive && threshold > 0.0 && samples_per_set > 0 && samples_per_light > 1;
+        return direct && adaptive && threshold > 0.0 && samples_per_set > 0 &&
+               samples_per_light > 1;
     }
     /// Whether any light may go without samples at some pixels.
     [[nodiscard]] bool undersamples() const {
         return adaptive && threshold > 0.0 && (has_indirect() || adapts_direct());
     }
     [[nodiscard]] bool has_exact_direct() const {
-        return punctual_lights > 0 || directional_lights > 0;
+        return direct && (punctual_lights > 0 || directional_lights > 0);
     }
+    [[nodiscard]] bool has_direct() const { return has_sampled_direct() || has_exact_direct(); }
     [[nodiscard]] bool has_distant() const {
         return environment_samples > 0 || directional_lights > 0;
     }

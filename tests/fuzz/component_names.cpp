@@ -8,12 +8,12 @@
 namespace weft {
 
 std::vector<std::string_view> choosable_components(Choice choice) {
-    if (choice == Choice::by_default) return {"direct", "indirect"};
+    if (choice == Choice::by_default) return {"direct", "indirect", "media"};
     return {"occlusion"};
 }
 
 std::vector<std::string_view> choosable_components() {
-    return {"direct", "indirect", "occlusion"};
+    return {"direct", "indirect", "media", "occlusion"};
 }
 
 }  // namespace weft

@@ -1,0 +1,154 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include "components/interleaved_irradiance.h"
+#include "frame/view_media.h"
+#include "frame/virtual_lights.h"
+
+namespace weft {
+namespace {
+
+constexpr const char* name = "media";
+
+bool called_for(const FramePlan& plan) {
+    return plan.media_light;
+}
+
+ComponentNeeds needs(const FramePlan& plan) {
+    ComponentNeeds needs = needs_of_interleaved(plan.adaptive);
+    needs.features = FEATURE_AIRLIGHT;
+    // Its tiles are of the ends of view rays, and its own.
+    needs.own_tiles = std::exchange(needs.tiles, false);
+    needs.kernels.push_back(KernelId::media_gather);
+    if (plan.light_sample_count() > 0) needs.kernels.push_back(KernelId::light_samples);
+    if (plan.has_vpls()) needs.kernels.push_back(KernelId::vpl_walk);
+    if (plan.has_distant()) {
+        needs.kernels.push_back(KernelId::media_distant);
+        if (plan.directional_lights > 0) needs.features |= FEATURE_DIRECTIONAL_LIGHTS;
+    }
+    return needs;
+}
+
+/// Light that participating media scatter to the camera: of lights, and of VPLs. It is sampled and
+/// filtered as irradiance is, on surfaces that are the ends of view rays.
+class Media : public Component {
+  public:
+    explicit Media(const ComponentInputs& inputs);
+
+    void sample(FrameContext& frame) override;
+    void reconstruct(FrameContext& frame) override { radiance_.reconstruct(frame); }
+
+    void hand_over(ComposedIrradiance& composed) const override {
+        composed.media = &radiance_.filtered();
+    }
+    [[nodiscard]] const SamplingDecision* decision() const override { return radiance_.adaptive(); }
+
+  private:
+    /// A list of virtual lights; see Params.
+    struct Lights {
+        const char* stage;
+        Buffer* buffer;
+        std::uint32_t first, stride, length;
+        std::uint32_t steps;
+        double roulette;
+    };
+
+    void gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
+    void gather_lights(FrameContext& frame, const InterleavedIrradiance::Slots& slots,
+                       const Lights& lights);
+    void gather_distant(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
+
+    std::unique_ptr<TileGeometry> tiles_;
+    std::unique_ptr<Buffer> samples_;  ///< on area lights, of all sets; null without such lights
+    InterleavedIrradiance radiance_;
+};
+
+Media::Media(const ComponentInputs& inputs)
+    : tiles_(inputs.plan.adaptive
+                 ? std::make_unique<TileGeometry>(inputs.executor, inputs.width, inputs.height)
+                 : nullptr),
+      radiance_(inputs, name, inputs.buffers.view_media->ends(), tiles_.get()) {
+    const FramePlan& plan = inputs.plan;
+    if (plan.media_samples_per_set > 0)
+        samples_ = inputs.executor.allocate(
+            std::size_t{plan.sets} * plan.media_samples_per_set * sizeof(shared::Vpl),
+            "light samples of media");
+}
+
+void Media::gather_lights(FrameContext& frame, const InterleavedIrradiance::Slots& slots,
+                          const Lights& lights) {
+    const std::uint32_t lanes = frame.executor.lanes();
+    const GBuffer& ends = frame.buffers.view_media->ends();
+    frame.params.list_first = lights.first;
+    frame.params.list_stride = lights.stride;
+    frame.params.list_length = lights.length;
+    frame.params.media_steps = lights.steps;
+    const float roulette_before =
+        std::exchange(frame.params.roulette, static_cast<float>(lights.roulette));
+    frame.run(KernelId::media_gather, lights.stage, name, true,
+              with_media(frame.buffers, {ends[gbuffer_position].get(), ends[gbuffer_albedo].get(),
+                                         &slots.slot_pixel, &slots.block_set, lights.buffer,
+                                         &slots.irradiance, frame.buffers.counters.get()}),
+              slots.count / lanes,
+              gather_items_per_launch(frame.executor, lights.length * lights.steps),
+              slots.first / lanes);
+    frame.params.roulette = roulette_before;
+}
+
+void Media::gather_distant(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
+    const GBuffer& ends = frame.buffers.view_media->ends();
+    frame.params.media_steps = frame.plan.media_steps;
+    frame.run(
+        KernelId::media_distant, "distant light in media", name, true,
+        with_media(frame.buffers, {frame.scene_buffers.lights.get(), ends[gbuffer_position].get(),
+                                   ends[gbuffer_albedo].get(), &slots.slot_pixel, &slots.block_set,
+                                   &slots.irradiance, frame.buffers.counters.get()}),
+        slots.count, 0, slots.first);
+}
+
+void Media::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
+    const FramePlan& plan = frame.plan;
+    const FrameBuffers& buffers = frame.buffers;
+    const std::uint32_t sets = plan.gather_sets == 1 ? plan.sets : 1;
+    std::vector<Lights> lists;
+    if (samples_)
+        lists.push_back({"area lights in media", samples_.get(), 0, plan.media_samples_per_set,
+                         plan.media_samples_per_set * sets, 1, 0.0});
+    if (plan.punctual_lights > 0)
+        lists.push_back({"punctual lights in media", buffers.light_samples.get(),
+                         plan.area_samples(), 0, plan.punctual_lights, plan.media_steps, 0.0});
+    if (plan.has_vpls())
+        lists.push_back({"VPLs in media", buffers.vpls.get(), 0, plan.vpls_per_set,
+                         plan.vpls_per_set * sets, 1, plan.roulette});
+    // An empty list leaves all dark.
+    if (lists.empty()) lists.push_back({"media", buffers.nothing.get(), 0, 0, 0, 1, 0.0});
+    frame.params.media_adds = 0;
+    for (const Lights& lights : lists) {
+        gather_lights(frame, slots, lights);
+        frame.params.media_adds = 1;
+    }
+    if (plan.has_distant()) gather_distant(frame, slots);
+}
+
+void Media::sample(FrameContext& frame) {
+    const FramePlan& plan = frame.plan;
+    if (!plan.has_direct()) make_light_samples(frame, name);
+    if (samples_) make_media_samples(frame, name, *samples_);
+    if (!plan.has_indirect() && plan.has_vpls()) walk_vpls(frame, name);
+    if (tiles_) frame.run_whole([&] { tiles_->examine(frame, frame.buffers.view_media->ends()); });
+    radiance_.sample(frame,
+                     [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); });
+}
+
+std::unique_ptr<Component> make(const ComponentInputs& inputs) {
+    return std::make_unique<Media>(inputs);
+}
+
+}  // namespace
+
+ComponentKind media_component() {
+    return {name, Choice::by_default, called_for, needs, make};
+}
+
+}  // namespace weft

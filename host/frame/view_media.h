@@ -1,0 +1,50 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_FRAME_VIEW_MEDIA_H
+#define WEFT_FRAME_VIEW_MEDIA_H
+
+#include <memory>
+#include <vector>
+
+#include "frame/frame_context.h"
+#include "frame/media_buffers.h"
+
+namespace weft {
+
+/// Participating media of a scene on the device, and what they do to the view ray of each pixel.
+class ViewMedia {
+  public:
+    /// With FEATURE_AIRLIGHT among the features also the ends of view rays.
+    ViewMedia(Executor& executor, const FlatScene& scene, const Camera& camera, std::size_t pixels,
+              std::uint32_t features);
+
+    void set_camera(Executor& executor, const FlatScene& scene, const Camera& camera);
+
+    /// Launches view_media.cl on the frame's G-buffer.
+    void find(FrameContext& frame) const;
+
+    [[nodiscard]] const MediaBuffers& media() const { return media_; }
+    /// By pixel, float4: what media leave of light from the end of its view ray.
+    [[nodiscard]] Buffer& left() const { return *left_; }
+    /// By pixel: boundaries around that end, a bit each.
+    [[nodiscard]] Buffer& inside() const { return *inside_; }
+    /// A G-buffer whose surfaces are ends of view rays (kernels/view_media.cl); empty where no
+    /// light scattered by media is asked for.
+    [[nodiscard]] const GBuffer& ends() const { return ends_; }
+
+  private:
+    MediaBuffers media_;
+    std::unique_ptr<Buffer> left_, inside_;
+    GBuffer ends_;
+};
+
+/// The buffers of MEDIA_ARGS, dummies in a scene without media, followed by others.
+[[nodiscard]] std::vector<Buffer*> with_media(const FrameBuffers& frame,
+                                              const std::vector<Buffer*>& others);
+
+/// ViewMedia::inside, or a dummy in a scene without media.
+[[nodiscard]] Buffer* view_inside(const FrameBuffers& frame);
+
+}  // namespace weft
+
+#endif

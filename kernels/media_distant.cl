@@ -1,0 +1,118 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Light from infinitely far away that media scatter into view rays: added to what media_gather.cl
+// has found. Places are spread on a ray as light of the clearest channel would be scattered there.
+// One ray at a time, as in distant_light.cl.
+#include "counters.h"
+#include "receiver_values.h"
+#include "view_packet.h"
+#include "visibility.h"
+
+// A place on a ray, and 1 over its density.
+typedef struct {
+    float t, weight;
+} DistantPlace;
+
+/// Extinction by which places are spread: that of the clearest channel where one medium fills all
+/// space; 0, for places spread evenly, elsewhere.
+static inline float spread_extinction(const Params* params, const Media* media) {
+    if (space_is_uniform(params, media) == 0 || media->record->outside == NO_MEDIUM) return 0.0f;
+    return clearest_channel(xyz(media->media[media->record->outside].sigma_t));
+}
+
+static inline DistantPlace distant_place(const ViewRay* ray, float sigma, float u) {
+    DistantPlace place;
+    float length = ray->end - ray->begin;
+    float opacity = opacity1(sigma, length);
+    if (!(sigma * length > 1e-3f)) {
+        place.t = ray->begin + u * length;
+        place.weight = length;
+        return place;
+    }
+    float distance = m_min(-m_log1p(-(u * opacity)) / sigma, length);
+    place.t = ray->begin + distance;
+    place.weight = opacity / (sigma * transmittance1(sigma, distance));
+    return place;
+}
+
+/// Light of irradiance 1 from a direction that is scattered at a place, by channel.
+static inline float3 scattered_from(const Params* params, Scene scene, const Media* media,
+                                    const ViewRay* ray, float3 from, DistantPlace at, uint number,
+                                    uint* rays) {
+    float3 origin = xyz(params->camera_origin);
+    float3 place = origin + ray->direction * at.t;
+    float3 none = f3(0.0f, 0.0f, 0.0f);
+    ++*rays;
+    if (sees_infinity(scene, params, place, from) == 0) return none;
+    float3 scatters, left;
+    float g;
+    walk_to_place(params, media, origin, ray->direction, at.t, from * RAY_INFINITY, number,
+                  &scatters, &left, &g);
+    if (!(max_component(scatters) > 0.0f)) return none;
+    return scatters * left * (phase_function(g, ray->direction, from) * at.weight);
+}
+
+/// A number in [0, 1) by set and frame, such that those of all sets are evenly spread.
+static inline float set_shift(const Params* params, uint set) {
+    float x = radical_inverse(PRIME_POSITION_U, params->frame, hash_pair(params->seed, 0x3Bu)) +
+              (float)set / (float)params->gather_sets;
+    return x < 1.0f ? x : x - 1.0f;
+}
+
+/// The sum of what directional lights send.
+static inline float3 directional_light(const Params* params, Scene scene, const Media* media,
+                                       const ViewRay* ray, GLOBAL const LightRecord* lights,
+                                       float sigma, uint set, uint* rays) {
+    float3 sum = f3(0.0f, 0.0f, 0.0f);
+    float share = 1.0f / (float)params->media_steps;
+    for (uint i = 0u; i < params->directional_lights; ++i) {
+        LightRecord light = lights[params->directional_lights_first + i];
+        for (uint k = 0u; k < params->media_steps; ++k) {
+            DistantPlace at =
+                distant_place(ray, sigma, (set_shift(params, set) + (float)k) * share);
+            sum += xyz(light.power) * scattered_from(params, scene, media, ray, -xyz(light.axis),
+                                                     at, i * params->media_steps + k, rays);
+        }
+    }
+    return sum * share;
+}
+
+/// What the environment sends: from one direction for each place.
+static inline float3 environment_light(const Params* params, Scene scene, const Media* media,
+                                       const ViewRay* ray, float sigma, uint set, uint* rays) {
+    float3 sum = f3(0.0f, 0.0f, 0.0f);
+    uint count = params->environment_samples;
+    uint key = hash_pair(params->seed, 0x7Du);
+    for (uint i = 0u; i < count; ++i) {
+        uint index = (params->frame * params->sets + set) * count + i;
+        float u = radical_inverse(PRIME_DIRECTION_U, index, key);
+        float v = radical_inverse(PRIME_DIRECTION_V, index, key);
+        float w = radical_inverse(PRIME_POSITION_U, index, key);
+        sum += scattered_from(params, scene, media, ray, cone_direction(u, v, -1.0f),
+                              distant_place(ray, sigma, w), i, rays);
+    }
+    return xyz(params->environment) * sum * (12.5663706f / (float)count);
+}
+
+WEFT_KERNEL(media_distant)
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const LightRecord* lights,
+ GLOBAL const float4* end_position, GLOBAL const float4* end_albedo, GLOBAL const uint* slot_pixel,
+ GLOBAL const uint* block_set, GLOBAL float* radiance, GLOBAL RayCounter* counters) {
+    if (GLOBAL_ID >= params.count) return;
+    uint slot = params.first + GLOBAL_ID;
+    ViewRay ray = view_ray(&params, end_position, end_albedo, slot_pixel[slot]);
+    if (ray.valid == 0) return;
+    SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
+    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.sets;
+    float sigma = spread_extinction(&params, &through);
+    uint rays = 0u;
+    float3 sum = f3(0.0f, 0.0f, 0.0f);
+    if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS))
+        sum += directional_light(&params, scene, &through, &ray, lights, sigma, set, &rays);
+    if (HAS(&params, FEATURE_ENVIRONMENT) && params.environment_samples > 0u)
+        sum += environment_light(&params, scene, &through, &ray, sigma, set, &rays);
+    add_irradiance(radiance, params.slots, slot, sum);
+    count_rays(counters + params.counter, rays);
+}

@@ -1,0 +1,104 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What media do to the view ray of each pixel: what they leave of light from its end, and which
+// boundaries are around that. Both are known, not estimated.
+//
+// With FEATURE_AIRLIGHT also where light may be scattered into the ray, as a G-buffer of its own
+// whose surfaces are ends of view rays: what is scattered changes little from pixel to pixel
+// where they are about as long. Its planes, named as in gbuffer.h:
+//   position  begin and end of what scatters, and a measure of length whose differences count
+//   normal    along that measure; w: how far it may differ
+//   albedo    such that irradiance is radiance; w: 1 where anything scatters
+#include "camera.h"
+#include "gbuffer.h"
+#include "medium_walk.h"
+
+// Optical depth from which on nothing is scattered to the camera that could be seen.
+#define UNSEEN_DEPTH 14.0f
+// Length of a ray without end, kernel units: far beyond any scene, and its square is a float.
+#define VIEW_INFINITY 1e9f
+// Share of their length by which neighbouring rays may differ, times Params::filter_planes, beside
+// what a surface seen at an angle makes of it over some pixels.
+#define LENGTH_SHARE 0.05f
+#define LENGTH_PIXELS 8.0f
+
+// What scatters on a view ray.
+typedef struct {
+    float begin, end;
+    float depth;  // optical, of the clearest channel that is not clear, up to `end`
+    int any;
+} Scattering;
+
+/// Adds a stretch of a medium.
+static inline void add_stretch(const Params* params, const Media* media, const MediumWalk* walk,
+                               const MediumRecord* medium, Scattering* found) {
+    if (found->depth >= UNSEEN_DEPTH) return;
+    float begin = walk->begin;
+    float end = walk->end;
+    float least = clearest_channel(xyz(medium->sigma_t));
+    if (has_grid(params, medium) != 0) {
+        DensityGrid grid = grid_of(media, medium);
+        CubeRay ray = ray_in_cube(&grid, walk->origin, walk->direction);
+        GridRay inside;
+        if (enter_grid(&grid, ray.origin, ray.direction, begin, end, &inside) == 0) return;
+        begin = inside.first;
+        end = begin + inside.length;
+    } else if (least > 0.0f) {
+        float room = (UNSEEN_DEPTH - found->depth) / least;
+        found->depth += (end - begin) * least;
+        if (!(end - begin < room)) end = begin + room;
+    }
+    if (!(max_component(xyz(medium->sigma_t) * xyz(medium->albedo)) > 0.0f)) return;
+    if (found->any == 0) found->begin = begin;
+    found->any = 1;
+    found->end = end;
+}
+
+/// What is left of light after a stretch.
+static inline float3 stretch_transmittance(const Params* params, const Media* media,
+                                           const MediumWalk* walk, const MediumRecord* medium) {
+    float3 sigma = xyz(medium->sigma_t);
+    if (has_grid(params, medium) == 0) return transmittance(sigma, walk->end - walk->begin);
+    DensityGrid grid = grid_of(media, medium);
+    return exact_transmittance(&grid, sigma, walk->origin, walk->direction, walk->begin, walk->end);
+}
+
+WEFT_KERNEL(view_media)
+(PARAMS, GBUFFER_ARGS, MEDIA_ARGS, GLOBAL float4* view_left, GLOBAL uint* view_inside,
+ GLOBAL uint* end_ids, GLOBAL float4* end_position, GLOBAL float4* end_normal,
+ GLOBAL float4* end_shading, GLOBAL float4* end_albedo, GLOBAL float4* end_emission) {
+    if (GLOBAL_ID >= params.count) return;
+    uint pixel = params.first + GLOBAL_ID;
+    MEDIA_MAKE(through);
+    float3 direction = camera_direction(&params, (float)(pixel % params.width) + params.jitter_x,
+                                        (float)(pixel / params.width) + params.jitter_y);
+    int met = gb_ids[2u * pixel] != NO_TRIANGLE ? 1 : 0;
+    float length = met != 0 ? gb_position[pixel].w * length3(direction) : RAY_INFINITY;
+    MediumWalk walk = start_walk(&through, xyz(params.camera_origin), normalize3(direction),
+                                 through.record->around_camera);
+    float3 left = f3(1.0f, 1.0f, 1.0f);
+    Scattering found = {0.0f, 0.0f, 0.0f, 0};
+    while (next_stretch(&through, &walk, length) != 0) {
+        if (walk.medium == NO_MEDIUM) continue;
+        MediumRecord medium = through.media[walk.medium];
+        add_stretch(&params, &through, &walk, &medium, &found);
+        if (max_component(left) > 0.0f)
+            left *= stretch_transmittance(&params, &through, &walk, &medium);
+    }
+    view_left[pixel] = f4(left.x, left.y, left.z, 0.0f);
+    view_inside[pixel] = walk.inside;
+    if (HAS(&params, FEATURE_AIRLIGHT)) {
+        float end = m_min(found.end, VIEW_INFINITY);
+        int any = found.any != 0 && end > found.begin ? 1 : 0;
+        float slant = met != 0 ? LENGTH_PIXELS * gb_normal[pixel].w / length : 0.0f;
+        end_ids[2u * pixel] = any != 0 ? 0u : NO_TRIANGLE;
+        end_ids[2u * pixel + 1u] = end_ids[2u * pixel];
+        end_position[pixel] =
+            any != 0 ? f4(found.begin, end, m_log(end), end) : f4(0.0f, 0.0f, 0.0f, 0.0f);
+        end_normal[pixel] = f4(0.0f, 0.0f, 1.0f, LENGTH_SHARE + slant);
+        end_shading[pixel] = f4(0.0f, 0.0f, 1.0f, 0.0f);
+        end_albedo[pixel] = f4(3.14159265f, 3.14159265f, 3.14159265f, any != 0 ? 1.0f : 0.0f);
+        end_emission[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
+    }
+}

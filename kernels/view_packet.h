@@ -1,0 +1,197 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// View rays of LANES pixels through media, and places on them.
+#ifndef WEFT_VIEW_PACKET_H
+#define WEFT_VIEW_PACKET_H
+
+#include "camera.h"
+#include "packet_media.h"
+
+// All begin at the camera.
+typedef struct {
+    float3 origin;
+    WFloat3 direction;  // unit
+    WFloat begin, end;  // between which something scatters
+    WMask valid;
+} ViewPacket;
+
+/// The part of a pixel's view ray that scatters; see view_media.cl for the buffers.
+typedef struct {
+    float3 direction;
+    float begin, end;
+    int valid;
+} ViewRay;
+
+static inline ViewRay view_ray(const Params* params, GLOBAL const float4* end_position,
+                               GLOBAL const float4* end_albedo, uint pixel) {
+    ViewRay ray;
+    ray.direction = f3(0.0f, 0.0f, 1.0f);
+    ray.begin = 0.0f;
+    ray.end = 1.0f;
+    ray.valid = 0;
+    if (pixel == NO_TRIANGLE || !(end_albedo[pixel].w > 0.0f)) return ray;
+    ray.direction =
+        normalize3(camera_direction(params, (float)(pixel % params->width) + params->jitter_x,
+                                    (float)(pixel / params->width) + params->jitter_y));
+    ray.begin = end_position[pixel].x;
+    ray.end = end_position[pixel].y;
+    ray.valid = 1;
+    return ray;
+}
+
+static inline ViewPacket load_views(const Params* params, GLOBAL const uint* slot_pixel,
+                                    GLOBAL const float4* end_position,
+                                    GLOBAL const float4* end_albedo, uint slot) {
+    LaneVectors directions;
+    float begin[LANES], end[LANES];
+    uint valid = 0u;
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        ViewRay ray = view_ray(params, end_position, end_albedo, slot_pixel[slot + lane]);
+        set_lane(&directions, lane, ray.direction);
+        begin[lane] = ray.begin;
+        end[lane] = ray.end;
+        valid |= (uint)ray.valid << lane;
+    }
+    ViewPacket packet;
+    packet.origin = xyz(params->camera_origin);
+    packet.direction = wide_of(&directions);
+    packet.begin = wide_load(begin, 0);
+    packet.end = wide_load(end, 0);
+    packet.valid = mask_of(valid);
+    return packet;
+}
+
+// Places on view rays, and the weight of what is found there for the whole of the rays.
+typedef struct {
+    WFloat t;
+    WFloat3 d;      // from the light to the place
+    WFloat square;  // of its length
+    WFloat weight;  // 1 / (density of the place times `square`)
+} ViewPlaces;
+
+/// Places where a light's scattered light is looked for: about even over the angles under which
+/// it sees the rays (equi-angular sampling, Kulla and Fajardo 2012), so that the square of the
+/// distance cancels. With the tangent s of half the angle, evenly spread in place of the angle
+/// itself, no trigonometry is needed, and weights differ by a factor of two at most. A light on a
+/// ray is taken to be a little beside it (ANGULAR_LEAST).
+static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, float extent,
+                                          float u) {
+    float3 to = light - view->origin;
+    WFloat3 v = view->direction;
+    WFloat x = v.y * to.z - v.z * to.y;
+    WFloat y = v.z * to.x - v.x * to.z;
+    WFloat z = v.x * to.y - v.y * to.x;
+    WFloat least = WIDE(ANGULAR_LEAST * length3(to) + 5.9604645e-8f * extent);
+    WFloat beside = wide_square_root(x * x + y * y + z * z);
+    beside = VMAX(beside, least);
+    WFloat along = wide_dot_scalar(v, to);
+    WFloat from = view->begin - along;
+    WFloat until = view->end - along;
+    WFloat square = beside * beside;
+    WFloat first = from / (wide_square_root(from * from + square) + beside);
+    WFloat last = until / (wide_square_root(until * until + square) + beside);
+    WFloat s = first + (last - first) * u;
+    WFloat one = WIDE(1.0f);
+    WFloat offset = (beside * s * 2.0f) / (one - s * s);
+    // Where s has been rounded to 1, the offset is infinite.
+    offset = VMAX(offset, from);
+    offset = VMIN(offset, until);
+    ViewPlaces places;
+    places.t = along + offset;
+    places.t = VMIN(VMAX(places.t, view->begin), view->end);
+    places.d.x = v.x * places.t - to.x;
+    places.d.y = v.y * places.t - to.y;
+    places.d.z = v.z * places.t - to.z;
+    places.square = offset * offset + square;
+    places.weight = ((last - first) * 2.0f) / ((one + s * s) * beside);
+    return places;
+}
+
+// Media at places on view rays.
+typedef struct {
+    WFloat3 scatters;  // scattering coefficient
+    WFloat3 left;      // what arrives at the camera of what is scattered, and of the light there
+    WFloat g;
+} PlaceMedia;
+
+/// One lane's place: what scatters there, what media leave of it on the way to the camera, and of
+/// light on its way there from `way` beyond.
+static inline void walk_to_place(const Params* params, const Media* media, float3 origin,
+                                 float3 direction, float t, float3 way, uint number,
+                                 float3* scatters, float3* left, float* g) {
+    *scatters = f3(0.0f, 0.0f, 0.0f);
+    *left = f3(1.0f, 1.0f, 1.0f);
+    *g = 0.0f;
+    float3 place = origin + direction * t;
+    Random random = way_random(params, place, number);
+    MediumWalk walk = start_walk(media, origin, direction, media->record->around_camera);
+    while (next_stretch(media, &walk, RAY_INFINITY) != 0) {
+        int last = t <= walk.end ? 1 : 0;
+        float end = m_min(t, walk.end);
+        MediumRecord medium;
+        medium.grid = NO_TRIANGLE;
+        if (walk.medium != NO_MEDIUM) {
+            medium = media->media[walk.medium];
+            float3 sigma = xyz(medium.sigma_t);
+            if (has_grid(params, &medium) != 0) {
+                DensityGrid grid = grid_of(media, &medium);
+                *left *= tracked_transmittance(&grid, sigma, origin, direction, walk.begin, end,
+                                               &random);
+                if (last != 0) sigma = sigma * density_at_place(&grid, place);
+            } else {
+                *left *= transmittance(sigma, end - walk.begin);
+            }
+            if (last != 0) {
+                *scatters = sigma * xyz(medium.albedo);
+                *g = medium.anisotropy;
+            }
+        }
+        if (last != 0 || !(max_component(*left) > 0.0f)) break;
+    }
+    if (!(max_component(*scatters * *left) > 0.0f)) return;
+    *left *= ray_transmittance(params, media, place, normalize3(way), length3(way), walk.inside,
+                               &random);
+}
+
+/// The media at the places of the lanes of `wanted`; see packet_transmittance.
+static inline PlaceMedia media_at(const Params* params, const Media* media, const ViewPacket* view,
+                                  const ViewPlaces* places, uint number, WMask wanted) {
+    PlaceMedia found;
+    WFloat zero = WIDE(0.0f);
+    found.scatters = wide_vector(zero, zero, zero);
+    found.left = found.scatters;
+    found.g = zero;
+    if (space_is_uniform(params, media) != 0) {
+        if (media->record->outside == NO_MEDIUM) return found;
+        MediumRecord medium = media->media[media->record->outside];
+        float3 scatters = xyz(medium.sigma_t) * xyz(medium.albedo);
+        found.scatters = wide_vector(WIDE(scatters.x), WIDE(scatters.y), WIDE(scatters.z));
+        found.left = wide_transmittance(
+            xyz(medium.sigma_t), places->t + wide_square_root(wide_dot(places->d, places->d)));
+        found.g = WIDE(medium.anisotropy);
+        return found;
+    }
+    LaneVectors scatters = lanes_of(found.scatters);
+    LaneVectors left = scatters;
+    LaneVectors directions = lanes_of(view->direction);
+    LaneVectors ways = lanes_of(places->d);
+    float t[LANES], g[LANES];
+    wide_store(places->t, t, 0);
+    wide_store(zero, g, 0);
+    uint bits = mask_bits(wanted);
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        if ((bits >> lane & 1u) == 0u) continue;
+        float3 scatters_here, left_here;
+        walk_to_place(params, media, view->origin, lane_vector(&directions, lane), t[lane],
+                      -lane_vector(&ways, lane), number, &scatters_here, &left_here, g + lane);
+        set_lane(&scatters, lane, scatters_here);
+        set_lane(&left, lane, left_here);
+    }
+    found.scatters = wide_of(&scatters);
+    found.left = wide_of(&left);
+    found.g = wide_load(g, 0);
+    return found;
+}
+
+#endif
