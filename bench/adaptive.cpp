@@ -95,7 +95,8 @@ struct Settings {
 void add_options(CLI::App& app, Settings& settings) {
     app.add_flag("--quick", settings.quick,
                  "fewer scenes, a smaller picture, fewer runs, coarse references");
-    app.add_option("--scenes", settings.scenes, "folder of scenes, each DIR/NAME/NAME.xml");
+    app.add_option("--scenes", settings.scenes,
+                   "folder of scenes, each DIR/NAME/NAME.xml, with fog NAME-fog.xml beside it");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
     app.add_option("--threads", settings.threads, "threads of every method; 0: all")
         ->check(CLI::Range(0, static_cast<int>(limits::max_threads)));
@@ -167,8 +168,10 @@ struct Source {
 /// quick.
 std::vector<Source> wanted_scenes(const Settings& settings) {
     std::vector<Source> sources;
-    for (BenchScene& scene : bench_scenes(
-             settings.scenes, {"cornell-box", "office", "desk", "conference", "sibenik"}, true))
+    for (BenchScene& scene : bench_scenes(settings.scenes,
+                                          {"cornell-box", "office", "desk", "conference", "sibenik",
+                                           "cornell-box-fog", "office-fog", "sibenik-fog"},
+                                          true))
         if (!scene.file.empty()) sources.push_back({std::move(scene), false});
     const bool enough = settings.quick && settings.only.empty() && !sources.empty();
     for (const char* const name : {"cornell-box.gltf", "gallery.gltf"}) {
@@ -241,6 +244,7 @@ AdaptiveScene run_scene(const Settings& settings, const Source& source, Executor
     AdaptiveScene result;
     result.name = source.scene.name;
     result.shipped = source.shipped;
+    result.media = flat.media.present();
     result.triangles = flat.triangles.size();
     {
         SharedScene shared(executor);

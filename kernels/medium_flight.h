@@ -50,6 +50,7 @@ static inline Flight fly(const Params* params, const Media* media, float3 origin
     flight.weight = f3(1.0f, 1.0f, 1.0f);
     flight.g = 0.0f;
     flight.inside = inside;
+    if (may_meet_media(media, origin, direction, length) == 0) return flight;
     MediumWalk walk = start_walk(media, origin, direction, inside);
     while (next_stretch(media, &walk, length) != 0) {
         flight.inside = walk.inside;

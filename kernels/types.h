@@ -161,6 +161,7 @@ typedef struct {
 // host numbers them by volume, the smallest first.
 #define MAX_MEDIUM_BOUNDARIES 32
 #define NO_MEDIUM 0xFFFFFFFFu
+#define MEDIA_EVERYWHERE 1e30f  // reach of a box without end
 
 typedef struct {
     float4 sigma_t;    // rgb extinction, 1 / kernel unit
@@ -176,6 +177,7 @@ typedef struct {
     uint boundaries;                     // how many there are
     uint around_camera;                  // a bit for each boundary that encloses the camera
     float rounding;                      // how far rounding may move a boundary, kernel units
+    float4 box_centre, box_reach;        // half the box outside of which all is clear
 } MediaRecord;
 
 // Tiles of the adaptive components, TILE_EDGE pixels square. A bit of a mask is a pixel, row by

@@ -79,7 +79,8 @@ WEFT_KERNEL(view_media)
                                  through.record->around_camera);
     float3 left = f3(1.0f, 1.0f, 1.0f);
     Scattering found = {0.0f, 0.0f, 0.0f, 0};
-    while (next_stretch(&through, &walk, length) != 0) {
+    int meets = may_meet_media(&through, walk.origin, walk.direction, length);
+    while (meets != 0 && next_stretch(&through, &walk, length) != 0) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = through.media[walk.medium];
         add_stretch(&params, &through, &walk, &medium, &found);

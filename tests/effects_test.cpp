@@ -10,6 +10,7 @@
 #include "components/component.h"
 #include "counting_executor.h"
 #include "device/executor.h"
+#include "media_builder.h"
 #include "render_fixture.h"
 
 // A frame does what its scene calls for, and nothing else: for each scene the kernels that its plan
@@ -28,6 +29,8 @@ struct Contents {
     bool sun = false;
     bool sky = false;
     bool black = false;  ///< surfaces reflect nothing
+    bool fog = false;    ///< all space is filled with a medium
+    float fog_albedo = 0.5F;
 };
 
 FlatScene flat_scene(const Contents& contents) {
@@ -40,6 +43,11 @@ FlatScene flat_scene(const Contents& contents) {
     if (contents.sun)
         builder.light(LightType::directional, glm::dvec3(0.0, 1.0, 0.0), glm::vec3(1.0F));
     if (contents.sky) builder.scene.environment = Environment{glm::vec3(0.5F)};
+    if (contents.fog) {
+        builder.scene.media.push_back(
+            test::medium_of(glm::vec3(0.5F), glm::vec3(contents.fog_albedo)));
+        builder.scene.outer_medium = 0;
+    }
     validate_scene(builder.scene);
     return flatten(builder.scene);
 }
@@ -65,6 +73,10 @@ const std::set<std::string> indirect{"tile_geometry", "vpl_walk", "vpl_gather", 
                                      "reconstruct_tiles"};
 const std::set<std::string> sky{"light_samples", "distant_light", "reconstruct"};
 const std::set<std::string> sun{"distant_light"};
+const std::set<std::string> media{"view_media"};
+const std::set<std::string> airlight{"view_media",    "media_gather",   "vpl_walk",
+                                     "tile_geometry", "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> distant_airlight{"media_distant"};
 
 std::set<std::string> joined(std::initializer_list<std::set<std::string>> parts) {
     std::set<std::string> all = always;
@@ -96,7 +108,19 @@ std::vector<Case> cases() {
              true,
              true,
              joined({area, punctual, indirect})},
-            {"no light", {}, true, true, joined({})}};
+            {"no light", {}, true, true, joined({})},
+            {"fog", {.lamp = true, .fog = true}, true, true, joined({area, indirect, airlight})},
+            {"fog that absorbs",
+             {.lamp = true, .fog = true, .fog_albedo = 0.0F},
+             true,
+             true,
+             joined({area, indirect, media})},
+            {"sun in fog, seen in the fog alone",
+             {.sun = true, .fog = true},
+             false,
+             false,
+             joined({airlight, distant_airlight})},
+            {"fog without light", {.fog = true}, true, true, joined({media})}};
 }
 
 RenderSettings settings_of(const Case& of) {
@@ -124,7 +148,8 @@ TEST(Effects, FramesTraceRaysOfTheirComponentsAlone) {
         const bool lit = c.lamp || c.point || c.sun || c.sky;
         EXPECT_EQ(components.count("direct"), of.direct && lit && !c.black ? 1U : 0U);
         EXPECT_EQ(components.count("indirect"), of.indirect && lit && !c.black ? 1U : 0U);
-        EXPECT_LE(components.size(), 2U);
+        EXPECT_EQ(components.count("media"), c.fog && c.fog_albedo > 0.0F && lit ? 1U : 0U);
+        EXPECT_LE(components.size(), 3U);
         test::expect_clean(rendering);
     }
 }

@@ -23,6 +23,7 @@ RenderSettings settings_of(const FrameMethod& method, FrameView view, std::uint3
     settings.width = settings.height = size;
     settings.direct = view != FrameView::indirect;
     settings.indirect = view != FrameView::direct;
+    settings.media = view == FrameView::full;
     return settings;
 }
 
@@ -108,6 +109,7 @@ FrameTime frame_time(const FrameStats& stats, const Timing& timing) {
         }
         if (stage.component == "indirect") time.indirect.add(stage);
         if (stage.component == "direct") time.direct.add(stage);
+        if (stage.component == "media") time.media.add(stage);
         if (stage.name == "VPL gather") time.vpl_gather.add(stage);
         if (stage.name == "area lights") time.area_lights.add(stage);
     }

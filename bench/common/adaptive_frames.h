@@ -54,6 +54,7 @@ struct FrameTime {
     StageSum all;          ///< all stages
     StageSum indirect;     ///< the stages labelled with that component
     StageSum direct;
+    StageSum media;
     StageSum vpl_gather;             ///< of `indirect`, the shadow rays to VPLs
     StageSum area_lights;            ///< of `direct`, the shadow rays to area lights
     std::vector<StageStats> stages;  ///< in order, those of equal name and component as one

@@ -31,6 +31,9 @@ double indirect(const FrameTime& time) {
 double direct(const FrameTime& time) {
     return time.direct.ms;
 }
+double media(const FrameTime& time) {
+    return time.media.ms;
+}
 double million_rays(const FrameTime& time) {
     return static_cast<double>(time.all.rays) * 1e-6;
 }
@@ -54,9 +57,10 @@ std::string time_row(const AdaptiveScene& scene, const MethodFrames& method) {
     };
     row += time(FrameView::full, wall) + time(FrameView::full, on_device) +
            time(FrameView::full, indirect) + time(FrameView::full, direct) +
-           time(FrameView::indirect, wall) + time(FrameView::direct, wall);
+           time(FrameView::full, media) + time(FrameView::indirect, wall) +
+           time(FrameView::direct, wall);
     row += cell(method.median_of(FrameView::full, million_rays), 2);
-    for (const char* const component : {"indirect", "direct"}) {
+    for (const char* const component : {"indirect", "direct", "media"}) {
         const double percent = method.median_of(FrameView::full, [&](const FrameTime& frame) {
             return 100.0 * static_cast<double>(frame.sampled(component)) /
                    (static_cast<double>(method.image.width) * method.image.height);
@@ -68,6 +72,7 @@ std::string time_row(const AdaptiveScene& scene, const MethodFrames& method) {
     row += ratio_cell(scene, method, method_amax, FrameView::full, wall) +
            ratio_cell(scene, method, method_amax, FrameView::full, indirect) +
            ratio_cell(scene, method, method_amax, FrameView::full, direct) +
+           ratio_cell(scene, method, method_amax, FrameView::full, media) +
            ratio_cell(scene, method, method_amax, FrameView::indirect, wall) +
            ratio_cell(scene, method, method_amax, FrameView::direct, wall) +
            ratio_cell(scene, method, method_amax, FrameView::full, processor) +
@@ -143,6 +148,7 @@ nlohmann::json time_json(const FrameTime& time) {
             {"all", sum_json(time.all)},
             {"indirect", sum_json(time.indirect)},
             {"direct", sum_json(time.direct)},
+            {"media", sum_json(time.media)},
             {"vpl_gather", sum_json(time.vpl_gather)},
             {"area_lights", sum_json(time.area_lights)}};
 }
@@ -179,9 +185,10 @@ nlohmann::json ray_share(const AdaptiveScene& scene, std::string_view method, bo
 
 std::string adaptive_legend() {
     return "Times: medians in milliseconds. full: wall time of a frame; device: of it, on the\n"
-           "device; ID, SS: the stages of indirect and of direct light within it; ID only, SS\n"
-           "only: wall time of frames with that light alone. Mrays: million rays of a frame;\n"
-           "% ID, % SS: pixels that adaptive sampling samples, percent;\n"
+           "device; ID, SS, PM: the stages of indirect and of direct light and of light that\n"
+           "media scatter within it; ID only, SS only: wall time of frames with that light\n"
+           "alone. Mrays: million rays of a frame;\n"
+           "% ID, % SS, % PM: pixels that adaptive sampling samples, percent;\n"
            "share: rate of its shadow rays over that of packets. x full to x SS o.: times as\n"
            "fast as amax in each of these, x cpu the full frame by processor time; x igi and\n"
            "x i.cpu: the full frame against igi. Ratios are medians of those within repetitions.\n"
@@ -195,8 +202,9 @@ std::string adaptive_tables(const AdaptiveScene& scene) {
     std::string text =
         fmt::format("\n{}: {} triangles\n  {:10}", scene.name, scene.triangles, "method");
     for (const char* const title :
-         {"full", "device", "ID", "SS", "ID only", "SS only", "Mrays", "% ID", "% SS", "share",
-          "x full", "x ID", "x SS", "x ID o.", "x SS o.", "x cpu", "x igi", "x i.cpu"})
+         {"full",  "device", "ID",      "SS",      "PM",    "ID only", "SS only",
+          "Mrays", "% ID",   "% SS",    "% PM",    "share", "x full",  "x ID",
+          "x SS",  "x PM",   "x ID o.", "x SS o.", "x cpu", "x igi",   "x i.cpu"})
         text += fmt::format("{:>9}", title);
     text += "\n";
     for (const MethodFrames& method : scene.frames.methods) text += time_row(scene, method);

@@ -35,6 +35,7 @@ struct MethodErrors {
 struct AdaptiveScene {
     std::string name;
     bool shipped = false;  ///< with Weft: left out of means where there are others
+    bool media = false;    ///< has participating media: in means of its own
     std::size_t triangles = 0;
     AdaptiveFrames frames;
     std::vector<MethodErrors> errors;  ///< by method; empty where errors were not wanted

@@ -16,24 +16,29 @@ namespace {
 
 using Value = std::function<std::optional<double>(const AdaptiveScene&)>;
 
-/// The scenes that means are over.
-std::vector<const AdaptiveScene*> counted(const std::vector<AdaptiveScene>& scenes) {
-    const bool real = std::any_of(scenes.begin(), scenes.end(),
-                                  [](const AdaptiveScene& scene) { return !scene.shipped; });
-    std::vector<const AdaptiveScene*> result;
-    for (const AdaptiveScene& scene : scenes)
-        if (!real || !scene.shipped) result.push_back(&scene);
-    return result;
+/// The scenes with media of a run, or those without.
+struct SceneSet {
+    const std::vector<AdaptiveScene>& all;
+    bool media;
+};
+
+/// The scenes that means are over: those that come with Weft only where there are no others.
+std::vector<const AdaptiveScene*> counted(const SceneSet& scenes) {
+    std::vector<const AdaptiveScene*> real;
+    std::vector<const AdaptiveScene*> shipped;
+    for (const AdaptiveScene& scene : scenes.all)
+        if (scene.media == scenes.media) (scene.shipped ? shipped : real).push_back(&scene);
+    return real.empty() ? shipped : real;
 }
 
-std::vector<double> values(const std::vector<AdaptiveScene>& scenes, const Value& value) {
+std::vector<double> values(const SceneSet& scenes, const Value& value) {
     std::vector<double> result;
     for (const AdaptiveScene* const scene : counted(scenes))
         if (const auto x = value(*scene); x && std::isfinite(*x)) result.push_back(*x);
     return result;
 }
 
-nlohmann::json mean(const std::vector<AdaptiveScene>& scenes, const Value& value) {
+nlohmann::json mean(const SceneSet& scenes, const Value& value) {
     const std::vector<double> all = values(scenes, value);
     if (all.empty()) return {};
     double sum = 0.0;
@@ -41,13 +46,13 @@ nlohmann::json mean(const std::vector<AdaptiveScene>& scenes, const Value& value
     return sum / static_cast<double>(all.size());
 }
 
-nlohmann::json smallest(const std::vector<AdaptiveScene>& scenes, const Value& value) {
+nlohmann::json smallest(const SceneSet& scenes, const Value& value) {
     const std::vector<double> all = values(scenes, value);
     return all.empty() ? nlohmann::json()
                        : nlohmann::json(*std::min_element(all.begin(), all.end()));
 }
 
-nlohmann::json largest(const std::vector<AdaptiveScene>& scenes, const Value& value) {
+nlohmann::json largest(const SceneSet& scenes, const Value& value) {
     const std::vector<double> all = values(scenes, value);
     return all.empty() ? nlohmann::json()
                        : nlohmann::json(*std::max_element(all.begin(), all.end()));
@@ -99,8 +104,7 @@ std::optional<double> of_shares(const std::optional<VisibleShares>& shares,
     return shares ? std::optional((*shares).*member) : std::nullopt;
 }
 
-void add_speeds(const std::vector<AdaptiveScene>& scenes, const std::string& ais,
-                nlohmann::json& summary) {
+void add_speeds(const SceneSet& scenes, const std::string& ais, nlohmann::json& summary) {
     const auto wall = [](const FrameTime& time) { return time.wall_ms; };
     const auto cpu = [](const FrameTime& time) { return time.cpu_ms; };
     const auto device = [](const FrameTime& time) { return time.all.ms; };
@@ -111,7 +115,8 @@ void add_speeds(const std::vector<AdaptiveScene>& scenes, const std::string& ais
     };
     summary["speedup_id"] = against_amax(FrameView::full, id);
     summary["speedup_ss"] = against_amax(FrameView::full, ss);
-    summary["speedup_pm"] = nullptr;
+    summary["speedup_pm"] =
+        against_amax(FrameView::full, [](const FrameTime& time) { return time.media.ms; });
     summary["speedup_full"] = against_amax(FrameView::full, wall);
     summary["speedup_full_device"] = against_amax(FrameView::full, device);
     summary["speedup_full_cpu"] = against_amax(FrameView::full, cpu);
@@ -127,8 +132,7 @@ void add_speeds(const std::vector<AdaptiveScene>& scenes, const std::string& ais
 }
 
 /// Keys vdp75_ais and so on; the pixel-centre reference and the display protocol as suffixes.
-void add_errors(const std::vector<AdaptiveScene>& scenes, const std::string& ais,
-                nlohmann::json& summary) {
+void add_errors(const SceneSet& scenes, const std::string& ais, nlohmann::json& summary) {
     struct Share {
         const char* key;
         double VisibleShares::*member;
@@ -201,10 +205,18 @@ std::optional<double> published_mean(const nlohmann::json& published, const char
 
 nlohmann::json adaptive_summary(const std::vector<AdaptiveScene>& scenes, const std::string& ais) {
     nlohmann::json summary{{"method", ais}, {"scenes", nlohmann::json::array()}};
-    for (const AdaptiveScene* const scene : counted(scenes))
+    const SceneSet clear{scenes, false};
+    for (const AdaptiveScene* const scene : counted(clear))
         summary["scenes"].push_back(scene->name);
-    add_speeds(scenes, ais, summary);
-    add_errors(scenes, ais, summary);
+    add_speeds(clear, ais, summary);
+    add_errors(clear, ais, summary);
+    const SceneSet foggy{scenes, true};
+    nlohmann::json of_media;
+    add_speeds(foggy, ais, of_media);
+    add_errors(foggy, ais, of_media);
+    summary["speedup_pm"] = of_media["speedup_pm"];
+    of_media.erase("speedup_pm");
+    for (const auto& [key, value] : of_media.items()) summary[key + "_media"] = value;
     return summary;
 }
 
@@ -216,6 +228,7 @@ std::string summary_table(const nlohmann::json& summary, const nlohmann::json& p
     };
     constexpr std::array rows{Row{"speedup_id", "speedup", "ID"},
                               Row{"speedup_ss", "speedup", "SS"},
+                              Row{"speedup_pm", "speedup", "PM"},
                               Row{"speedup_full", "speedup", "FULL"},
                               Row{"speedup_vs_igi", "speedup", "FULL_A_vs_IGI"},
                               Row{"vdp75_ais", "hdrvdp_percent_of_pixels", "A_75"},
@@ -235,12 +248,29 @@ std::string summary_table(const nlohmann::json& summary, const nlohmann::json& p
         text += fmt::format("{:36}", row.key) + cell(number_at(summary, row.key)) +
                 cell(published_mean(published, row.table, row.column, nullptr)) +
                 cell(published_mean(published, row.table, row.column, &names)) + "\n";
-    for (const char* const key :
-         {"speedup_id_alone", "speedup_ss_alone", "speedup_full_device", "speedup_full_cpu",
-          "speedup_vs_igi_cpu", "baseline_ray_share", "vdp75_ais_display", "vdp75_amax_display",
-          "vdp75_igi_display", "vdp75_ais_centre", "vdp75_amax_centre", "vdp75_igi_centre",
-          "worst_vdp75_difference", "worst_vdp75_difference_display",
-          "worst_vdp75_difference_centre"})
+    for (const char* const key : {"speedup_id_alone",
+                                  "speedup_ss_alone",
+                                  "speedup_full_device",
+                                  "speedup_full_cpu",
+                                  "speedup_vs_igi_cpu",
+                                  "baseline_ray_share",
+                                  "vdp75_ais_display",
+                                  "vdp75_amax_display",
+                                  "vdp75_igi_display",
+                                  "vdp75_ais_centre",
+                                  "vdp75_amax_centre",
+                                  "vdp75_igi_centre",
+                                  "worst_vdp75_difference",
+                                  "worst_vdp75_difference_display",
+                                  "worst_vdp75_difference_centre",
+                                  "speedup_full_media",
+                                  "speedup_id_media",
+                                  "speedup_ss_media",
+                                  "speedup_vs_igi_media",
+                                  "vdp75_ais_media",
+                                  "vdp75_amax_media",
+                                  "vdp95_ais_media",
+                                  "worst_vdp75_difference_media"})
         text += fmt::format("{:36}", key) + cell(number_at(summary, key)) + "\n";
     return text;
 }

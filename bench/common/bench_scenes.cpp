@@ -95,6 +95,16 @@ Mesh terrain(std::uint32_t edge) {
     return mesh;
 }
 
+constexpr std::string_view fog_suffix = "-fog";
+
+/// DIR/NAME/NAME.xml; NAME-fog is beside NAME.
+std::filesystem::path scene_file(const std::filesystem::path& folder, const std::string& name) {
+    std::filesystem::path file = folder / name / (name + ".xml");
+    if (!std::filesystem::is_regular_file(file) && name.ends_with(fog_suffix))
+        file = folder / name.substr(0, name.size() - fog_suffix.size()) / (name + ".xml");
+    return file;
+}
+
 }  // namespace
 
 Scene box_scene() {
@@ -120,7 +130,7 @@ std::vector<BenchScene> bench_scenes(const std::filesystem::path& folder,
                                      const std::vector<std::string>& names, bool quick) {
     std::vector<BenchScene> scenes;
     for (const std::string& name : names) {
-        const std::filesystem::path file = folder / name / (name + ".xml");
+        const std::filesystem::path file = scene_file(folder, name);
         if (!std::filesystem::is_regular_file(file)) continue;
         scenes.push_back(
             {name, [file](Diagnostics& diagnostics) { return load_scene(file, diagnostics); },

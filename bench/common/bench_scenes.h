@@ -27,8 +27,8 @@ struct BenchScene {
 /// A lit room whose floor is a rugged terrain of 2 `edge`^2 triangles.
 [[nodiscard]] Scene terrain_scene(std::uint32_t edge);
 
-/// The scenes of a run: `names` of DIR/<name>/<name>.xml where `folder` holds them, then generated
-/// ones; without the largest where `quick`.
+/// The scenes of a run: `names` of DIR/<name>/<name>.xml where `folder` holds them (<name>-fog is
+/// looked for beside <name>), then generated ones; without the largest where `quick`.
 [[nodiscard]] std::vector<BenchScene> bench_scenes(const std::filesystem::path& folder,
                                                    const std::vector<std::string>& names,
                                                    bool quick);

@@ -164,6 +164,42 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 
 }  // namespace
 
+namespace {
+
+/// The box outside of which no medium is: about all boundaries, and about the grid of the medium
+/// outside of them. Without end where that medium has no grid.
+void set_box(const Scene& scene, const KernelUnits& units, FlatMedia& media) {
+    glm::dvec3 low(HUGE_VAL);
+    glm::dvec3 high(-HUGE_VAL);
+    const auto add = [&](const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    };
+    for (const shared::float4& p : media.positions) add(vector_of(p));
+    const std::uint32_t outside = media.space.outside;
+    const bool fills = outside != NO_MEDIUM && !is_clear(scene, scene.media[outside]);
+    const bool everywhere = fills && scene.media[outside].grid < 0;
+    if (fills && !everywhere)
+        for (int corner = 0; corner < 8; ++corner)
+            add(units.point(glm::dvec3(scene.media[outside].grid_to_world *
+                                       glm::dvec4(corner & 1, corner >> 1 & 1, corner >> 2, 1))));
+    glm::dvec3 centre(0.0);
+    glm::dvec3 reach(MEDIA_EVERYWHERE);
+    if (!everywhere && low.x <= high.x) {
+        centre = 0.5 * (low + high);
+        // As far as rounding may move a boundary, and what becomes float here.
+        reach = 0.5 * (high - low) + 4.0 * static_cast<double>(media.space.rounding);
+    }
+    const auto vector = [](const glm::dvec3& v) {
+        const glm::vec3 f(v);
+        return shared::float4{f.x, f.y, f.z, 0.0F};
+    };
+    media.space.box_centre = vector(centre);
+    media.space.box_reach = vector(glm::min(reach, glm::dvec3(MEDIA_EVERYWHERE)));
+}
+
+}  // namespace
+
 bool FlatMedia::scatters() const {
     return std::any_of(records.begin(), records.end(), [](const shared::MediumRecord& m) {
         return m.sigma_t.x * m.albedo.x > 0.0F || m.sigma_t.y * m.albedo.y > 0.0F ||
@@ -202,6 +238,7 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
         if (medium.grid >= 0 && !clear[i])
             media.records.back().grid = media.grids.add(scene, medium, units);
     }
+    set_box(scene, units, media);
     return media;
 }
 
