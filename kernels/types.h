@@ -28,6 +28,7 @@
 #define FEATURE_SAMPLED_DIRECT 512u  // and direct light that is filtered
 #define FEATURE_EXACT_DIRECT 1024u   // and direct light that is not
 #define FEATURE_DENSITY_GRIDS 2048u  // of media
+#define FEATURE_EMISSIVE_MEDIA 4096u
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -160,8 +161,9 @@ typedef struct {
 typedef struct {
     float4 sigma_t;    // rgb extinction, 1 / kernel unit
     float4 albedo;     // rgb share of it that is scattered
+    float4 emission;   // rgb radiance emitted per kernel unit of length
     float anisotropy;  // Henyey-Greenstein g
-    uint grid;         // of densities that multiply sigma_t; NO_TRIANGLE: the same everywhere
+    uint grid;         // of densities that multiply sigma_t and emission; NO_TRIANGLE: none
     uint pad0, pad1;
 } MediumRecord;
 
