@@ -29,8 +29,9 @@
 // Outside of all boundaries, where a path in a white medium never ends and brings less and less.
 #define OUTER_ROULETTE_MOST 0.99f
 
-// What a stretch emits is at most that, so that a path of many stretches stays finite.
-#define MEDIUM_RADIANCE_MOST 1e30f
+// What a stretch emits is at most that: a path of many such stretches has a variance that is a
+// float.
+#define MEDIUM_RADIANCE_MOST 7.20575940e16f  // 2^56
 
 // A stretch of a ray in one medium, and the state of the path at its start.
 typedef struct {
