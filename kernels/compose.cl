@@ -73,6 +73,12 @@ static inline WMask wide_sample(const Params* params, const SeenPixels* seen,
         reflectance = product(reflectance, left);
         sample->emission = product(sample->emission, left);
     }
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) {
+        WFloat3 glow = load_vectors(buffers->view_glow + first);
+        sample->emission.x = sample->emission.x + glow.x;
+        sample->emission.y = sample->emission.y + glow.y;
+        sample->emission.z = sample->emission.z + glow.z;
+    }
     sample->direct = product(reflectance, direct_irradiance(params, seen, buffers, first));
     WFloat3 indirect;
     indirect.x = WIDE(0.0f);

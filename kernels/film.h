@@ -13,7 +13,7 @@
 #define IRRADIANCE_ARGS                                                      \
     GLOBAL const uint *pixel_slot, GLOBAL const float4 *direct,              \
         GLOBAL const float *exact_irradiance, GLOBAL const float4 *indirect, \
-        GLOBAL const float4 *view_left, GLOBAL const float4 *media_light
+        GLOBAL const float4 *view_left, GLOBAL const float4 *view_glow, GLOBAL const float4 *media_light
 #define IRRADIANCE_MAKE(name)                 \
     IrradianceBuffers name;                   \
     name.pixel_slot = pixel_slot;             \
@@ -21,6 +21,7 @@
     name.exact_irradiance = exact_irradiance; \
     name.indirect = indirect;                 \
     name.view_left = view_left;               \
+    name.view_glow = view_glow;               \
     name.media_light = media_light
 
 #define SEEN_PIXELS_MAKE(name)   \
@@ -37,13 +38,15 @@ typedef struct {
     GLOBAL const float* exact_irradiance;  // by slot
     GLOBAL const float4* indirect;         // by pixel
     GLOBAL const float4* view_left;        // what media leave of a pixel's light
-    GLOBAL const float4* media_light;      // radiance that they scatter to it
+    GLOBAL const float4* view_glow;        // radiance that they emit to it
+    GLOBAL const float4* media_light;      // and that they scatter to it
 } IrradianceBuffers;
 
 typedef struct {
     float3 direct, indirect;
     float3 left;   // what media leave of their light on its way to the camera
-    float3 media;  // radiance that media scatter to it
+    float3 glow;   // radiance that media emit to it
+    float3 media;  // and that they scatter to it
 } Irradiance;
 
 // What the primary rays through pixels found; see GBUFFER_ARGS.
@@ -67,6 +70,7 @@ static inline Irradiance no_irradiance(void) {
     e.direct = f3(0.0f, 0.0f, 0.0f);
     e.indirect = e.direct;
     e.left = f3(1.0f, 1.0f, 1.0f);
+    e.glow = e.direct;
     e.media = e.direct;
     return e;
 }
@@ -75,6 +79,7 @@ static inline Irradiance no_irradiance(void) {
 static inline void add_view_media(const Params* params, const IrradianceBuffers* buffers,
                                   uint pixel, Irradiance* e) {
     if (HAS(params, FEATURE_MEDIA)) e->left = xyz(buffers->view_left[pixel]);
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) e->glow = xyz(buffers->view_glow[pixel]);
     if (HAS(params, FEATURE_AIRLIGHT)) e->media = xyz(buffers->media_light[pixel]);
 }
 
@@ -101,6 +106,7 @@ static inline FilmSample film_sample(const Params* params, GLOBAL NonfiniteCount
         reflectance *= e.left;
         emission *= e.left;
     }
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += e.glow;
     sample.emission = guard(nonfinite, COMPONENT_EMISSION, pixel, emission);
     sample.direct = guard(nonfinite, COMPONENT_DIRECT, pixel, reflectance * e.direct);
     sample.indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * e.indirect);

@@ -87,14 +87,21 @@ static inline float density_integral(const DensityGrid* grid, const GridRay* ray
 }
 
 /// The integral of the density along origin + t direction, first < t < last, in the unit cube's
-/// space: times the extinction for density 1 and each unit of t it is the optical depth. Exact but
-/// for rounding, at the cost of a few look-ups for each voxel on the way.
-static inline float grid_depth(const DensityGrid* grid, float3 origin, float3 direction,
-                               float first, float last) {
+/// space, but no more than `most` > 0: times the extinction for density 1 and each unit of t it is
+/// the optical depth. Exact but for rounding, at the cost of a few look-ups for each voxel on the
+/// way.
+static inline float grid_depth_up_to(const DensityGrid* grid, float3 origin, float3 direction,
+                                     float first, float last, float most) {
     GridRay ray;
     float stop;
     if (enter_grid(grid, origin, direction, first, last, &ray) == 0) return 0.0f;
-    return density_integral(grid, &ray, 0.0f, M_INFINITY, &stop);
+    return density_integral(grid, &ray, 0.0f, most, &stop);
+}
+
+/// The same without an upper bound.
+static inline float grid_depth(const DensityGrid* grid, float3 origin, float3 direction,
+                               float first, float last) {
+    return grid_depth_up_to(grid, origin, direction, first, last, M_INFINITY);
 }
 
 #endif

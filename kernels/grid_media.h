@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Media whose extinction is that of their record times the density of a grid, and nothing outside
-// of it. Rays are those of kernel space; what they meet of the grid is found in its unit cube,
-// where their parameter is the same.
+// Media whose extinction and emission are those of their record times the density of a grid, and
+// nothing outside of it. Rays are those of kernel space; what they meet of the grid is found in its
+// unit cube, where their parameter is the same.
 #ifndef WEFT_GRID_MEDIA_H
 #define WEFT_GRID_MEDIA_H
 
@@ -34,11 +34,12 @@ static inline float3 tracked_transmittance(const DensityGrid* grid, float3 sigma
     return grid_transmittance(grid, ray.origin, ray.direction, first, last, sigma_t, random);
 }
 
-/// The same without chance, which takes a few look-ups for every voxel on the way.
-static inline float3 exact_transmittance(const DensityGrid* grid, float3 sigma_t, float3 origin,
-                                         float3 direction, float first, float last) {
+/// The integral of the density over the first `length` of a ray, but no more than `most` > 0:
+/// without chance, for a few look-ups at every voxel on the way.
+static inline float depth_on_way(const DensityGrid* grid, float3 origin, float3 direction,
+                                 float length, float most) {
     CubeRay ray = ray_in_cube(grid, origin, direction);
-    return transmittance(sigma_t, grid_depth(grid, ray.origin, ray.direction, first, last));
+    return grid_depth_up_to(grid, ray.origin, ray.direction, 0.0f, length, most);
 }
 
 #endif

@@ -3,7 +3,7 @@
 //
 // The reference for scenes with participating media: path tracing as in path.cl, with free paths,
 // scattering in media and transmittance towards lights (path_media.h), multiple scattering
-// included. Scenes without media run path.cl.
+// and emission included. Scenes without media run path.cl.
 #include "camera.h"
 #include "counters.h"
 #include "path_film.h"
@@ -55,7 +55,10 @@ static inline void scatter_in_medium(const Params* params, const PathScene* worl
 /// where it ends.
 static inline int cross_stretch(const Params* params, const PathScene* world, const Media* media,
                                 const Stretch* stretch, MediaPath* path, Random* random,
-                                PathLight* sum, uint* rays) {
+                                PathSample* sample, uint* rays) {
+    PathLight* sum = &sample->light;
+    if (has_emission(params, &stretch->medium) != 0)
+        add_emitted(params, stretch, stretch->length, path, sample);
     if (!(max_component(xyz(stretch->medium.albedo)) > 0.0f)) {
         // Nothing to gain from chance: what absorbs only is known.
         path->throughput = path->throughput * transmittance(stretch->sigma_t, stretch->length);
@@ -89,7 +92,7 @@ static inline int cross_stretch(const Params* params, const PathScene* world, co
 /// Goes through the media of a ray that ends after `length`. Returns 1 where the path is scattered
 /// before, -1 where it ends.
 static inline int cross_media(const Params* params, const PathScene* world, const Media* media,
-                              MediaPath* path, float length, Random* random, PathLight* sum,
+                              MediaPath* path, float length, Random* random, PathSample* sample,
                               uint* rays) {
     MediumWalk walk = start_walk(media, path->origin, path->direction, path->inside);
     while (next_stretch(media, &walk, length) != 0) {
@@ -105,8 +108,8 @@ static inline int cross_media(const Params* params, const PathScene* world, cons
         stretch.ratio = path->ratio;
         stretch.inside = walk.inside;
         int done = has_grid(params, &stretch.medium) != 0
-                       ? cross_grid(params, world, media, &stretch, path, random, sum, rays)
-                       : cross_stretch(params, world, media, &stretch, path, random, sum, rays);
+                       ? cross_grid(params, world, media, &stretch, path, random, sample, rays)
+                       : cross_stretch(params, world, media, &stretch, path, random, sample, rays);
         if (done != 0) return done;
     }
     return 0;
@@ -151,7 +154,7 @@ static inline int go_on(const Params* params, const PathScene* world, const Medi
         }
     }
     int scattered = cross_media(params, world, media, path, met != 0 ? hit.t : RAY_INFINITY, random,
-                                &sample->light, rays);
+                                sample, rays);
     if (scattered < 0) return 0;
     if (scattered > 0)
         return path_survives(path, ROULETTE_START,
@@ -161,11 +164,7 @@ static inline int go_on(const Params* params, const PathScene* world, const Medi
     if (met == 0 && HAS(params, FEATURE_ENVIRONMENT)) light = xyz(params->environment);
     if (met != 0 && max_component(path->surface.emission) > 0.0f)
         light = path->surface.emission * met_weight(world, path, &path->surface, hit.t);
-    light = light * path->throughput * path->ratio;
-    if (path->bounce == 0u)
-        sample->emission += light;
-    else
-        add_scattered(params, &sample->light, path->bounce, light);
+    add_met(params, path, light, sample);
     if (met == 0) return 0;
     if (scatter_on_surface(params, world, media, path, random, &sample->light, rays) == 0) return 0;
     return path_survives(path, ROULETTE_START, ROULETTE_MOST, random);

@@ -8,11 +8,14 @@
 // are weighted by the balance heuristic (Veach and Guibas 1995); lights without area are found by
 // the first two alone, directional ones by the first alone. In media with grids the density of free
 // paths is not known, and something like it takes its place: see path_grid.h.
+//
+// Light that media emit is found by the paths alone: every stretch adds all of what reaches its
+// start from it, which is known, before a free path is looked for.
 #ifndef WEFT_PATH_MEDIA_H
 #define WEFT_PATH_MEDIA_H
 
 #include "medium_walk.h"
-#include "path.h"
+#include "path_film.h"
 
 // How a ray of a path has come to be.
 #define RAY_OF_CAMERA 0u
@@ -25,6 +28,10 @@
 #define MEDIUM_ROULETTE_MOST 0.999755859375f  // 1 - 2^-12
 // Outside of all boundaries, where a path in a white medium never ends and brings less and less.
 #define OUTER_ROULETTE_MOST 0.99f
+
+// What a stretch emits is at most that: a path of many such stretches has a variance that is a
+// float.
+#define MEDIUM_RADIANCE_MOST 7.20575940e16f  // 2^56
 
 // A stretch of a ray in one medium, and the state of the path at its start.
 typedef struct {
@@ -63,6 +70,45 @@ static inline void add_scattered(const Params* params, PathLight* sum, uint boun
         sum->indirect += light;
     else if (HAS(params, FEATURE_SAMPLED_DIRECT))
         sum->direct += light;
+}
+
+/// Light that arrives where the path has been scattered last, as often as it was.
+static inline void add_met(const Params* params, const MediaPath* path, float3 light,
+                           PathSample* sample) {
+    float3 arrives = light * path->throughput * path->ratio;
+    if (path->bounce == 0u)
+        sample->emission += arrives;
+    else
+        add_scattered(params, &sample->light, path->bounce, arrives);
+}
+
+/// Whether a medium emits light.
+static inline int has_emission(const Params* params, const MediumRecord* medium) {
+    return HAS(params, FEATURE_EMISSIVE_MEDIA) && max_component(xyz(medium->emission)) > 0.0f ? 1
+                                                                                              : 0;
+}
+
+/// Radiance of one channel that a stretch emits towards its start. What has no end and takes
+/// nothing from light is a boundary that is open, or that a ray has missed by rounding, and no
+/// light.
+static inline float emitted1(float emission, float sigma, float depth) {
+    if (!(emission > 0.0f)) return 0.0f;
+    if (!(sigma > 0.0f) && !(depth < RAY_INFINITY)) return 0.0f;
+    return m_min(emission * lit_length1(sigma, depth), MEDIUM_RADIANCE_MOST);
+}
+
+/// What the medium of a stretch emits into the path, by the integral of its density over the
+/// stretch: its length where it is homogeneous. Extinction and emission go with the same density,
+/// so that the integral of emission times transmittance is known for any. Free paths have nothing
+/// to do with it: this belongs to their start, wherever they end.
+static inline void add_emitted(const Params* params, const Stretch* stretch, float depth,
+                               const MediaPath* path, PathSample* sample) {
+    float3 emission = xyz(stretch->medium.emission);
+    add_met(params, path,
+            f3(emitted1(emission.x, stretch->sigma_t.x, depth),
+               emitted1(emission.y, stretch->sigma_t.y, depth),
+               emitted1(emission.z, stretch->sigma_t.z, depth)),
+            sample);
 }
 
 /// 1 where light that arrives after `bounce` scatterings is asked for.

@@ -30,6 +30,7 @@
 #define FEATURE_DENSITY_GRIDS 2048u  // of media
 #define FEATURE_MEDIA 4096u          // light goes through participating media
 #define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
+#define FEATURE_EMISSIVE_MEDIA 16384u
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -166,8 +167,9 @@ typedef struct {
 typedef struct {
     float4 sigma_t;    // rgb extinction, 1 / kernel unit
     float4 albedo;     // rgb share of it that is scattered
+    float4 emission;   // rgb radiance emitted per kernel unit of length
     float anisotropy;  // Henyey-Greenstein g
-    uint grid;         // of densities that multiply sigma_t; NO_TRIANGLE: the same everywhere
+    uint grid;         // of densities that multiply sigma_t and emission; NO_TRIANGLE: none
     uint pad0, pad1;
 } MediumRecord;
 

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What media do to the view ray of each pixel: what they leave of light from its end, and which
-// boundaries are around that. Both are known, not estimated.
+// What media do to the view ray of each pixel: what they leave of light from its end, what they emit
+// towards the camera, and which boundaries are around the end. All is known, not estimated.
 //
 // With FEATURE_AIRLIGHT also where light may be scattered into the ray, as a G-buffer of its own
 // whose surfaces are ends of view rays: what is scattered changes little from pixel to pixel
@@ -55,17 +55,33 @@ static inline void add_stretch(const Params* params, const Media* media, const M
     found->end = end;
 }
 
-/// What is left of light after a stretch.
-static inline float3 stretch_transmittance(const Params* params, const Media* media,
-                                           const MediumWalk* walk, const MediumRecord* medium) {
+/// What a view ray has gone through so far.
+typedef struct {
+    float3 left;  // of light from beyond
+    float3 glow;  // radiance that media have added
+} Passed;
+
+/// Goes through a stretch.
+static inline void pass_stretch(const Params* params, const Media* media, const MediumWalk* walk,
+                                const MediumRecord* medium, Passed* passed) {
+    if (!(max_component(passed->left) > 0.0f)) return;
     float3 sigma = xyz(medium->sigma_t);
-    if (has_grid(params, medium) == 0) return transmittance(sigma, walk->end - walk->begin);
-    DensityGrid grid = grid_of(media, medium);
-    return exact_transmittance(&grid, sigma, walk->origin, walk->direction, walk->begin, walk->end);
+    float depth = walk->end - walk->begin;
+    if (has_grid(params, medium) != 0) {
+        DensityGrid grid = grid_of(media, medium);
+        depth = depth_on_way(&grid, walk->origin + walk->direction * walk->begin, walk->direction,
+                             depth, M_INFINITY);
+    }
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA))
+        passed->glow += passed->left * xyz(medium->emission) *
+                        f3(lit_length1(sigma.x, depth), lit_length1(sigma.y, depth),
+                           lit_length1(sigma.z, depth));
+    passed->left *= transmittance(sigma, depth);
 }
 
 WEFT_KERNEL(view_media)
-(PARAMS, GBUFFER_ARGS, MEDIA_ARGS, GLOBAL float4* view_left, GLOBAL uint* view_inside,
+(PARAMS, GBUFFER_ARGS, MEDIA_ARGS, GLOBAL float4* view_left, GLOBAL float4* view_glow,
+ GLOBAL uint* view_inside,
  GLOBAL uint* end_ids, GLOBAL float4* end_position, GLOBAL float4* end_normal,
  GLOBAL float4* end_shading, GLOBAL float4* end_albedo, GLOBAL float4* end_emission) {
     if (GLOBAL_ID >= params.count) return;
@@ -77,17 +93,18 @@ WEFT_KERNEL(view_media)
     float length = met != 0 ? gb_position[pixel].w * length3(direction) : RAY_INFINITY;
     MediumWalk walk = start_walk(&through, xyz(params.camera_origin), normalize3(direction),
                                  through.record->around_camera);
-    float3 left = f3(1.0f, 1.0f, 1.0f);
+    Passed passed = {f3(1.0f, 1.0f, 1.0f), f3(0.0f, 0.0f, 0.0f)};
     Scattering found = {0.0f, 0.0f, 0.0f, 0};
     int meets = may_meet_media(&through, walk.origin, walk.direction, length);
     while (meets != 0 && next_stretch(&through, &walk, length) != 0) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = through.media[walk.medium];
         add_stretch(&params, &through, &walk, &medium, &found);
-        if (max_component(left) > 0.0f)
-            left *= stretch_transmittance(&params, &through, &walk, &medium);
+        pass_stretch(&params, &through, &walk, &medium, &passed);
     }
-    view_left[pixel] = f4(left.x, left.y, left.z, 0.0f);
+    view_left[pixel] = f4(passed.left.x, passed.left.y, passed.left.z, 0.0f);
+    if (HAS(&params, FEATURE_EMISSIVE_MEDIA))
+        view_glow[pixel] = f4(passed.glow.x, passed.glow.y, passed.glow.z, 0.0f);
     view_inside[pixel] = walk.inside;
     if (HAS(&params, FEATURE_AIRLIGHT)) {
         float end = m_min(found.end, VIEW_INFINITY);

@@ -88,6 +88,15 @@ TEST(DefaultLight, LeavesScenesWithALightAlone) {
     Scene unused = square();
     unused.materials.push_back(lamp.materials[0]);
     EXPECT_FALSE(stays_as_it_is(unused));
+    // Nor does a medium that is nowhere.
+    Scene glow = square();
+    glow.media.emplace_back();
+    glow.media[0].emission = glm::vec3(0.0F, 1.0F, 0.0F);
+    EXPECT_FALSE(stays_as_it_is(glow));
+    glow.medium_boundaries.push_back({0, glm::dmat4(1.0), 0, -1});
+    EXPECT_TRUE(stays_as_it_is(glow));
+    glow.media[0].emission = glm::vec3(0.0F);
+    EXPECT_FALSE(stays_as_it_is(glow));
     EXPECT_TRUE(stays_as_it_is(Scene()));
 }
 

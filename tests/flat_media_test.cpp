@@ -76,6 +76,77 @@ TEST(FlatMedia, ExtinctionIsPerKernelUnit) {
     EXPECT_TRUE(std::isfinite(flatten(scene).media.records[0].sigma_t.x));
 }
 
+TEST(FlatMedia, EmissionIsPerKernelUnit) {
+    Scene scene = scene_of(1);
+    place(scene, 100.0, {1e6, 0, 0}, 0);
+    scene.media[0].sigma_t = glm::vec3(0.0F);
+    EXPECT_FALSE(flatten(scene).media.present());
+    scene.media[0].emission = {0.0F, 3.0F, 0.0F};
+    scene.media[0].scale = 0.0F;
+    FlatMedia media = flatten(scene).media;
+    ASSERT_TRUE(media.present());
+    EXPECT_EQ(media.records[0].emission.y, 3.0F * 64.0F);
+    // From one face to the other.
+    EXPECT_GE(media.radiance, 3.0 * 200.0);
+    EXPECT_LE(media.radiance, 4.0 * 3.0 * 200.0);
+    // For the greatest density; a grid of zeros is nothing.
+    scene.media[0].grid = 0;
+    scene.grids.push_back({{1, 1, 2}, {0.5F, 4.0F}});
+    const FlatScene flat = flatten(scene);
+    EXPECT_EQ(static_cast<double>(flat.media.records.at(0).emission.y) * flat.units.scale, 12.0);
+    scene.grids[0].densities = {0.0F, 0.0F};
+    EXPECT_FALSE(flatten(scene).media.present());
+    // An extinction beyond floats takes nothing from the radiance of what is opaque.
+    scene.media[0].grid = -1;
+    scene.media[0].sigma_t = glm::vec3(3e38F);
+    scene.media[0].scale = 1.0F;
+    scene.media[0].emission = glm::vec3(6e37F);
+    media = flatten(scene).media;
+    EXPECT_FLOAT_EQ(media.records[0].emission.x / media.records[0].sigma_t.x, 0.2F);
+    EXPECT_NEAR(media.radiance, 0.2, 1e-6);
+}
+
+TEST(FlatMedia, LightWithoutEndIsAnError) {
+    const auto error = [](const Scene& scene) {
+        try {
+            (void)flatten(scene);
+        } catch (const Error& found) {
+            EXPECT_EQ(found.code(), ExitCode::bad_input);
+            return std::string(found.what());
+        }
+        return std::string("none");
+    };
+    const std::string refused =
+        "s.xml: medium 'glow' fills space without end and emits in a channel in which it has no "
+        "extinction, expected a boundary, a grid or absorption";
+    Scene scene = scene_of(2);
+    scene.media[1].name = "glow";
+    scene.media[1].sigma_t = {1.0F, 0.0F, 1.0F};
+    scene.media[1].emission = {1.0F, 2.0F, 0.0F};
+    place(scene, 1.0, {0, 0, 0}, 1);
+    EXPECT_EQ(error(scene), "none");
+    scene.outer_medium = 1;
+    EXPECT_EQ(error(scene), refused);
+    // Also where it follows from the camera's medium, or the largest boundary.
+    scene.outer_medium = -1;
+    scene.medium_boundaries.clear();
+    scene.camera_medium = 1;
+    EXPECT_EQ(error(scene), refused);
+    scene.camera_medium = -1;
+    place(scene, 1.0, {0, 0, 0}, 0, 1);
+    EXPECT_EQ(error(scene), refused);
+    // With an extinction, where it does not emit, and in a grid there is an end to it.
+    scene.media[1].emission = {1.0F, 0.0F, 0.0F};
+    EXPECT_EQ(error(scene), "none");
+    scene.media[1].emission = glm::vec3(1.0F);
+    scene.media[1].sigma_t = glm::vec3(0.1F);
+    EXPECT_EQ(error(scene), "none");
+    scene.media[1].sigma_t = glm::vec3(0.0F);
+    scene.media[1].grid = 0;
+    scene.grids.push_back({{1, 1, 1}, {1.0F}});
+    EXPECT_EQ(error(scene), "none");
+}
+
 TEST(FlatMedia, SmallerBoundariesComeFirst) {
     Scene scene = scene_of(3);
     place(scene, 5.0, {0, 0, 0}, 0, 2);

@@ -79,6 +79,39 @@ TEST(GltfMedium, ScenesHaveFog) {
     EXPECT_EQ(scene.media[0].albedo, glm::vec3(1));
 }
 
+TEST(GltfMedium, MediaEmit) {
+    GltfBuilder builder =
+        triangle_of({{"WEFT_medium", {{"absorption", {1, 0, 0}}, {"emission", {2, 0.5, 0}}}}});
+    builder.json["scenes"][0]["extensions"] = {{"WEFT_medium", {{"absorption", {1, 1, 1}}}}};
+    const Scene scene = builder.read();
+    ASSERT_EQ(scene.media.size(), 2U);
+    EXPECT_EQ(scene.media[0].emission, glm::vec3(2, 0.5F, 0));
+    EXPECT_EQ(scene.media[0].sigma_t, glm::vec3(1, 0, 0));
+    EXPECT_EQ(scene.media[1].emission, glm::vec3(0));
+    EXPECT_TRUE(builder.diagnostics.warnings().empty());
+}
+
+TEST(GltfMedium, NamesThePlaceOfWrongEmission) {
+    const auto error = [](const Json& emission) {
+        GltfBuilder builder = triangle_of({{"WEFT_medium", {{"emission", emission}}}});
+        try {
+            (void)builder.read();
+        } catch (const Error& found) {
+            EXPECT_EQ(found.code(), ExitCode::bad_input);
+            const std::string text = found.what();
+            return text.substr(text.find('#'));
+        }
+        return std::string("none");
+    };
+    const std::string medium = "#/materials/0/extensions/WEFT_medium";
+    EXPECT_EQ(error({1, 2, -3}), medium + ": emission has the value -3, expected 0 to 1e+30");
+    EXPECT_EQ(error({1e31, 2, 3}), medium + ": emission has the value 1e+31, expected 0 to 1e+30");
+    EXPECT_EQ(error({1, "2", 3}), medium + "/emission/1: is of type string, expected a number");
+    for (const Json& other :
+         {Json{1, 2}, Json{1, 2, 3, 4}, Json(1), Json("much"), Json::object(), Json(nullptr)})
+        EXPECT_EQ(error(other).rfind(medium + "/emission: ", 0), 0U) << other;
+}
+
 TEST(GltfMedium, RefusesWrongValues) {
     const auto error = [](const Json& medium, const Json& volume = Json::object()) {
         GltfBuilder builder =

@@ -150,6 +150,9 @@ TEST(ValidateScene, ChecksLightsCamerasMediaAndFilm) {
               "a.gltf: environment has a radiance that is negative or not finite");
     EXPECT_EQ(error_after([](Scene& s) { s.media[0].sigma_t.x = -1; }),
               "a.gltf: medium 'fog' has an extinction that is negative or not finite");
+    for (const float value : {nan, -1.0F, std::numeric_limits<float>::infinity()})
+        EXPECT_EQ(error_after([&](Scene& s) { s.media[0].emission.y = value; }),
+                  "a.gltf: medium 'fog' has an emission that is negative or not finite");
     EXPECT_EQ(error_after([](Scene& s) { s.media[0].anisotropy = 1; }),
               "a.gltf: medium 'fog' has an anisotropy outside (-1, 1)");
     EXPECT_EQ(error_after([](Scene& s) { s.media[0].grid = 0; }),

@@ -51,9 +51,11 @@ std::string describe(const Scene& scene, const Medium& medium) {
         return c.r == c.g && c.g == c.b ? fmt::format("{:g}", c.r)
                                         : fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b);
     };
-    return fmt::format("{} ({}, extinction {}, albedo {}, g {:g})", medium.name,
+    const bool emits = medium.emission != glm::vec3(0.0F);
+    return fmt::format("{} ({}, extinction {}, albedo {}, g {:g}{})", medium.name,
                        density_of(scene, medium), colour(medium.sigma_t * medium.scale),
-                       colour(medium.albedo), medium.anisotropy);
+                       colour(medium.albedo), medium.anisotropy,
+                       emits ? ", emission " + colour(medium.emission) : "");
 }
 
 nlohmann::json info_json(const Scene& scene) {

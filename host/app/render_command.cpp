@@ -298,7 +298,8 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const FlatScene flat = flatten(scene);
     const RenderSettings settings = settings_of(options, scene);
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
-    if (flat.lights.empty())
+    const bool media_shine = flat.media.radiance > 0.0;
+    if (flat.lights.empty() && !media_shine)
         diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
     if (flat.media.present() && options.compensation)
         throw usage_error(

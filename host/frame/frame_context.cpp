@@ -179,13 +179,14 @@ std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<B
 std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
                                      const std::vector<Buffer*>& others) {
     const ComposedIrradiance& irradiance = frame.irradiance;
-    std::vector<Buffer*> all{
-        frame.pixel_slot.get(),
-        frame.or_nothing(irradiance.direct),
-        frame.or_nothing(irradiance.exact_direct),
-        frame.or_nothing(irradiance.indirect),
-        frame.or_nothing(frame.view_media ? &frame.view_media->left() : nullptr),
-        frame.or_nothing(irradiance.media)};
+    const ViewMedia* const media = frame.view_media.get();
+    std::vector<Buffer*> all{frame.pixel_slot.get(),
+                             frame.or_nothing(irradiance.direct),
+                             frame.or_nothing(irradiance.exact_direct),
+                             frame.or_nothing(irradiance.indirect),
+                             frame.or_nothing(media != nullptr ? &media->left() : nullptr),
+                             frame.or_nothing(media != nullptr ? media->glow() : nullptr),
+                             frame.or_nothing(irradiance.media)};
     all.insert(all.end(), others.begin(), others.end());
     return all;
 }

@@ -25,10 +25,11 @@ constexpr double largest_exponent = 60.0;
 // Surfaces may be this much nearer to a point light than the scene is large, squared.
 constexpr double nearness = 0x1p20;
 
-/// Radiance of the brightest light; for lights without an area, of a surface close to them.
+/// Radiance of the brightest light or medium; for lights without an area, of a surface close to
+/// them.
 double brightest(const FlatScene& scene) {
     const auto radius = static_cast<double>(scene.radius);
-    double most = 0.0;
+    double most = scene.media.radiance;
     for (const shared::LightRecord& light : scene.lights) {
         double value = std::max({light.power.x, light.power.y, light.power.z});
         if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT)

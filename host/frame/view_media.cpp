@@ -10,6 +10,8 @@ ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& c
       left_(executor.allocate(pixels * sizeof(shared::float4), "transmittance of view rays")),
       inside_(executor.allocate(pixels * sizeof(std::uint32_t), "surroundings of view rays")) {
     set_camera(executor, scene, camera);
+    if ((features & FEATURE_EMISSIVE_MEDIA) != 0)
+        glow_ = executor.allocate(pixels * sizeof(shared::float4), "light that media emit");
     if ((features & FEATURE_AIRLIGHT) != 0)
         ends_ = allocate_gbuffer(executor, pixels, "ends of view rays");
 }
@@ -19,7 +21,8 @@ void ViewMedia::set_camera(Executor& executor, const FlatScene& scene, const Cam
 }
 
 void ViewMedia::find(FrameContext& frame) const {
-    std::vector<Buffer*> others = media_.followed_by({left_.get(), inside_.get()});
+    std::vector<Buffer*> others = media_.followed_by(
+        {left_.get(), frame.buffers.or_nothing(glow_), inside_.get()});
     for (std::size_t i = 0; i < gbuffer_buffers; ++i)
         others.push_back(ends_.empty() ? frame.buffers.nothing.get() : ends_[i].get());
     frame.run(KernelId::view_media, "view rays through media", "", false,

@@ -26,6 +26,8 @@ class ViewMedia {
     [[nodiscard]] const MediaBuffers& media() const { return media_; }
     /// By pixel, float4: what media leave of light from the end of its view ray.
     [[nodiscard]] Buffer& left() const { return *left_; }
+    /// By pixel, float4: what media emit towards the camera; null where none emits.
+    [[nodiscard]] Buffer* glow() const { return glow_.get(); }
     /// By pixel: boundaries around that end, a bit each.
     [[nodiscard]] Buffer& inside() const { return *inside_; }
     /// A G-buffer whose surfaces are ends of view rays (kernels/view_media.cl); empty where no
@@ -34,7 +36,7 @@ class ViewMedia {
 
   private:
     MediaBuffers media_;
-    std::unique_ptr<Buffer> left_, inside_;
+    std::unique_ptr<Buffer> left_, glow_, inside_;
     GBuffer ends_;
 };
 

@@ -21,6 +21,19 @@ glm::dvec3 key_direction(const Scene& scene) {
                           0.7 * glm::normalize(axes[2]));
 }
 
+/// Whether a medium that is somewhere in the scene emits light.
+bool media_emit(const Scene& scene) {
+    const auto emits = [&](int medium) {
+        return medium >= 0 &&
+               scene.media[static_cast<std::size_t>(medium)].emission != glm::vec3(0.0F);
+    };
+    return emits(scene.outer_medium) || emits(scene.camera_medium) ||
+           std::any_of(scene.medium_boundaries.begin(), scene.medium_boundaries.end(),
+                       [&](const MediumBoundary& boundary) {
+                           return emits(boundary.interior) || emits(boundary.exterior);
+                       });
+}
+
 }  // namespace
 
 bool has_light(const Scene& scene) {
@@ -28,7 +41,8 @@ bool has_light(const Scene& scene) {
            std::any_of(scene.instances.begin(), scene.instances.end(),
                        [&](const Instance& instance) {
                            return scene.materials[instance.material].emission != glm::vec3(0.0F);
-                       });
+                       }) ||
+           media_emit(scene);
 }
 
 void add_default_light(Scene& scene, Diagnostics& diagnostics) {

@@ -14,13 +14,16 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "base/quote.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
 namespace {
 
 /// Beyond that everything is opaque within the rounding of a position.
-constexpr float largest_extinction = 1e30F;
+constexpr double largest_extinction = 1e30;
+/// Beyond that nothing is told apart by its brightness.
+constexpr double largest_emission = 1e30;
 
 glm::dvec3 vector_of(const shared::float4& p) {
     return {p.x, p.y, p.z};
@@ -38,24 +41,78 @@ float unit_density(const Scene& scene, const Medium& medium) {
 
 /// Whether the medium is of no effect.
 bool is_clear(const Scene& scene, const Medium& medium) {
-    const glm::vec3 sigma = medium.sigma_t * medium.scale;
-    return !(std::max({sigma.r, sigma.g, sigma.b}) > 0.0F) || !(unit_density(scene, medium) > 0.0F);
+    const glm::vec3 effect = medium.sigma_t * medium.scale + medium.emission;
+    return !(std::max({effect.r, effect.g, effect.b}) > 0.0F) ||
+           !(unit_density(scene, medium) > 0.0F);
 }
 
 shared::MediumRecord record_of(const Scene& scene, const Medium& medium, const KernelUnits& units) {
     shared::MediumRecord record{};
     glm::vec3 sigma(0.0F);
+    glm::vec3 emission(0.0F);
     const auto density = static_cast<double>(unit_density(scene, medium));
+    const auto per_unit = [&](double value) { return value * density / units.scale; };
     for (int c = 0; c < 3; ++c) {
-        const double value = static_cast<double>(medium.sigma_t[c]) *
-                             static_cast<double>(medium.scale) * density / units.scale;
-        sigma[c] = static_cast<float>(std::min(value, static_cast<double>(largest_extinction)));
+        const double extinction =
+            static_cast<double>(medium.sigma_t[c]) * static_cast<double>(medium.scale);
+        const auto emitted = static_cast<double>(medium.emission[c]);
+        const double value = per_unit(extinction);
+        sigma[c] = static_cast<float>(std::min(value, largest_extinction));
+        // What is opaque has the radiance emission / extinction, whatever is left of both.
+        emission[c] = static_cast<float>(std::min(value > largest_extinction
+                                                      ? emitted / extinction * largest_extinction
+                                                      : per_unit(emitted),
+                                                  largest_emission));
     }
     record.sigma_t = {sigma.r, sigma.g, sigma.b, 0.0F};
+    record.emission = {emission.r, emission.g, emission.b, 0.0F};
     record.albedo = {medium.albedo.r, medium.albedo.g, medium.albedo.b, 0.0F};
     record.anisotropy = medium.anisotropy;
     record.grid = NO_TRIANGLE;
     return record;
+}
+
+/// What a medium emits along a line of this length, in its brightest channel.
+double emitted_along(const shared::MediumRecord& record, double length) {
+    const auto of = [&](float emission, float sigma) {
+        const auto e = static_cast<double>(emission);
+        const auto s = static_cast<double>(sigma);
+        if (!(e > 0.0)) return 0.0;
+        return s > 0.0 ? e * -std::expm1(-s * length) / s : e * length;
+    };
+    return std::max({of(record.emission.x, record.sigma_t.x),
+                     of(record.emission.y, record.sigma_t.y),
+                     of(record.emission.z, record.sigma_t.z)});
+}
+
+/// The brightness that pictures of a medium of this size are made for.
+double radiance_of(const shared::MediumRecord& record, double size) {
+    // What lies beyond the surfaces may be this much brighter than what is seen before them.
+    constexpr double beyond = 0x1p-20;
+    constexpr double scene_size = 4.0;
+    return std::max(emitted_along(record, std::min(size, scene_size)),
+                    emitted_along(record, size) * beyond);
+}
+
+/// An upper bound of how long a line in a medium with an end can be, kernel units.
+double size_of(const Medium& medium, double extent, const KernelUnits& units) {
+    if (medium.grid < 0) return 4.0 * extent;
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis) sum += glm::length(glm::dvec3(medium.grid_to_world[axis]));
+    return sum * units.scale;
+}
+
+/// Refuses light without end.
+void check_endless(const Scene& scene, const Medium& medium, const shared::MediumRecord& record) {
+    const auto dims = [](float emission, float sigma) {
+        return !(emission > 0.0F) || sigma > 0.0F;
+    };
+    if (!(dims(record.emission.x, record.sigma_t.x) && dims(record.emission.y, record.sigma_t.y) &&
+          dims(record.emission.z, record.sigma_t.z)))
+        throw input_error(scene.source,
+                          "medium " + quote(medium.name) +
+                              " fills space without end and emits in a channel in which it has "
+                              "no extinction, expected a boundary, a grid or absorption");
 }
 
 /// A boundary in kernel units, normals outwards.
@@ -208,7 +265,8 @@ bool FlatMedia::scatters() const {
 }
 
 std::uint32_t FlatMedia::features() const {
-    return grids.records.empty() ? 0U : FEATURE_DENSITY_GRIDS;
+    return (grids.records.empty() ? 0U : FEATURE_DENSITY_GRIDS) |
+           (radiance > 0.0 ? FEATURE_EMISSIVE_MEDIA : 0U);
 }
 
 FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
@@ -234,9 +292,15 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
         return {};
     for (std::size_t i = 0; i < scene.media.size(); ++i) {
         const Medium& medium = scene.media[i];
-        media.records.push_back(record_of(scene, medium, units));
-        if (medium.grid >= 0 && !clear[i])
-            media.records.back().grid = media.grids.add(scene, medium, units);
+        shared::MediumRecord record = record_of(scene, medium, units);
+        const bool endless = i == media.space.outside && medium.grid < 0;
+        if (endless) check_endless(scene, medium, record);
+        media.radiance = std::max(
+            media.radiance,
+            radiance_of(record, endless ? std::numeric_limits<double>::infinity()
+                                        : size_of(medium, static_cast<double>(extent), units)));
+        if (medium.grid >= 0 && !clear[i]) record.grid = media.grids.add(scene, medium, units);
+        media.records.push_back(record);
     }
     set_box(scene, units, media);
     return media;

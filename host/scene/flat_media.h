@@ -16,7 +16,7 @@ namespace weft {
 struct KernelUnits;
 
 /// Participating media as kernels read them (kernels/medium_walk.h), in kernel units. Empty where
-/// no medium of the scene takes anything from light.
+/// no medium of the scene takes anything from light or adds to it.
 struct FlatMedia {
     std::vector<shared::MediumRecord> records;
     /// What lies inside and outside of boundaries; `around_camera` is left to the renderer.
@@ -25,6 +25,8 @@ struct FlatMedia {
     std::vector<shared::Triangle> triangles;  ///< `instance` is the number of the boundary
     std::vector<shared::float4> normals;      ///< by triangle, outwards; w: the number, as bits
     FlatGrids grids;                          ///< that records refer to
+    /// About what the brightest medium emits along a line through the scene; 0 where none emits.
+    double radiance = 0.0;
 
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
     /// Whether any medium scatters light.
@@ -36,7 +38,8 @@ struct FlatMedia {
 /// Flattens the media of a validated scene. Boundaries are numbered by the volume that they
 /// enclose, the smallest first: where they overlap, the smaller one counts. A boundary whose
 /// normals point inwards encloses its exterior medium. Throws Error (exit code 2) for more
-/// boundaries than kernels can tell apart.
+/// boundaries than kernels can tell apart, and for a medium without end, grid or extinction that
+/// emits.
 [[nodiscard]] FlatMedia flatten_media(const Scene& scene, const KernelUnits& units);
 
 /// The boundaries that enclose a point (kernel units), a bit each: those about which their

@@ -13,6 +13,7 @@ namespace weft {
 namespace {
 
 constexpr double largest_coefficient = 1e30;
+constexpr double largest_emission = 1e30;
 // Below, a colour is taken to be this: black absorbs much, but not infinitely.
 constexpr double least_colour = 1e-30;
 
@@ -24,6 +25,16 @@ glm::dvec3 coefficients(const GltfValue& value, const char* name) {
             throw value.error(fmt::format("{} has the coefficient {}, expected 0 to {}", name, x,
                                           largest_coefficient));
     return {found[0], found[1], found[2]};
+}
+
+/// Radiance per unit of length, by channel.
+glm::vec3 emission_of(const GltfValue& value) {
+    const std::array<double, 3> found = value.numbers_or<3>("emission", {0.0, 0.0, 0.0});
+    for (const double x : found)
+        if (!(x >= 0.0 && x <= largest_emission))
+            throw value.error(
+                fmt::format("emission has the value {}, expected 0 to {}", x, largest_emission));
+    return {glm::dvec3(found[0], found[1], found[2])};
 }
 
 /// Absorption by KHR_materials_volume: after attenuationDistance white light has attenuationColor.
@@ -59,6 +70,7 @@ std::optional<Medium> read_gltf_medium(const GltfValue& value, const std::string
     Medium medium;
     medium.name = name;
     medium.type = "homogeneous";
+    medium.emission = emission_of(*extension);
     medium.anisotropy = static_cast<float>(g);
     if (!(std::abs(medium.anisotropy) < 1.0F))
         throw extension->error(

@@ -12,9 +12,10 @@
 
 namespace weft {
 
-/// The medium of a material or scene with the extension WEFT_medium: its scattering, absorption and
-/// density, and the absorption of KHR_materials_volume. Throws Error (exit code 2) for coefficients
-/// that are negative or too large, an anisotropy outside (-1, 1), and what GltfDensities refuses.
+/// The medium of a material or scene with the extension WEFT_medium: its scattering, absorption,
+/// emission and density, and the absorption of KHR_materials_volume. Throws Error (exit code 2) for
+/// coefficients that are negative or too large, an anisotropy outside (-1, 1), and what
+/// GltfDensities refuses.
 [[nodiscard]] std::optional<Medium> read_gltf_medium(const GltfValue& value,
                                                      const std::string& name,
                                                      GltfDensities& densities);

@@ -90,12 +90,14 @@ struct Camera {
 };
 
 /// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit, times the
-/// density of its grid where it has one; outside of the grid it is 0.
+/// density of its grid where it has one; outside of the grid it is 0. So is `emission`, but without
+/// `scale`.
 struct Medium {
     std::string name;
     std::string type;  ///< "homogeneous" or "heterogeneous"
     glm::vec3 sigma_t{1.0F};
     glm::vec3 albedo{0.75F};
+    glm::vec3 emission{0.0F};  ///< radiance per scene unit of a ray
     float scale = 1.0F;
     float anisotropy = 0.0F;        ///< Henyey-Greenstein g
     int grid = -1;                  ///< index into Scene::grids, or -1: the same everywhere

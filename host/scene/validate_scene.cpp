@@ -229,6 +229,8 @@ class Validator {
             require(not_negative(medium.sigma_t) && not_negative(medium.sigma_t * medium.scale) &&
                         medium.scale >= 0.0F,
                     object, "has an extinction that is negative or not finite");
+            require(not_negative(medium.emission), object,
+                    "has an emission that is negative or not finite");
             require(in_unit_cube(medium.albedo), object, "has an albedo outside [0, 1]");
             require(medium.anisotropy > -1.0F && medium.anisotropy < 1.0F, object,
                     "has an anisotropy outside (-1, 1)");

@@ -208,6 +208,7 @@ def media():
     b = Builder()
     b.json["materials"] = [{"extensions": {
         "WEFT_medium": {"scattering": [1, 2, 3], "absorption": [0, 0, 1], "anisotropy": 0.5,
+                        "emission": [1, 0.5, 0],
                         "density": {"uri": "smoke.vol", "grid": "density",
                                     "box": [0, 0, 0, 1, 1, 1]}},
         "KHR_materials_volume": {"attenuationDistance": 2}}}]
