@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
+#include "scene/load_scene.h"
 #include "tests/gltf_builder.h"
 #include "tests/vol_bytes.h"
 
@@ -205,6 +208,29 @@ TEST(GltfMedium, RefusesWrongGrids) {
     GltfBuilder empty = smoke_of({{"uri", "a b.vol"}});
     empty.files["a b.vol"] = vol_header({0, 1, 1});
     EXPECT_TRUE(empty.read().grids.at(0).densities.empty());
+}
+
+TEST(GltfMedium, ShippedScenesHoldMedia) {
+    const auto medium_of = [](const std::string& file, std::size_t boundaries) {
+        Diagnostics diagnostics;
+        Scene scene = load_scene(WEFT_SOURCE_DIR "/scenes/" + file, diagnostics);
+        EXPECT_TRUE(diagnostics.warnings().empty()) << file;
+        EXPECT_EQ(scene.medium_boundaries.size(), boundaries) << file;
+        EXPECT_EQ(scene.media.size(), 1U) << file;
+        return scene;
+    };
+    const Scene fog = medium_of("cornell-box-fog.gltf", 1);
+    EXPECT_EQ(fog.outer_medium, -1);
+    EXPECT_FLOAT_EQ(fog.media.at(0).sigma_t.r, 1.8F);
+    const Scene haze = medium_of("shafts.gltf", 1);
+    EXPECT_EQ(haze.outer_medium, -1);
+    const Scene smoke = medium_of("smoke.gltf", 0);
+    EXPECT_EQ(smoke.outer_medium, 0);
+    ASSERT_EQ(smoke.grids.size(), 1U);
+    const std::vector<float>& densities = smoke.grids[0].densities;
+    EXPECT_EQ(densities.size(), 48U * 72U * 48U);
+    EXPECT_EQ(*std::min_element(densities.begin(), densities.end()), 0.0F);
+    EXPECT_GT(*std::max_element(densities.begin(), densities.end()), 0.5F);
 }
 
 }  // namespace

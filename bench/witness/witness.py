@@ -26,6 +26,7 @@ import subprocess
 import sys
 import tempfile
 
+import media_scenes
 from mitsuba_scene import import_or_exit, load_scene
 
 mi, np, dr = import_or_exit("bench witness", "mitsuba", "numpy", "drjit")
@@ -34,6 +35,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 ALPHA = 0.01  # of the whole picture; Sidak-corrected over its pixels
 ACCEPTED_SHARE = 0.9975
 EVERY_SCENE = ("cornell-box", "sibenik", "conference", "office", "desk")
+FOG = "-fog"  # DIR/NAME/NAME-fog.xml
+EVERY_MEDIUM = ("cornell-box-fog", "office-fog", "sibenik-fog", *media_scenes.SCENES)
 EXIT_OUTPUT = 5  # as Weft's other programs say
 REFERENCE_PASSES = 32
 LEAST_COUNT = 256
@@ -227,7 +230,9 @@ def parse():
     parser.add_argument("--quick", action="store_true", help="small pictures and few samples")
     parser.add_argument("--scenes", default=str(ROOT.parent / "shared" / "data" / "scenes"),
                         help="folder of scenes, each DIR/NAME/NAME.xml")
-    parser.add_argument("--only", nargs="+", default=EVERY_SCENE, help="names of scenes")
+    parser.add_argument("--only", nargs="+", help="names of scenes")
+    parser.add_argument("--media", action="store_true",
+                        help="scenes with participating media instead of those without")
     parser.add_argument("--json", help="write machine, versions, all figures and a summary")
     parser.add_argument("--weft", default=str(ROOT / "build" / "release" / "weft"),
                         help="the program")
@@ -257,6 +262,27 @@ def parse():
     return args
 
 
+def scene_file(args, name, folder):
+    """Where a scene is; one of the witness's own is written into the folder."""
+    if name in media_scenes.SCENES:
+        return media_scenes.write_scene(name, folder)
+    return pathlib.Path(args.scenes) / name.removesuffix(FOG) / f"{name}.xml"
+
+
+def measure(args, folder):
+    """The results of all scenes that are there."""
+    results = []
+    for name in args.only or (EVERY_MEDIUM if args.media else EVERY_SCENE):
+        path = scene_file(args, name, folder)
+        if not path.is_file():
+            continue
+        result = ({"slope": slope(args, name, path)} if args.slope
+                  else {"test": compare(args, name, path)})
+        print(json.dumps(result), flush=True)
+        results.append(result)
+    return results
+
+
 def main():
     args = parse()
     if args.variant not in mi.variants():
@@ -266,15 +292,8 @@ def main():
     if args.threads > 0:
         dr.set_thread_count(args.threads)
     mi.set_variant(args.variant)
-    results = []
-    for name in args.only:
-        path = pathlib.Path(args.scenes) / name / f"{name}.xml"
-        if not path.is_file():
-            continue
-        result = ({"slope": slope(args, name, path)} if args.slope
-                  else {"test": compare(args, name, path)})
-        print(json.dumps(result), flush=True)
-        results.append(result)
+    with tempfile.TemporaryDirectory() as folder:
+        results = measure(args, pathlib.Path(folder))
     if not results:
         print(f"bench witness: no scene in {args.scenes}, expected DIR/NAME/NAME.xml",
               file=sys.stderr)

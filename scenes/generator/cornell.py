@@ -1,6 +1,7 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""cornell-box.gltf: the measured box, in metres, facing its camera as published."""
+"""cornell-box.gltf: the measured box, in metres, facing its camera as published.
+cornell-box-fog.gltf: the same box filled with fog."""
 
 import math
 
@@ -10,6 +11,9 @@ from .gltf import Document
 from .solids import Mesh, cross, dot, ear_clip, sub
 
 ROOM_CENTRE = (0.278, 0.2744, 0.2796)
+# Per metre. The box is 0.559 m deep: an extinction of 1.8 / m is an optical depth of 1.
+FOG_SCATTERING, FOG_ABSORPTION, FOG_ANISOTROPY = (1.7,) * 3, (0.1,) * 3, 0.3
+FOG_LAP = 0.001  # by which fog reaches into the walls, so that its boundary is not on them
 
 
 def _metres(corners):
@@ -68,9 +72,25 @@ def colours():
     return (emission(light), *(reflectance(s, light) for s in surfaces))
 
 
-def build():
-    """The files of the scene: {name: bytes}."""
-    document = Document("Cornell box", "Geometry and spectra: Cornell University Program of "
+def _fog():
+    """The inside of the box, closed across its open front, seen from outside."""
+    lap = FOG_LAP
+    corners = [(x + math.copysign(lap, x - ROOM_CENTRE[0]),
+                y + math.copysign(lap, y - ROOM_CENTRE[1]), z + (lap if z > 0.0 else 0.0))
+               for x, y, z in _metres((*data.FLOOR, *data.CEILING))]
+    corners = [tuple(round(c, 6) for c in corner) for corner in corners]
+    above = (4, 7, 6, 5)  # the ceiling's corner above each of the floor's
+    quads = [(0, 1, 2, 3), (4, 5, 6, 7)]
+    # The left wall is not flat: its quad is split as the wall is.
+    quads += [((i + 1) % 4, above[(i + 1) % 4], above[i], i) for i in range(4)]
+    inward = _seen_from(ROOM_CENTRE, corners,
+                        [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
+    return Mesh(corners, [(a, c, b) for a, b, c in inward.triangles])
+
+
+def _box(name, foggy):
+    """The text of the scene."""
+    document = Document(name, "Geometry and spectra: Cornell University Program of "
                         "Computer Graphics. This file: The Weft Authors, CC0 1.0.")
     radiance, white, green, red = colours()
     materials = {
@@ -79,7 +99,7 @@ def build():
         "red": document.add_material("red", red, double_sided=True),
         "light": document.add_material("light", [data.LIGHT_REFLECTANCE] * 3, radiance=radiance),
     }
-    parts = (
+    parts = [
         ("floor", "white", _floor()),
         ("ceiling", "white", _ceiling()),
         ("back wall", "white", _quad(data.BACK_WALL)),
@@ -88,12 +108,21 @@ def build():
         ("short block", "white", _block(data.SHORT_BLOCK, data.SHORT_HEIGHT)),
         ("tall block", "white", _block(data.TALL_BLOCK, data.TALL_HEIGHT)),
         ("light", "light", _quad(data.LIGHT_CORNERS)),
-    )
-    for name, material, mesh in parts:
+    ]
+    if foggy:
+        materials["fog"] = document.add_medium("fog", FOG_SCATTERING, FOG_ABSORPTION,
+                                               FOG_ANISOTROPY)
+        parts.append(("fog", "fog", _fog()))
+    for part, material, mesh in parts:
         primitive = document.primitive(mesh, materials[material])
-        document.add_node(name, mesh=document.add_mesh(name, [primitive]))
+        document.add_node(part, mesh=document.add_mesh(part, [primitive]))
     eye = _metres([data.CAMERA_POSITION])[0]
     document.add_camera("camera", eye, (eye[0], eye[1], eye[2] + 1.0),
                         2.0 * math.atan2(0.5 * data.FILM_EDGE, data.FOCAL_LENGTH))
-    text, _ = document.finish()
-    return {"cornell-box.gltf": text.encode("ascii")}
+    return document.finish()[0].encode("ascii")
+
+
+def build():
+    """The files of the scenes: {name: bytes}."""
+    return {"cornell-box.gltf": _box("Cornell box", False),
+            "cornell-box-fog.gltf": _box("Cornell box with fog", True)}

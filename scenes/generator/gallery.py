@@ -6,9 +6,9 @@ import math
 
 from . import gallery_parts as parts
 from . import gallery_plan as plan
-from .gltf import Document
+from .builder import Builder, light_quad
 from .picture import inscription, tiles
-from .solids import Mesh, box, finish, sphere, unit
+from .solids import box, finish, sphere, unit
 
 REPEAT, CLAMP = 10497, 33071
 TILE_PAIR = 1.6  # metres that one repeat of the tile picture covers
@@ -38,10 +38,6 @@ ALBEDO = {
 }
 
 
-def _light_quad(corners):
-    return Mesh(list(corners), [(0, 1, 2), (0, 2, 3)])
-
-
 def _stone_colour(position, _):
     """Vertex colour between deep blue and sand, by the height of the relief."""
     t = 0.5 + 0.5 * parts.wave_height(unit(position))
@@ -57,34 +53,6 @@ def _mosaic_uv(position, _):
     """The picture's top edge (v = 0) lies away from the camera, its left edge at -x."""
     (x0, _, z0), (x1, _, z1) = MOSAIC
     return (position[0] - x0) / (x1 - x0), (position[2] - z0) / (z1 - z0)
-
-
-class Gallery:
-    """Collects meshes and the nodes that place them."""
-
-    def __init__(self):
-        self.document = Document("Gallery", "The Weft Authors, CC0 1.0.")
-        self.materials = {name: self.document.add_material(name, albedo)
-                          for name, albedo in ALBEDO.items()}
-        for name, radiance in RADIANCE.items():
-            self.materials[name] = self.document.add_material(name, (0.4, 0.4, 0.4),
-                                                              radiance=radiance)
-
-    def mesh(self, name, material, mesh):
-        primitive = self.document.primitive(mesh, self.materials[material])
-        return self.document.add_mesh(name, [primitive])
-
-    def solid(self, name, material, solids, at=(0.0, 0.0, 0.0), **how):
-        """One mesh placed once."""
-        self.place(name, self.mesh(name, material, finish(solids, **how)), at)
-
-    def place(self, name, mesh, at, rotation=None):
-        fields = {"mesh": mesh}
-        if any(at):
-            fields["translation"] = [round(c, 6) for c in at]
-        if rotation:
-            fields["rotation"] = [round(c, 9) for c in rotation]
-        self.document.add_node(name, **fields)
 
 
 def _textures(gallery):
@@ -158,18 +126,18 @@ def _sculptures(gallery):
 
 def _lights(gallery):
     y, half, end = plan.VAULT_Y + plan.VAULT_R + 0.24, 0.86, plan.SLOT + 0.05
-    gallery.place("skylight", gallery.mesh("skylight", "skylight", _light_quad(
-        [(-half, y, -end), (half, y, -end), (half, y, end), (-half, y, end)])), (0.0,) * 3)
+    gallery.light("skylight", "skylight", [(-half, y, -end), (half, y, -end), (half, y, end),
+                                           (-half, y, end)])
     z, lap = -plan.HALF_LENGTH - 0.3, 0.03
     for k, (x0, x1, y0, y1) in enumerate(WINDOWS):
-        pane = _light_quad([(x0 - lap, y0 - lap, z), (x1 + lap, y0 - lap, z),
-                            (x1 + lap, y1 + lap, z), (x0 - lap, y1 + lap, z)])
-        gallery.place(f"window {k + 1}", gallery.mesh("pane", "window", pane), (0.0,) * 3)
+        pane = light_quad([(x0 - lap, y0 - lap, z), (x1 + lap, y0 - lap, z),
+                           (x1 + lap, y1 + lap, z), (x0 - lap, y1 + lap, z)])
+        gallery.place(f"window {k + 1}", gallery.mesh("pane", "window", pane))
     at, length = (-plan.AISLE_X + 0.45, 4.9, 0.0), 5.0
     gallery.solid("trough", "iron", parts.trough(length), at)
-    strip = _light_quad([(-0.1, -0.02, length - 0.01), (0.1, -0.02, length - 0.01),
-                         (0.1, -0.02, 0.01 - length), (-0.1, -0.02, 0.01 - length)])
-    gallery.place("strip", gallery.mesh("strip", "strip", strip), at)
+    gallery.light("strip", "strip", [(-0.1, -0.02, length - 0.01), (0.1, -0.02, length - 0.01),
+                                     (0.1, -0.02, 0.01 - length), (-0.1, -0.02, 0.01 - length)],
+                  at)
     gallery.solid("lamp", "lamp", [sphere(3, lambda d: 0.17)], LAMP, crease_degrees=60.0)
     gallery.solid("lamp cord", "iron", parts.lamp_cord(plan.AISLE_Y - LAMP[1] + 0.05), LAMP)
     gallery.document.add_spot("spot", (2.9, 6.0, -7.0), KNOT, (1.0, 0.9, 0.76), 70.0,
@@ -178,7 +146,7 @@ def _lights(gallery):
 
 def build():
     """The files of the scene: {name: bytes}."""
-    gallery = Gallery()
+    gallery = Builder("Gallery", ALBEDO, RADIANCE)
     _textures(gallery)
     _hall(gallery)
     _columns(gallery)

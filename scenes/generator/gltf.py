@@ -102,6 +102,25 @@ class Document:
                 "KHR_materials_emissive_strength": {"emissiveStrength": round(peak, 6)}}
         return self._add("materials", material)
 
+    def _medium(self, scattering, absorption, anisotropy, density):
+        """The JSON of WEFT_medium: coefficients per metre, the mean cosine g, a density grid."""
+        self._extensions.add("WEFT_medium")
+        medium = {"scattering": list(scattering), "absorption": list(absorption),
+                  "anisotropy": anisotropy}
+        if density:
+            medium["density"] = density
+        return {"WEFT_medium": medium}
+
+    def add_medium(self, name, scattering, absorption, anisotropy=0.0, density=None):
+        """A material that makes what it is on the invisible boundary of a medium."""
+        return self._add("materials", {"name": name, "extensions": self._medium(
+            scattering, absorption, anisotropy, density)})
+
+    def set_outer_medium(self, scattering, absorption, anisotropy=0.0, density=None):
+        """The medium outside of all boundaries; with a density grid, it ends where that ends."""
+        self.json["scenes"][0]["extensions"] = self._medium(scattering, absorption, anisotropy,
+                                                            density)
+
     def add_texture(self, name, uri, wrap):
         image = self._add("images", {"name": name, "uri": uri})
         sampler = self._add("samplers", {"magFilter": 9729, "minFilter": 9987,

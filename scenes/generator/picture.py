@@ -5,6 +5,8 @@
 import struct
 import zlib
 
+from .noise import lattice
+
 SHADES = 16
 
 # Letters of the inscription, 5 x 7 tesserae each, top row first.
@@ -22,18 +24,10 @@ GLYPHS = {
 }
 
 
-def _noise(x, y, seed):
-    """A fixed pseudo-random integer in [0, 65535] for a lattice point."""
-    h = (x * 0x9E3779B1 + y * 0x85EBCA77 + seed * 0xC2B2AE3D) & 0xFFFFFFFF
-    h = ((h ^ (h >> 15)) * 0x2C1B3C6D) & 0xFFFFFFFF
-    h = ((h ^ (h >> 12)) * 0x297A2D39) & 0xFFFFFFFF
-    return (h ^ (h >> 15)) & 0xFFFF
-
-
 def _cloud(x, y, cell, wrap, seed):
     """Value noise in [0, 65535] that repeats every `wrap` cells; integers only."""
     i, j, fx, fy = x // cell, y // cell, x % cell, y % cell
-    corner = [_noise((i + di) % wrap, (j + dj) % wrap, seed) for dj in (0, 1) for di in (0, 1)]
+    corner = [lattice((i + di) % wrap, (j + dj) % wrap, seed) for dj in (0, 1) for di in (0, 1)]
     top = corner[0] * (cell - fx) + corner[1] * fx
     bottom = corner[2] * (cell - fx) + corner[3] * fx
     return (top * (cell - fy) + bottom * fy) // (cell * cell)
@@ -112,6 +106,6 @@ def inscription():
         for x in range(columns * edge):
             joint = x % edge == 0 or y % edge == 0
             kind = 3 if joint else grid[y // edge][x // edge]
-            shade = _noise(x // edge, y // edge, 7) * SHADES // 65536
+            shade = lattice(x // edge, y // edge, 7) * SHADES // 65536
             pixels[y * columns * edge + x] = kind * SHADES + (8 if joint else shade)
     return _png(columns * edge, rows * edge, palette, pixels)
