@@ -94,9 +94,10 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
     WFloat distance = wide_square_root(square);
     WFloat g = receiver / (square * distance);
     if (kind == VPL_MEDIUM) {
-        WFloat bound = WIDE(vpl->position.w);
-        g = SELECT(g < bound, g, bound);
-        return g * wide_phase(WIDE(vpl->cone.x), emitter / distance);
+        // At most what the bound leaves of a surface's light, whose part of it is 1 / pi.
+        WFloat bound = WIDE(vpl->position.w * 0.318309886f);
+        g = g * wide_phase(WIDE(vpl->cone.x), emitter / distance);
+        return SELECT(g < bound, g, bound);
     }
     if (kind == VPL_SPOT) {
         g = g * wide_spot(emitter / distance, vpl->cone.x, vpl->cone.y);

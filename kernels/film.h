@@ -13,7 +13,8 @@
 #define IRRADIANCE_ARGS                                                      \
     GLOBAL const uint *pixel_slot, GLOBAL const float4 *direct,              \
         GLOBAL const float *exact_irradiance, GLOBAL const float4 *indirect, \
-        GLOBAL const float4 *view_left, GLOBAL const float4 *view_glow, GLOBAL const float4 *media_light
+        GLOBAL const float4 *view_left, GLOBAL const float4 *view_glow,      \
+        GLOBAL const float4 *media_light
 #define IRRADIANCE_MAKE(name)                 \
     IrradianceBuffers name;                   \
     name.pixel_slot = pixel_slot;             \

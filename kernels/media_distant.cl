@@ -82,7 +82,8 @@ static inline float3 directional_light(const Params* params, Scene scene, const 
 static inline float3 environment_light(const Params* params, Scene scene, const Media* media,
                                        const ViewRay* ray, float sigma, uint set, uint* rays) {
     float3 sum = f3(0.0f, 0.0f, 0.0f);
-    uint count = params->environment_samples;
+    uint count = params->gather_sets == 1u ? params->environment_samples * params->sets
+                                           : params->environment_samples;
     uint key = hash_pair(params->seed, 0x7Du);
     for (uint i = 0u; i < count; ++i) {
         uint index = (params->frame * params->sets + set) * count + i;
@@ -105,7 +106,7 @@ WEFT_KERNEL(media_distant)
     if (ray.valid == 0) return;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.sets;
+    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
     float sigma = spread_extinction(&params, &through);
     uint rays = 0u;
     float3 sum = f3(0.0f, 0.0f, 0.0f);

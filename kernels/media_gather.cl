@@ -18,7 +18,6 @@ static inline float fraction(float x) {
 /// taken or scattered it; 0 in lanes that it does not shine on.
 static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl* vpl, uint kind) {
     WFloat zero = WIDE(0.0f);
-    WFloat one = WIDE(1.0f);
     if (kind == VPL_POINT) return places->weight;
     WFloat distance = wide_square_root(wide_dot(places->d, places->d));
     WFloat cosine = wide_dot_scalar(places->d, xyz(vpl->normal)) / distance;
@@ -27,7 +26,10 @@ static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl*
     if (kind == VPL_SPOT) return places->weight * wide_spot(cosine, vpl->cone.x, vpl->cone.y);
     WFloat bound = places->square * vpl->position.w;
     if (kind == VPL_SURFACE) return places->weight * VMAX(VMIN(cosine, bound), zero);
-    return places->weight * wide_phase(WIDE(vpl->cone.x), cosine) * VMIN(one, bound);
+    // As in connection.h.
+    bound = bound * 0.318309886f;
+    WFloat phase = wide_phase(WIDE(vpl->cone.x), cosine);
+    return places->weight * VMIN(phase, bound);
 }
 
 /// Phase functions of places for light from the VPL to the camera.

@@ -129,7 +129,7 @@ typedef struct {
 
 // A virtual point light, or a sample point on a light. Irradiance at x with unit normal n:
 // flux * min(G, bound) for VPL_SURFACE, flux * cos / d^2 for VPL_POINT, times the cone for
-// VPL_SPOT; flux * phase function * min(cos / d^2, bound) for VPL_MEDIUM, a point of a medium.
+// VPL_SPOT; flux * min(phase function * cos / d^2, bound / pi) for VPL_MEDIUM, a point of a medium.
 #define VPL_SURFACE 0u
 #define VPL_POINT 1u
 #define VPL_SPOT 2u

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What media do to the view ray of each pixel: what they leave of light from its end, what they emit
-// towards the camera, and which boundaries are around the end. All is known, not estimated.
+// What media do to the view ray of each pixel: what they leave of light from its end, what they
+// emit towards the camera, and which boundaries are around the end. All is known, not estimated.
 //
 // With FEATURE_AIRLIGHT also where light may be scattered into the ray, as a G-buffer of its own
 // whose surfaces are ends of view rays: what is scattered changes little from pixel to pixel
@@ -81,9 +81,9 @@ static inline void pass_stretch(const Params* params, const Media* media, const 
 
 WEFT_KERNEL(view_media)
 (PARAMS, GBUFFER_ARGS, MEDIA_ARGS, GLOBAL float4* view_left, GLOBAL float4* view_glow,
- GLOBAL uint* view_inside,
- GLOBAL uint* end_ids, GLOBAL float4* end_position, GLOBAL float4* end_normal,
- GLOBAL float4* end_shading, GLOBAL float4* end_albedo, GLOBAL float4* end_emission) {
+ GLOBAL uint* view_inside, GLOBAL uint* end_ids, GLOBAL float4* end_position,
+ GLOBAL float4* end_normal, GLOBAL float4* end_shading, GLOBAL float4* end_albedo,
+ GLOBAL float4* end_emission) {
     if (GLOBAL_ID >= params.count) return;
     uint pixel = params.first + GLOBAL_ID;
     MEDIA_MAKE(through);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -58,7 +59,7 @@ TEST(Media, AirlightOfAPointLight) {
         settings.indirect = false;
         settings.sampling.bounces = 0;
         for (const Backend backend : test::backends()) {
-            // 32 frames of 4 places for each of 9 sets: 1152 evenly spread places.
+            // 32 frames of 16 places for each of 9 sets: 4608 evenly spread places.
             const Rendering rendering =
                 test::render(backend, builder.scene,
                              test::look_at({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 1e-4), settings, 32);
@@ -118,6 +119,43 @@ TEST(Media, SurfacesAreSeenAndLitThroughMedia) {
         }
 }
 
+TEST(Media, SlabsGlow) {
+    // A slab of thickness 2 that emits, absorbs and scatters, in front of an emitting wall; nothing
+    // else shines.
+    const glm::vec3 sigma(0.25F, 1.0F, 3.0F);
+    for (const bool gridded : {false, true}) {
+        SceneBuilder builder;
+        builder.scene.media.push_back(medium_of(sigma, glm::vec3(0.5F)));
+        builder.scene.media[0].emission = {1.0F, 2.0F, 4.0F};
+        const glm::dmat4 slab = glm::scale(glm::dmat4(1.0), glm::dvec3(50.0, 50.0, 1.0));
+        if (gridded) {
+            DensityGrid grid;
+            grid.size = {2, 2, 2};
+            grid.densities.assign(8, 1.0F);
+            test::add_grid(builder.scene, 0, grid, slab);
+            builder.scene.outer_medium = 0;
+        } else {
+            add_boundary(builder.scene, cube_mesh(), slab, 0);
+        }
+        builder.add(
+            test::quad_mesh({-9.0F, -9.0F, -2.0F}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
+            builder.material(glm::vec3(0.0F), glm::vec3(3.0F)));
+        for (const Backend backend : test::backends()) {
+            const Rendering rendering =
+                test::render(backend, builder.scene, test::look_at({0, 0, 5}, {0, 0, -9}, 1e-4),
+                             settings_of(Algorithm::ais, 8));
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const double s = at(sigma, c);
+                const double expected =
+                    3.0 * std::exp(-2.0 * s) +
+                    at(builder.scene.media[0].emission, c) * -std::expm1(-2.0 * s) / s;
+                for (const double value : test::channel_of(rendering, "emission", c))
+                    ASSERT_NEAR(value, expected, 1e-5 * expected) << test::backend_name(backend);
+            }
+        }
+    }
+}
+
 TEST(Media, SunlightInAnAbsorbingSlab) {
     // A directional light along the view, through a slab of thickness 2 in front of a wall.
     const glm::vec3 sigma(0.25F, 1.0F, 3.0F);
@@ -144,7 +182,7 @@ TEST(Media, SunlightInAnAbsorbingSlab) {
             const double slab = 2.0 * 0.6 / (4.0 * pi) * (1.0 - std::exp(-4.0 * s)) / 2.0;
             for (const double value : test::channel_of(rendering, "direct", c))
                 ASSERT_NEAR(value, wall, 2e-4 * wall);
-            // Places are spread evenly: 64 frames of 36 places.
+            // Places are spread evenly: 64 frames of 144 places.
             for (const double value : test::channel_of(rendering, "media", c))
                 ASSERT_NEAR(value, slab, 2e-3 * slab) << test::backend_name(backend);
         }

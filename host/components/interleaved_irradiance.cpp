@@ -5,16 +5,20 @@
 namespace weft {
 
 InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, const char* component,
-                                             const GBuffer& gbuffer, TileGeometry* tiles)
+                                             const GBuffer& gbuffer, TileGeometry* tiles,
+                                             double threshold_share)
     : component_(component),
       shared_(inputs.buffers),
       gbuffer_(gbuffer),
       tiles_(tiles),
       filtered_(inputs.executor.allocate(inputs.pixels() * sizeof(shared::float4),
                                          "filtered irradiance")) {
-    if (inputs.plan.adaptive)
-        adaptive_ = std::make_unique<AdaptiveSampling>(inputs.executor, tiles_->grid(),
-                                                       inputs.levels(), inputs.features);
+    if (inputs.plan.adaptive) {
+        LevelSettings levels = inputs.levels();
+        levels.threshold *= threshold_share;
+        adaptive_ = std::make_unique<AdaptiveSampling>(inputs.executor, tiles_->grid(), levels,
+                                                       inputs.features);
+    }
     irradiance_ = dark_irradiance(inputs.executor, adaptive_ ? adaptive_->slots() : shared_.slots,
                                   "irradiance");
 }

@@ -30,9 +30,11 @@ class InterleavedIrradiance {
     using Gather = std::function<void(const Slots& slots)>;
 
     /// `component` names the stages. `gbuffer` holds the surfaces that are sampled, `tiles` is
-    /// their tiles where the plan adapts. All outlive this.
+    /// their tiles where the plan adapts. All outlive this. `threshold_share` is the share of the
+    /// plan's threshold that errors may reach.
     InterleavedIrradiance(const ComponentInputs& inputs, const char* component,
-                          const GBuffer& gbuffer, TileGeometry* tiles);
+                          const GBuffer& gbuffer, TileGeometry* tiles,
+                          double threshold_share = 1.0);
 
     /// Calls `gather` for all samples of a frame. `least_levels`, a component's own heuristic, is
     /// AdaptiveSampling::Steps::least_levels; nothing asks for it where every pixel is sampled.

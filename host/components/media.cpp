@@ -11,6 +11,10 @@ namespace {
 
 constexpr const char* name = "media";
 
+// Scattered light is smooth but for shafts, whose faint edges are long and lie over everything: it
+// is held to this share of the threshold, which costs little, since little has to be sampled.
+constexpr double threshold_share = 0.25;
+
 bool called_for(const FramePlan& plan) {
     return plan.media_light;
 }
@@ -68,7 +72,7 @@ Media::Media(const ComponentInputs& inputs)
     : tiles_(inputs.plan.adaptive
                  ? std::make_unique<TileGeometry>(inputs.executor, inputs.width, inputs.height)
                  : nullptr),
-      radiance_(inputs, name, inputs.buffers.view_media->ends(), tiles_.get()) {
+      radiance_(inputs, name, inputs.buffers.view_media->ends(), tiles_.get(), threshold_share) {
     const FramePlan& plan = inputs.plan;
     if (plan.media_samples_per_set > 0)
         samples_ = inputs.executor.allocate(

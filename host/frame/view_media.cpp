@@ -21,8 +21,8 @@ void ViewMedia::set_camera(Executor& executor, const FlatScene& scene, const Cam
 }
 
 void ViewMedia::find(FrameContext& frame) const {
-    std::vector<Buffer*> others = media_.followed_by(
-        {left_.get(), frame.buffers.or_nothing(glow_), inside_.get()});
+    std::vector<Buffer*> others =
+        media_.followed_by({left_.get(), frame.buffers.or_nothing(glow_), inside_.get()});
     for (std::size_t i = 0; i < gbuffer_buffers; ++i)
         others.push_back(ends_.empty() ? frame.buffers.nothing.get() : ends_[i].get());
     frame.run(KernelId::view_media, "view rays through media", "", false,

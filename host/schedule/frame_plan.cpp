@@ -38,15 +38,23 @@ void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflect
     }
 }
 
-/// Some view ray passes close to any point of a light, so media want more points than surfaces do:
-/// four times as many, but of all lights together about as many as there are VPLs.
-void plan_media_samples(FramePlan& plan, const SamplingSettings& settings, std::uint32_t lights) {
+/// Points on lights, and places on view rays for lights without area. Some view ray passes close to
+/// any point of a light, and the edges of shafts are only as fine as places are close: four times
+/// as many as for surfaces, but of all lights of a kind together about as many as there are VPLs.
+void plan_media_samples(FramePlan& plan, const SamplingSettings& settings,
+                        const SceneStatistics& scene) {
+    const auto share_of = [&](std::uint32_t lights) {
+        return std::clamp(settings.vpls_per_set / std::max(1U, lights), settings.samples_per_light,
+                          4 * settings.samples_per_light);
+    };
+    // Where a pixel has all sets, it has places of its own for each.
+    plan.media_steps = share_of(scene.punctual_lights + scene.directional_lights) *
+                       (plan.gather_sets == 1 ? plan.sets : 1);
     plan.media_samples_per_light = plan.samples_per_light;
     plan.media_samples_per_set = plan.samples_per_set;
-    if (plan.samples_per_light == 0 || lights == 0) return;
-    plan.media_samples_per_light = std::clamp(settings.vpls_per_set / lights,
-                                              plan.samples_per_light, 4 * plan.samples_per_light);
-    plan.media_samples_per_set = lights * plan.media_samples_per_light;
+    if (plan.samples_per_light == 0 || scene.area_lights == 0) return;
+    plan.media_samples_per_light = share_of(scene.area_lights);
+    plan.media_samples_per_set = scene.area_lights * plan.media_samples_per_light;
 }
 
 }  // namespace
@@ -78,14 +86,13 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.media_light = scene.scattering && scene.media_light && lights > 0;
     plan.direct = scene.direct;
     plan.indirect = scene.indirect;
-    plan.media_steps = settings.samples_per_light;
     if (scene.direct || plan.media_light) {
         const bool all_lights =
             scene.area_lights * settings.samples_per_light <= settings.max_samples_per_set;
         plan.samples_per_light = all_lights ? settings.samples_per_light : 0;
         plan.samples_per_set = all_lights ? scene.area_lights * settings.samples_per_light
                                           : settings.max_samples_per_set;
-        if (plan.media_light) plan_media_samples(plan, settings, scene.area_lights);
+        if (plan.media_light) plan_media_samples(plan, settings, scene);
         plan.environment_samples = scene.environment ? settings.samples_per_light : 0;
         plan.punctual_lights = scene.punctual_lights;
         plan.directional_lights = scene.directional_lights;
