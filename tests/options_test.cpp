@@ -138,7 +138,7 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
                              "--frame-time",
                              "--overlays"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
-    for (const char* name : {"--preset", "media", "tic"})
+    for (const char* name : {"--preset", "tic"})
         EXPECT_EQ(help.find(name), std::string::npos) << name;
     EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
 }
@@ -233,11 +233,13 @@ TEST(Options, ComponentsThatHaveToBeAskedForAreNotOfPathTracing) {
     EXPECT_TRUE(options.names_component("occlusion"));
     EXPECT_FALSE(options.names_component("indirect") || render({}).names_component("occlusion"));
     EXPECT_EQ(render_refusal({"--algorithm", "path", "--components", "direct,occlusion"}),
-              "--components: path tracing has no occlusion, expected direct, indirect");
+              "--components: path tracing has no occlusion, expected direct, indirect, media");
+    EXPECT_EQ(render_refusal({"--algorithm", "path", "--components", "media"}),
+              "--components: path tracing has the light of media in direct, indirect");
 }
 
 TEST(Options, RefusesBadListsAndNames) {
-    for (const char* text : {"direct,direct", ",", "direct,", "media", "Direct"})
+    for (const char* text : {"direct,direct", ",", "direct,", "fog", "Direct"})
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
     EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
               "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, path");

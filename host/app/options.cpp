@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 constexpr std::array<std::string_view, 5> command_names = {"render", "merge", "compare", "info",
                                                            "devices"};
 constexpr double max_exposure_ev = 100.0;
+const std::string media_alone = "media";
 
 void add_render(CLI::App& app) {
     CLI::App& render = add_command(app, "render", "Renders a scene to an EXR or PNG file");
@@ -240,6 +241,8 @@ void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
                 throw usage_error(
                     fmt::format("--components: path tracing has no {}, expected {}", name,
                                 fmt::join(choosable_components(Choice::by_default), ", ")));
+    if (options.algorithm == Algorithm::path && options.components == std::vector{media_alone})
+        throw usage_error("--components: path tracing has the light of media in direct, indirect");
     options.compensation = is_given(command, "--vpl-compensation");
     if (options.compensation && options.algorithm == Algorithm::path)
         throw usage_error(
