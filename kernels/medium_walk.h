@@ -5,7 +5,8 @@
 // meet. What a ray is inside of is a set of boundaries, a bit each: crossing one from outside adds
 // it and from inside takes it away, so that meeting the same one twice does no harm. Where rays
 // start on a boundary, rounding decides whether they have crossed it; so the side from which the
-// next one is met is believed more than the set.
+// next one is met is believed more than the set. Of boundaries that are met at the same place only
+// one is seen; where no further one is met, the ray is outside of all, whatever the set says.
 #ifndef WEFT_MEDIUM_WALK_H
 #define WEFT_MEDIUM_WALK_H
 
@@ -82,7 +83,10 @@ static inline int next_stretch(const Media* media, MediumWalk* walk, float limit
         Hit hit =
             bvh_closest(media->nodes, media->leaves, walk->origin + walk->direction * walk->search,
                         walk->direction, RAY_INFINITY);
-        if (hit.triangle != NO_TRIANGLE) {
+        if (hit.triangle == NO_TRIANGLE) {
+            walk->inside = 0u;
+            walk->beyond = 0u;
+        } else {
             float4 normal = media->normals[hit.triangle];
             uint bit = 1u << as_bits(normal.w);
             int enters = dot3(xyz(normal), walk->direction) < 0.0f ? 1 : 0;

@@ -156,6 +156,32 @@ TEST(Media, SlabsGlow) {
     }
 }
 
+TEST(Media, BoundariesMayShareFaces) {
+    // A cube and, in the half of it that is further away, a box that shares five of its faces:
+    // entered or left at the same place.
+    for (const double side : {1.0, -1.0}) {
+        SceneBuilder builder;
+        builder.scene.media.push_back(medium_of(glm::vec3(0.3F), glm::vec3(0.0F)));
+        builder.scene.media.push_back(medium_of(glm::vec3(0.7F), glm::vec3(0.0F)));
+        add_boundary(builder.scene, cube_mesh(), glm::dmat4(1.0), 0);
+        glm::dmat4 half = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.5));
+        half[3] = {0.0, 0.0, -0.5, 1.0};
+        add_boundary(builder.scene, cube_mesh(), half, 1);
+        const auto z = static_cast<float>(-3.0 * side);
+        builder.add(test::quad_mesh({-9.0F, -9.0F, z}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
+                    builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
+        builder.scene.materials.back().emits_both_sides = true;
+        for (const Backend backend : test::backends()) {
+            const Rendering rendering =
+                test::render(backend, builder.scene,
+                             test::look_at({0.2, 0.1, 5.0 * side}, {0.2, 0.1, -9.0 * side}, 0.05),
+                             settings_of(Algorithm::igi, 8));
+            for (const double value : test::channel_of(rendering, "emission", 0))
+                ASSERT_NEAR(value, std::exp(-1.0), 1e-3) << test::backend_name(backend) << side;
+        }
+    }
+}
+
 TEST(Media, SunlightInAnAbsorbingSlab) {
     // A directional light along the view, through a slab of thickness 2 in front of a wall.
     const glm::vec3 sigma(0.25F, 1.0F, 3.0F);

@@ -82,10 +82,10 @@ class Counting {
         of(2 * pixels, 0.0F);
         for (int i = 0; i < 4; ++i) of(4 * pixels, 0.0F);  // position, normals, albedo
         of(4 * pixels, 1.0F);                              // emission
-        for (int i = 0; i < 4; ++i) of(4, 0.0F);           // features that are off
+        for (int i = 0; i < 7; ++i) of(4, 0.0F);           // features that are off
         of(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
         of(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-        of(8, 0.0F);
+        of(sizeof(shared::NonfiniteCounter) / sizeof(float), 0.0F);
         of(4, 0.0F);  // edge masks, which are off
         const KernelId kernel = KernelId::compose;
         executor.build({&kernel, 1}, 0);
@@ -107,7 +107,7 @@ class Counting {
     /// How often each pixel was worked on.
     std::vector<float> counts() {
         (void)executor_.take_milliseconds();
-        return read_buffer<float>(executor_, *buffers_.at(10), pixels_);
+        return read_buffer<float>(executor_, *buffers_.at(13), pixels_);
     }
 
   private:
@@ -261,8 +261,11 @@ TEST_F(OpenclExecutor, RayCountersCarryIntoTheirHighHalf) {
     params.gather_scale = 1.0F;
     params.list_length = 1;
     params.extent = 6.0F;
-    const std::array<Buffer*, 5> arguments{receivers.get(), sets.get(), vpls.get(),
-                                           irradiance.get(), counters.get()};
+    // Media, which are off, come first.
+    std::vector<Buffer*> arguments(8, counters.get());
+    for (Buffer* const buffer :
+         {receivers.get(), sets.get(), vpls.get(), irradiance.get(), counters.get()})
+        arguments.push_back(buffer);
     ASSERT_TRUE(executor_->run(
         {kernel, params, scene.get(), arguments, slots / executor_->lanes(), 10}, {}));
     EXPECT_GE(executor_->take_milliseconds(), 0.0);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "image/exr.h"
 #include "run_program.h"
 #include "vol_bytes.h"
 
@@ -163,7 +164,7 @@ TEST(Program, InfoOfAnEmptySceneAndOfMedia) {
     }));
 }
 
-TEST(Program, MediaAreClearAirButForPathTracing) {
+TEST(Program, AllAlgorithmsSimulateMedia) {
     const TemporaryFolder folder;
     const std::string scene = folder.write(
         "fog.xml",
@@ -177,11 +178,15 @@ TEST(Program, MediaAreClearAirButForPathTracing) {
             run_program({"render", scene, "--size", "8x8", "--spp", "1", "--backend", "embree",
                          "--algorithm", algorithm, "-o", (folder.path() / "a.exr").string()});
         EXPECT_EQ(result.exit_code, 0);
-        EXPECT_EQ(result.err.find("participating media are simulated by --algorithm path only, "
-                                  "the picture is that of clear air") == std::string::npos,
-                  algorithm == "path")
-            << result.err;
+        EXPECT_EQ(result.err.find("media"), std::string::npos) << result.err;
+        const Image image = read_exr(folder.path() / "a.exr");
+        EXPECT_EQ(image.find("media") == nullptr, algorithm == "path");
     }
+    const ProgramResult refused = run_program(
+        {"render", scene, "--vpl-compensation", "-o", (folder.path() / "b.exr").string()});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.err.find("--vpl-compensation: knows nothing of participating media"),
+              std::string::npos);
 }
 
 TEST(Program, NamesThatAreNotUtf8AreNoError) {
