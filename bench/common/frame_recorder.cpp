@@ -62,9 +62,11 @@ class FrameRecorder : public Executor {
     /// Lights are gathered by the same kernel, before the indirect VPLs: the last launch counts.
     void keep_gather(const Launch& launch) {
         frame_.gather = launch.params;
-        frame_.receivers = contents<float>(*launch.buffers[0]);
-        frame_.block_sets = contents<std::uint32_t>(*launch.buffers[1]);
-        frame_.vpls = contents<shared::Vpl>(*launch.buffers[2]);
+        // Media come first; receivers, sets, VPLs, irradiance and counters are last.
+        const std::size_t first = launch.buffers.size() - 5;
+        frame_.receivers = contents<float>(*launch.buffers[first]);
+        frame_.block_sets = contents<std::uint32_t>(*launch.buffers[first + 1]);
+        frame_.vpls = contents<shared::Vpl>(*launch.buffers[first + 2]);
     }
 
     Executor& inner_;
