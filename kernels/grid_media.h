@@ -34,13 +34,6 @@ static inline float3 tracked_transmittance(const DensityGrid* grid, float3 sigma
     return grid_transmittance(grid, ray.origin, ray.direction, first, last, sigma_t, random);
 }
 
-/// The same without chance, which takes a few look-ups for every voxel on the way.
-static inline float3 exact_transmittance(const DensityGrid* grid, float3 sigma_t, float3 origin,
-                                         float3 direction, float first, float last) {
-    CubeRay ray = ray_in_cube(grid, origin, direction);
-    return transmittance(sigma_t, grid_depth(grid, ray.origin, ray.direction, first, last));
-}
-
 /// The integral of the density over the first `length` of a ray, but no more than `most` > 0:
 /// without chance, for a few look-ups at every voxel on the way.
 static inline float depth_on_way(const DensityGrid* grid, float3 origin, float3 direction,

@@ -129,10 +129,8 @@ static inline void walk_to_place(const Params* params, const Media* media, float
     while (next_stretch(media, &walk, RAY_INFINITY) != 0) {
         int last = t <= walk.end ? 1 : 0;
         float end = m_min(t, walk.end);
-        MediumRecord medium;
-        medium.grid = NO_TRIANGLE;
         if (walk.medium != NO_MEDIUM) {
-            medium = media->media[walk.medium];
+            MediumRecord medium = media->media[walk.medium];
             float3 sigma = xyz(medium.sigma_t);
             if (has_grid(params, &medium) != 0) {
                 DensityGrid grid = grid_of(media, &medium);
