@@ -10,32 +10,21 @@
 namespace weft {
 namespace {
 
-double doubled_centre(const Piece& piece, std::size_t axis) noexcept {
-    const Box box = box_of(piece);
-    return double{box.lower[axis]} + double{box.upper[axis]};
-}
-
 std::size_t widest_axis(std::span<const Piece> pieces) noexcept {
-    std::size_t best = 0;
-    double best_width = -1.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double low = doubled_centre(pieces[0], axis);
-        double high = low;
-        for (const Piece& piece : pieces) {
-            low = std::min(low, doubled_centre(piece, axis));
-            high = std::max(high, doubled_centre(piece, axis));
-        }
-        if (high - low > best_width) {
-            best = axis;
-            best_width = high - low;
-        }
+    Box centres;
+    for (const Piece& piece : pieces) {
+        const std::array<float, 3> centre = centre_of(piece);
+        centres.extend({centre, centre});
     }
-    return best;
+    std::array<double, 3> width{};
+    for (std::size_t a = 0; a < 3; ++a)
+        width[a] = double{centres.upper[a]} - double{centres.lower[a]};
+    return static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
 }
 
 // What pieces are ordered by; their place only tells them apart where nothing else does.
 struct Key {
-    double centre;
+    float centre;
     std::uint32_t id;
     std::uint32_t place;
     auto operator<=>(const Key&) const = default;
@@ -48,7 +37,7 @@ void halve(std::span<Piece> pieces) {
     keys.reserve(pieces.size());
     for (const Piece& piece : pieces)
         keys.push_back(
-            {doubled_centre(piece, axis), piece.primID, static_cast<std::uint32_t>(keys.size())});
+            {centre_of(piece)[axis], piece.primID, static_cast<std::uint32_t>(keys.size())});
     const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
     std::nth_element(keys.begin(), middle, keys.end());
     std::vector<Piece> ordered;

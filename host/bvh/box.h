@@ -28,6 +28,16 @@ struct Box {
         return lower[0] > upper[0] || lower[1] > upper[1] || lower[2] > upper[2];
     }
 
+    /// The part that lies in `other` as well; empty where there is none.
+    [[nodiscard]] Box common(const Box& other) const noexcept {
+        Box result;
+        for (std::size_t a = 0; a < 3; ++a) {
+            result.lower[a] = std::max(lower[a], other.lower[a]);
+            result.upper[a] = std::min(upper[a], other.upper[a]);
+        }
+        return result.empty() ? Box{} : result;
+    }
+
     [[nodiscard]] bool contains(const Box& other) const noexcept {
         for (std::size_t a = 0; a < 3; ++a)
             if (!(lower[a] <= other.lower[a] && other.upper[a] <= upper[a])) return false;

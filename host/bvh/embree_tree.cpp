@@ -13,14 +13,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "bvh/split_triangle.h"
 
 namespace weft {
 namespace {
-
-// Room for pieces, as a factor, when splits may add some. Measured SAH costs of two interiors at
-// 1.0 (no splits), 1.3, 1.6 and 2.0: 17.8, 15.1, 14.6, 14.2 and 21.6, 19.8, 19.4, 19.2.
-constexpr double split_capacity = 2.0;
 
 // A leaf of up to this many triangles is tested as a whole, which costs about as much as a node.
 // Blocks of 2 and 4 at costs of 0.4 to 1 were measured: more nodes, no faster.
@@ -65,21 +60,14 @@ struct ReleaseBvh {
     void operator()(RTCBVH bvh) const noexcept { rtcReleaseBVH(bvh); }
 };
 
-// Owns the memory of a tree. The callbacks of the device use the first members until it is gone.
+// Owns the memory of a tree. The callbacks of the device use the first members until it is gone;
+// several threads call them at once, and they must not throw, since their callers are C.
 struct Session {
     ErrorLog errors;
     std::atomic<std::ptrdiff_t> bytes{0};
     std::size_t max_bytes = SIZE_MAX;
     std::unique_ptr<RTCDevice, ReleaseDevice> device;
     std::unique_ptr<RTCBVH, ReleaseBvh> bvh;
-};
-
-// What the callbacks of one build see. They are called by several threads at once and must not
-// throw, since their callers are C.
-struct BuildContext {
-    Session* session;
-    std::span<const shared::float4> positions;
-    std::span<const shared::Triangle> triangles;
 };
 
 void on_error(void* user, RTCError code, const char* text) noexcept {
@@ -100,8 +88,7 @@ template <typename T>
 T* allocate(RTCThreadLocalAllocator allocator, void* user, std::size_t count = 1) noexcept {
     void* memory = rtcThreadLocalAlloc(allocator, sizeof(T) * count,
                                        std::max(alignof(T), alignof(std::max_align_t)));
-    if (memory == nullptr)
-        static_cast<BuildContext*>(user)->session->errors.add(RTC_ERROR_OUT_OF_MEMORY, "");
+    if (memory == nullptr) static_cast<Session*>(user)->errors.add(RTC_ERROR_OUT_OF_MEMORY, "");
     return static_cast<T*>(memory);
 }
 
@@ -134,25 +121,6 @@ void* create_leaf(RTCThreadLocalAllocator allocator, const Piece* pieces, std::s
     return static_cast<BuildNode*>(leaf);
 }
 
-void write_bounds(const Box& box, RTCBounds& bounds) noexcept {
-    bounds.lower_x = box.lower[0];
-    bounds.lower_y = box.lower[1];
-    bounds.lower_z = box.lower[2];
-    bounds.upper_x = box.upper[0];
-    bounds.upper_y = box.upper[1];
-    bounds.upper_z = box.upper[2];
-}
-
-void split_piece(const Piece* piece, unsigned axis, float position, RTCBounds* below,
-                 RTCBounds* above, void* user) noexcept {
-    const auto& context = *static_cast<BuildContext*>(user);
-    // The results may lie where the piece lies, so it is read first.
-    const Corners corners = corners_of(context.positions, context.triangles[piece->primID]);
-    const SplitBoxes split = split_triangle(corners, box_of(*piece), axis, position);
-    write_bounds(split.below, *below);
-    write_bounds(split.above, *above);
-}
-
 std::shared_ptr<Session> open_session(std::size_t max_bytes) {
     auto session = std::make_shared<Session>();
     session->max_bytes = max_bytes;
@@ -171,25 +139,13 @@ std::shared_ptr<Session> open_session(std::size_t max_bytes) {
 
 }  // namespace
 
-BuildTree build_embree_tree(std::span<const Piece> pieces,
-                            std::span<const shared::float4> positions,
-                            std::span<const shared::Triangle> triangles,
-                            const EmbreeBuild& request) {
+BuildTree build_embree_tree(std::span<const Piece> pieces, const EmbreeBuild& request) {
     if (pieces.empty()) return {};
     const std::shared_ptr<Session> session = open_session(request.max_bytes);
-    BuildContext context{session.get(), positions, triangles};
-
-    // Embree splits only where the array is larger than what it holds, and it reorders the array.
-    std::vector<Piece> array;
-    const auto spare =
-        static_cast<std::size_t>((split_capacity - 1.0) * static_cast<double>(pieces.size())) + 8;
-    array.reserve(pieces.size() + (request.spatial_splits ? spare : 0));
-    array.assign(pieces.begin(), pieces.end());
-    array.resize(array.capacity());
+    std::vector<Piece> array(pieces.begin(), pieces.end());  // Embree reorders it
 
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
-    arguments.buildQuality =
-        request.spatial_splits ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
+    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
     arguments.maxBranchingFactor = static_cast<unsigned>(node_width);
     arguments.maxDepth = request.max_depth;
     arguments.maxLeafSize = request.max_leaf;
@@ -198,14 +154,13 @@ BuildTree build_embree_tree(std::span<const Piece> pieces,
     arguments.intersectionCost = leaf_cost;
     arguments.bvh = session->bvh.get();
     arguments.primitives = array.data();
-    arguments.primitiveCount = pieces.size();
+    arguments.primitiveCount = array.size();
     arguments.primitiveArrayCapacity = array.size();
     arguments.createNode = create_node;
     arguments.setNodeChildren = set_children;
     arguments.setNodeBounds = set_bounds;
     arguments.createLeaf = create_leaf;
-    arguments.splitPrimitive = request.spatial_splits ? split_piece : nullptr;
-    arguments.userPtr = &context;
+    arguments.userPtr = session.get();
 
     auto* root = static_cast<BuildNode*>(rtcBuildBVH(&arguments));
     session->errors.throw_if_any();

@@ -13,22 +13,15 @@ namespace weft {
 
 /// What Embree's builder is asked for.
 struct EmbreeBuild {
-    std::uint32_t max_leaf = 8;    ///< pieces in a leaf
-    std::uint32_t max_depth = 32;  ///< nodes and a leaf on the longest path
-    bool spatial_splits = false;
+    std::uint32_t max_leaf = 8;        ///< pieces in a leaf
+    std::uint32_t max_depth = 32;      ///< nodes and a leaf on the longest path
     std::size_t max_bytes = SIZE_MAX;  ///< Embree's memory; more counts as out of memory
 };
 
-/// Builds a tree over the pieces by the surface area heuristic. With spatial splits a triangle may
-/// lie in several leaves, by pieces that together hold all of it. Throws Error (exit code 4 when
-/// memory runs out, 3 for other failures of Embree).
-///
-/// The tree without splits depends on the pieces alone. With splits Embree sums areas and hands
-/// out its spare room in the order in which threads finish, so two builds on several threads may
-/// differ slightly; results of traversal do not depend on that.
+/// Builds a tree over the pieces by the surface area heuristic, without splits of triangles. It
+/// depends on the pieces alone. Throws Error (exit code 4 when memory runs out, 3 for other
+/// failures of Embree).
 [[nodiscard]] BuildTree build_embree_tree(std::span<const Piece> pieces,
-                                          std::span<const shared::float4> positions,
-                                          std::span<const shared::Triangle> triangles,
                                           const EmbreeBuild& request);
 
 }  // namespace weft

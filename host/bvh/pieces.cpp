@@ -36,6 +36,18 @@ Box box_of(const Piece& piece) noexcept {
             {piece.upper_x, piece.upper_y, piece.upper_z}};
 }
 
+std::array<float, 3> centre_of(const Piece& piece) noexcept {
+    // Halves first: sums of large coordinates overflow.
+    return {0.5F * piece.lower_x + 0.5F * piece.upper_x,
+            0.5F * piece.lower_y + 0.5F * piece.upper_y,
+            0.5F * piece.lower_z + 0.5F * piece.upper_z};
+}
+
+Piece with_box(const Piece& piece, const Box& box) noexcept {
+    return {box.lower[0], box.lower[1], box.lower[2], piece.geomID,
+            box.upper[0], box.upper[1], box.upper[2], piece.primID};
+}
+
 std::vector<Piece> make_pieces(std::span<const shared::float4> positions,
                                std::span<const shared::Triangle> triangles) {
     if (triangles.size() > limits::max_triangles)
@@ -52,9 +64,9 @@ std::vector<Piece> make_pieces(std::span<const shared::float4> positions,
                             "expected less than " + std::to_string(positions.size()));
         const Corners corners = corners_of(positions, t);
         if (!can_be_hit(corners)) continue;
-        const Box box = box_of(corners);
-        pieces.push_back({box.lower[0], box.lower[1], box.lower[2], 0, box.upper[0], box.upper[1],
-                          box.upper[2], static_cast<unsigned>(i)});
+        Piece piece{};
+        piece.primID = static_cast<unsigned>(i);
+        pieces.push_back(with_box(piece, box_of(corners)));
     }
     return pieces;
 }

@@ -3,6 +3,7 @@
 #ifndef WEFT_BVH_PIECES_H
 #define WEFT_BVH_PIECES_H
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,7 +16,7 @@
 namespace weft {
 
 /// What a tree is built from: the box of a triangle, or of the part of it that a spatial split
-/// left. `primID` is the triangle; Embree keeps counts of its own in `geomID`.
+/// left. `primID` is the triangle; `geomID` is 0.
 using Piece = RTCBuildPrimitive;
 
 /// The vertices of a triangle whose indices are known to be valid.
@@ -30,6 +31,12 @@ using Piece = RTCBuildPrimitive;
 
 /// The box of a piece.
 [[nodiscard]] Box box_of(const Piece& piece) noexcept;
+
+/// The middle of a piece's box, rounded to float.
+[[nodiscard]] std::array<float, 3> centre_of(const Piece& piece) noexcept;
+
+/// A piece of the same triangle with another box.
+[[nodiscard]] Piece with_box(const Piece& piece, const Box& box) noexcept;
 
 /// One piece for each triangle that can be hit, in order.
 /// Throws Error (exit code 2) where a vertex index is out of range or there are too many triangles.

@@ -6,18 +6,6 @@
 #include <cmath>
 
 namespace weft {
-namespace {
-
-Box intersection(const Box& a, const Box& b) noexcept {
-    Box result;
-    for (std::size_t k = 0; k < 3; ++k) {
-        result.lower[k] = std::max(a.lower[k], b.lower[k]);
-        result.upper[k] = std::min(a.upper[k], b.upper[k]);
-    }
-    return result.empty() ? Box{} : result;
-}
-
-}  // namespace
 
 SplitBoxes split_triangle(const Corners& corners, const Box& piece, std::size_t axis,
                           float position) noexcept {
@@ -55,7 +43,7 @@ SplitBoxes split_triangle(const Corners& corners, const Box& piece, std::size_t 
     Box limit_above = piece;
     limit_below.upper[axis] = std::min(piece.upper[axis], position);
     limit_above.lower[axis] = std::max(piece.lower[axis], position);
-    return {intersection(below, limit_below), intersection(above, limit_above)};
+    return {below.common(limit_below), above.common(limit_above)};
 }
 
 }  // namespace weft
