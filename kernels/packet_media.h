@@ -9,6 +9,7 @@
 
 #include "connection.h"
 #include "medium_walk.h"
+#include "wide_maths.h"
 
 // Boundaries of media around the points of a packet.
 typedef struct {
@@ -44,18 +45,11 @@ static inline WFloat3 wide_vector(WFloat x, WFloat y, WFloat z) {
     return v;
 }
 
-static inline WFloat wide_exp_minus(float sigma, WFloat length) {
-    float lengths[LANES], left[LANES];
-    wide_store(length, lengths, 0);
-    for (uint lane = 0u; lane < (uint)LANES; ++lane) left[lane] = m_exp(-(sigma * lengths[lane]));
-    return wide_load(left, 0);
-}
-
 /// exp(-sigma length) of each channel, for lengths that are finite and not negative.
 static inline WFloat3 wide_transmittance(float3 sigma, WFloat length) {
-    WFloat x = wide_exp_minus(sigma.x, length);
-    WFloat y = sigma.y == sigma.x ? x : wide_exp_minus(sigma.y, length);
-    WFloat z = sigma.z == sigma.y ? y : wide_exp_minus(sigma.z, length);
+    WFloat x = wide_exp_minus(length * sigma.x);
+    WFloat y = sigma.y == sigma.x ? x : wide_exp_minus(length * sigma.y);
+    WFloat z = sigma.z == sigma.y ? y : wide_exp_minus(length * sigma.z);
     return wide_vector(x, y, z);
 }
 

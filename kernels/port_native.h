@@ -143,6 +143,9 @@ static inline float wide_highest(WFloat v) {
 static inline WFloat wide_square_root(WFloat v) {
     return square_root(v);
 }
+static inline WFloat wide_power_of_two(WFloat n) {
+    return from_bits(static_cast<uint>(static_cast<int>(n) + 127) << 23);
+}
 #define mask_none_set 0
 #else
 typedef WideOf<LANES>::Float WFloat;
@@ -190,6 +193,9 @@ static inline WFloat wide_square_root(WFloat v) {
     WFloat r;
     for (int i = 0; i < LANES; ++i) r[i] = square_root(v[i]);
     return r;
+}
+static inline WFloat wide_power_of_two(WFloat n) {
+    return reinterpret_cast<WFloat>((__builtin_convertvector(n, WMask) + 127) << 23);
 }
 #define mask_none_set (WMask{})
 #endif

@@ -43,12 +43,14 @@ typedef int WMask;
 #define mask_bits(m) ((uint)(m))
 #define mask_of(bits) ((int)(bits))
 #define mask_count(m) ((uint)(m))
+#define wide_power_of_two(n) as_float(((int)(n) + 127) << 23)
 #elif LANES == 4
 typedef float4 WFloat;
 typedef int4 WMask;
 #define WIDE(x) ((float4)(x))
 #define wide_load(p, i) vload4(0, (p) + (i))
 #define wide_store(v, p, i) vstore4((v), 0, (p) + (i))
+#define wide_power_of_two(n) as_float4((convert_int4(n) + 127) << 23)
 #define mask_none_set ((int4)(0))
 #elif LANES == 8
 typedef float8 WFloat;
@@ -56,6 +58,7 @@ typedef int8 WMask;
 #define WIDE(x) ((float8)(x))
 #define wide_load(p, i) vload8(0, (p) + (i))
 #define wide_store(v, p, i) vstore8((v), 0, (p) + (i))
+#define wide_power_of_two(n) as_float8((convert_int8(n) + 127) << 23)
 #define mask_none_set ((int8)(0))
 #elif LANES == 16
 typedef float16 WFloat;
@@ -63,6 +66,7 @@ typedef int16 WMask;
 #define WIDE(x) ((float16)(x))
 #define wide_load(p, i) vload16(0, (p) + (i))
 #define wide_store(v, p, i) vstore16((v), 0, (p) + (i))
+#define wide_power_of_two(n) as_float16((convert_int16(n) + 127) << 23)
 #define mask_none_set ((int16)(0))
 #else
 #error "LANES must be 1, 4, 8 or 16"

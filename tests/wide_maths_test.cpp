@@ -1,0 +1,65 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#define NATIVE_KERNELS "kernels/wide_maths.h"
+#include "tests/native_kernels.h"
+
+namespace {
+
+using namespace native;
+
+std::array<float, LANES> exp_minus(const std::array<float, LANES>& depths) {
+    std::array<float, LANES> results{};
+    wide_store(wide_exp_minus(wide_load(depths.data(), 0)), results.data(), 0);
+    return results;
+}
+
+float exp_minus(float depth) {
+    std::array<float, LANES> depths{};
+    depths.fill(depth);
+    return exp_minus(depths)[LANES - 1];
+}
+
+TEST(WideMaths, ExponentialIsCorrectToOneUlp) {
+    double worst = 0.0;
+    std::array<float, LANES> depths{};
+    for (int step = 0; step < 400000; step += LANES) {
+        for (std::size_t lane = 0; lane < LANES; ++lane) {
+            const float at = static_cast<float>(step + static_cast<int>(lane)) / 400000.0F;
+            // Half evenly in the depth, half in its logarithm from 2^-40 on.
+            depths[lane] = (step + static_cast<int>(lane)) % 2 == 0 ? at * 104.0F
+                                                                    : std::exp2(at * 46.0F - 40.0F);
+        }
+        const std::array<float, LANES> results = exp_minus(depths);
+        for (std::size_t lane = 0; lane < LANES; ++lane) {
+            const double exact = std::exp(-static_cast<double>(depths[lane]));
+            const double unit = std::ldexp(1.0, std::max(std::ilogb(exact) - 23, -149));
+            worst = std::max(worst, std::abs(static_cast<double>(results[lane]) - exact) / unit);
+        }
+    }
+    EXPECT_LT(worst, 1.0);
+    EXPECT_GT(worst, 0.4);
+}
+
+TEST(WideMaths, ExponentialAtTheEnds) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(exp_minus(0.0F), 1.0F);
+    EXPECT_EQ(exp_minus(std::numeric_limits<float>::denorm_min()), 1.0F);
+    EXPECT_EQ(exp_minus(104.0F), 0.0F);
+    EXPECT_EQ(exp_minus(std::numeric_limits<float>::max()), 0.0F);
+    EXPECT_EQ(exp_minus(infinity), 0.0F);
+    EXPECT_EQ(exp_minus(std::numeric_limits<float>::quiet_NaN()), 0.0F);
+    EXPECT_EQ(exp_minus(103.0F), std::exp(-103.0F));
+    for (float depth = 0.0F; depth < 100.0F; depth += 0.37F)
+        EXPECT_LE(exp_minus(std::nextafter(depth, infinity)), exp_minus(depth)) << depth;
+}
+
+}  // namespace
