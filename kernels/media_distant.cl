@@ -16,9 +16,12 @@ typedef struct {
 
 /// Extinction by which places are spread: that of the clearest channel where one medium fills all
 /// space; 0, for places spread evenly, elsewhere.
-static inline float spread_extinction(const Params* params, const Media* media) {
-    if (space_is_uniform(params, media) == 0 || media->record->outside == NO_MEDIUM) return 0.0f;
-    return clearest_channel(xyz(media->media[media->record->outside].sigma_t));
+static inline float spread_extinction(const Media* media) {
+    uint outside = media->record->outside;
+    // Convex without a boundary: of a medium without a grid.
+    if (media->record->boundaries != 0u || media->record->convex == 0u || outside == NO_MEDIUM)
+        return 0.0f;
+    return clearest_channel(xyz(media->media[outside].sigma_t));
 }
 
 static inline DistantPlace distant_place(const ViewRay* ray, float sigma, float u) {
@@ -107,7 +110,7 @@ WEFT_KERNEL(media_distant)
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    float sigma = spread_extinction(&params, &through);
+    float sigma = spread_extinction(&through);
     uint rays = 0u;
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS))

@@ -1,15 +1,13 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What media leave of the light between LANES points and one other, by channel. Where one medium
-// fills all space this is exponentials; else each lane's way is walked by itself, with random
-// numbers that depend on its ends alone.
+// What media leave of the light between LANES points and one other, by channel. Where boundaries
+// are convex this is exponentials; else each lane's way is walked by itself. Grids are tracked
+// lane by lane, with random numbers that depend on the ends of a way alone.
 #ifndef WEFT_PACKET_MEDIA_H
 #define WEFT_PACKET_MEDIA_H
 
-#include "connection.h"
-#include "medium_walk.h"
-#include "wide_maths.h"
+#include "convex_media.h"
 
 // Boundaries of media around the points of a packet.
 typedef struct {
@@ -26,31 +24,6 @@ static inline PacketInside load_inside(const Params* params, GLOBAL const float*
         for (uint lane = 0u; lane < (uint)LANES; ++lane) packet.inside[lane] = 0u;
     }
     return packet;
-}
-
-/// 1 where all space is of one homogeneous medium, or clear.
-static inline int space_is_uniform(const Params* params, const Media* media) {
-    if (media->record->boundaries != 0u) return 0;
-    uint outside = media->record->outside;
-    if (outside == NO_MEDIUM) return 1;
-    MediumRecord medium = media->media[outside];
-    return has_grid(params, &medium) != 0 ? 0 : 1;
-}
-
-static inline WFloat3 wide_vector(WFloat x, WFloat y, WFloat z) {
-    WFloat3 v;
-    v.x = x;
-    v.y = y;
-    v.z = z;
-    return v;
-}
-
-/// exp(-sigma length) of each channel, for lengths that are finite and not negative.
-static inline WFloat3 wide_transmittance(float3 sigma, WFloat length) {
-    WFloat x = wide_exp_minus(length * sigma.x);
-    WFloat y = sigma.y == sigma.x ? x : wide_exp_minus(length * sigma.y);
-    WFloat z = sigma.z == sigma.y ? y : wide_exp_minus(length * sigma.z);
-    return wide_vector(x, y, z);
 }
 
 // Three values a lane.
@@ -86,22 +59,66 @@ static inline Random way_random(const Params* params, float3 place, uint number)
     return make_random(params->seed ^ 0x6A09E667u, key, hash_pair(params->frame, number));
 }
 
+/// Multiplies what is left on ways from `places`, between `begin` and `end` of their lengths, by
+/// what the grid inside of a boundary leaves of it, in the lanes of `bits`.
+static inline void track_grid(const Params* params, const Media* media, uint boundary,
+                              const LaneVectors* places, const LaneVectors* ways,
+                              WideStretch stretch, uint bits, Random* random, LaneVectors* left) {
+    DensityGrid grid;
+    float3 sigma;
+    if (grid_inside(params, media, boundary, &grid, &sigma) == 0) return;
+    float begin[LANES], end[LANES];
+    wide_store(stretch.begin, begin, 0);
+    wide_store(stretch.end, end, 0);
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        if ((bits >> lane & 1u) == 0u || !(end[lane] > begin[lane])) continue;
+        float3 way = lane_vector(ways, lane);
+        float length = length3(way);
+        set_lane(
+            left, lane,
+            lane_vector(left, lane) * tracked_transmittance(&grid, sigma, lane_vector(places, lane),
+                                                            way / length, begin[lane] * length,
+                                                            end[lane] * length, random + lane));
+    }
+}
+
+/// packet_transmittance where boundaries are convex.
+static inline WFloat3 convex_transmittance(const Params* params, const Media* media,
+                                           WFloat3 positions, WFloat3 d, uint number,
+                                           WMask wanted) {
+    WFloat one = WIDE(1.0f);
+    WideLengths lengths = no_lengths(media, one);
+    WFloat3 way = wide_vector(-d.x, -d.y, -d.z);
+    for (uint k = 0u; k < media->record->boundaries; ++k) {
+        WideStretch stretch = stretch_inside(media, k, positions, way, one);
+        add_length(media, k, stretch.end - stretch.begin, &lengths);
+    }
+    WFloat3 left =
+        wide_transmittance(depth_of(params, media, &lengths, wide_square_root(wide_dot(d, d))));
+    if (!HAS(params, FEATURE_DENSITY_GRIDS)) return left;
+    LaneVectors places = lanes_of(positions);
+    LaneVectors ways = lanes_of(way);
+    LaneVectors lanes = lanes_of(left);
+    Random random[LANES];
+    for (uint lane = 0u; lane < (uint)LANES; ++lane)
+        random[lane] = way_random(params, lane_vector(&places, lane), number);
+    for (uint k = 0u; k < media->record->boundaries; ++k)
+        track_grid(params, media, k, &places, &ways, stretch_inside(media, k, positions, way, one),
+                   mask_bits(wanted), random, &lanes);
+    return wide_of(&lanes);
+}
+
 /// What media leave of light on its ways from one point to the lanes of `wanted`; `d` leads from
 /// it to their `positions`. `number` tells the ways of a lane apart. 1 in other lanes of media that
 /// are walked.
 static inline WFloat3 packet_transmittance(const Params* params, const Media* media,
                                            WFloat3 positions, const PacketInside* packet, WFloat3 d,
                                            uint number, WMask wanted) {
-    WFloat one = WIDE(1.0f);
-    if (space_is_uniform(params, media) != 0) {
-        uint outside = media->record->outside;
-        if (outside == NO_MEDIUM) return wide_vector(one, one, one);
-        return wide_transmittance(xyz(media->media[outside].sigma_t),
-                                  wide_square_root(wide_dot(d, d)));
-    }
+    if (media->record->convex != 0u)
+        return convex_transmittance(params, media, positions, d, number, wanted);
     LaneVectors places = lanes_of(positions);
     LaneVectors ways = lanes_of(d);
-    LaneVectors left = lanes_of(wide_vector(one, one, one));
+    LaneVectors left = lanes_of(wide_same(1.0f));
     uint bits = mask_bits(wanted);
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         if ((bits >> lane & 1u) == 0u) continue;

@@ -163,6 +163,8 @@ typedef struct {
 #define MAX_MEDIUM_BOUNDARIES 32
 #define NO_MEDIUM 0xFFFFFFFFu
 #define MEDIA_EVERYWHERE 1e30f  // reach of a box without end
+#define CONVEX_BOUNDARIES 8u
+#define CONVEX_PLANES 64u
 
 typedef struct {
     float4 sigma_t;    // rgb extinction, 1 / kernel unit
@@ -180,6 +182,13 @@ typedef struct {
     uint around_camera;                  // a bit for each boundary that encloses the camera
     float rounding;                      // how far rounding may move a boundary, kernel units
     float4 box_centre, box_reach;        // half the box outside of which all is clear
+    // 1 where all boundaries are convex, each two apart or one inside of the other, and no grid
+    // lies around another boundary; then what follows tells where they are (convex_media.h).
+    uint convex;
+    uint pad0, pad1, pad2;
+    uint plane_end[CONVEX_BOUNDARIES];  // of the planes of boundaries up to this one
+    uint around[CONVEX_BOUNDARIES];     // the next boundary around it; NO_MEDIUM: none
+    float4 planes[CONVEX_PLANES];       // unit normal outwards; w: dot product of points with it
 } MediaRecord;
 
 // Tiles of the adaptive components, TILE_EDGE pixels square. A bit of a mask is a pixel, row by

@@ -152,25 +152,104 @@ static inline void walk_to_place(const Params* params, const Media* media, float
                                &random);
 }
 
+/// What the innermost medium about each place scatters there; with grids, for a density of 1.
+static inline void scatters_at(const Media* media, uint index, WMask here, PlaceMedia* found) {
+    float3 scatters = f3(0.0f, 0.0f, 0.0f);
+    float g = 0.0f;
+    if (index != NO_MEDIUM) {
+        MediumRecord medium = media->media[index];
+        scatters = xyz(medium.sigma_t) * xyz(medium.albedo);
+        g = medium.anisotropy;
+    }
+    found->scatters.x = SELECT(here, WIDE(scatters.x), found->scatters.x);
+    found->scatters.y = SELECT(here, WIDE(scatters.y), found->scatters.y);
+    found->scatters.z = SELECT(here, WIDE(scatters.z), found->scatters.z);
+    found->g = SELECT(here, WIDE(g), found->g);
+}
+
+/// Multiplies by densities of grids at places, and by what grids leave on their ways.
+static inline void track_grids(const Params* params, const Media* media, const ViewPacket* view,
+                               const ViewPlaces* places, uint number, WMask wanted,
+                               PlaceMedia* found) {
+    WFloat one = WIDE(1.0f);
+    WFloat3 positions = wide_vector(view->direction.x * places->t + view->origin.x,
+                                    view->direction.y * places->t + view->origin.y,
+                                    view->direction.z * places->t + view->origin.z);
+    WFloat3 back = wide_vector(-(view->direction.x * places->t), -(view->direction.y * places->t),
+                               -(view->direction.z * places->t));
+    WFloat3 way = wide_vector(-places->d.x, -places->d.y, -places->d.z);
+    LaneVectors at = lanes_of(positions);
+    LaneVectors backs = lanes_of(back);
+    LaneVectors ways = lanes_of(way);
+    LaneVectors scatters = lanes_of(found->scatters);
+    LaneVectors left = lanes_of(found->left);
+    Random random[LANES];
+    for (uint lane = 0u; lane < (uint)LANES; ++lane)
+        random[lane] = way_random(params, lane_vector(&at, lane), number);
+    uint bits = mask_bits(wanted);
+    for (uint k = 0u; k < media->record->boundaries; ++k) {
+        DensityGrid grid;
+        float3 sigma;
+        if (grid_inside(params, media, k, &grid, &sigma) == 0) continue;
+        WideStretch to_camera = stretch_inside(media, k, positions, back, one);
+        uint here =
+            bits & mask_bits((to_camera.begin <= WIDE(0.0f)) & (to_camera.end > to_camera.begin));
+        for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+            if ((here >> lane & 1u) == 0u) continue;
+            set_lane(
+                &scatters, lane,
+                lane_vector(&scatters, lane) * density_at_place(&grid, lane_vector(&at, lane)));
+        }
+        track_grid(params, media, k, &at, &backs, to_camera, bits, random, &left);
+        track_grid(params, media, k, &at, &ways, stretch_inside(media, k, positions, way, one),
+                   bits, random, &left);
+    }
+    found->scatters = wide_of(&scatters);
+    found->left = wide_of(&left);
+}
+
+/// media_at where boundaries are convex.
+static inline PlaceMedia convex_media_at(const Params* params, const Media* media,
+                                         const ViewPacket* view, const ViewPlaces* places,
+                                         uint number, WMask wanted) {
+    PlaceMedia found;
+    found.scatters = wide_same(0.0f);
+    found.g = WIDE(0.0f);
+    scatters_at(media, media->record->outside, view->valid, &found);
+    WFloat one = WIDE(1.0f);
+    WFloat3 origin = wide_vector(WIDE(view->origin.x), WIDE(view->origin.y), WIDE(view->origin.z));
+    WFloat3 place = wide_vector(view->direction.x * places->t + view->origin.x,
+                                view->direction.y * places->t + view->origin.y,
+                                view->direction.z * places->t + view->origin.z);
+    WFloat3 way = wide_vector(-places->d.x, -places->d.y, -places->d.z);
+    WideLengths seen = no_lengths(media, places->t);
+    WideLengths lit = no_lengths(media, one);
+    // The last to say what is about a place is the innermost.
+    for (uint k = media->record->boundaries; k-- > 0u;) {
+        WideStretch stretch = stretch_inside(media, k, origin, view->direction, places->t);
+        WMask here = (stretch.end >= places->t) & (stretch.end > stretch.begin);
+        scatters_at(media, media->record->inside[k], here, &found);
+        add_length(media, k, stretch.end - stretch.begin, &seen);
+        stretch = stretch_inside(media, k, place, way, one);
+        add_length(media, k, stretch.end - stretch.begin, &lit);
+    }
+    WFloat3 depth = depth_of(params, media, &seen, one);
+    WFloat3 beyond =
+        depth_of(params, media, &lit, wide_square_root(wide_dot(places->d, places->d)));
+    found.left =
+        wide_transmittance(wide_vector(depth.x + beyond.x, depth.y + beyond.y, depth.z + beyond.z));
+    if (HAS(params, FEATURE_DENSITY_GRIDS))
+        track_grids(params, media, view, places, number, wanted, &found);
+    return found;
+}
+
 /// The media at the places of the lanes of `wanted`; see packet_transmittance.
 static inline PlaceMedia media_at(const Params* params, const Media* media, const ViewPacket* view,
                                   const ViewPlaces* places, uint number, WMask wanted) {
-    PlaceMedia found;
+    if (media->record->convex != 0u)
+        return convex_media_at(params, media, view, places, number, wanted);
     WFloat zero = WIDE(0.0f);
-    found.scatters = wide_vector(zero, zero, zero);
-    found.left = found.scatters;
-    found.g = zero;
-    if (space_is_uniform(params, media) != 0) {
-        if (media->record->outside == NO_MEDIUM) return found;
-        MediumRecord medium = media->media[media->record->outside];
-        float3 scatters = xyz(medium.sigma_t) * xyz(medium.albedo);
-        found.scatters = wide_vector(WIDE(scatters.x), WIDE(scatters.y), WIDE(scatters.z));
-        found.left = wide_transmittance(
-            xyz(medium.sigma_t), places->t + wide_square_root(wide_dot(places->d, places->d)));
-        found.g = WIDE(medium.anisotropy);
-        return found;
-    }
-    LaneVectors scatters = lanes_of(found.scatters);
+    LaneVectors scatters = lanes_of(wide_same(0.0f));
     LaneVectors left = scatters;
     LaneVectors directions = lanes_of(view->direction);
     LaneVectors ways = lanes_of(places->d);
@@ -186,6 +265,7 @@ static inline PlaceMedia media_at(const Params* params, const Media* media, cons
         set_lane(&scatters, lane, scatters_here);
         set_lane(&left, lane, left_here);
     }
+    PlaceMedia found;
     found.scatters = wide_of(&scatters);
     found.left = wide_of(&left);
     found.g = wide_load(g, 0);

@@ -41,6 +41,16 @@ inline Mesh cube_mesh() {
     return cube;
 }
 
+/// Adds two boundaries of clear air that cut each other, far from everything: their stretches do
+/// not follow from planes, so that kernels walk through all boundaries hit by hit.
+inline void add_far_overlap(Scene& scene) {
+    for (const double shift : {0.0, 0.5}) {
+        glm::dmat4 far(1.0);
+        far[3] = {30.0 + shift, 30.0, 30.0, 1.0};
+        add_boundary(scene, cube_mesh(), far, -1);
+    }
+}
+
 /// Gives a medium of the scene a density grid in the cube [-1,1]^3, placed.
 inline void add_grid(Scene& scene, std::size_t medium, DensityGrid grid,
                      const glm::dmat4& to_world = glm::dmat4(1.0)) {

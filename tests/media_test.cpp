@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
@@ -32,23 +33,27 @@ RenderSettings settings_of(Algorithm algorithm, std::uint32_t size) {
     return test::unbounded(test::small_settings(algorithm, size, size));
 }
 
-/// A medium that fills space, or one that fills a cube far larger than the scene, whose rays are
-/// walked; both look the same.
-SceneBuilder filled_space(const Medium& medium, bool bounded) {
+/// How a medium fills all that is seen: without a boundary, or in a cube that is far larger, with
+/// stretches from planes or from walks. All look the same.
+enum class Space { endless, convex, walked };
+constexpr std::array spaces{Space::endless, Space::convex, Space::walked};
+
+SceneBuilder filled_space(const Medium& medium, Space space) {
     SceneBuilder builder;
     builder.scene.media.push_back(medium);
-    if (bounded)
-        add_boundary(builder.scene, cube_mesh(), test::placement(20.0, {0.0, 0.0, 0.0}), 0);
-    else
+    if (space == Space::endless)
         builder.scene.outer_medium = 0;
+    else
+        add_boundary(builder.scene, cube_mesh(), test::placement(20.0, {0.0, 0.0, 0.0}), 0);
+    if (space == Space::walked) test::add_far_overlap(builder.scene);
     return builder;
 }
 
 TEST(Media, AirlightOfAPointLight) {
     // Sun et al. 2005: beta = 0.3, I = 2, light 1.5 away at 0.9 rad from the ray, wall 4 away.
     constexpr double gamma = 0.9;
-    for (const bool bounded : {false, true}) {
-        SceneBuilder builder = filled_space(medium_of(glm::vec3(0.3F), glm::vec3(1.0F)), bounded);
+    for (const Space space : spaces) {
+        SceneBuilder builder = filled_space(medium_of(glm::vec3(0.3F), glm::vec3(1.0F)), space);
         builder.add(test::quad_mesh({-0.1F, -0.1F, -4.0F}, {0.2F, 0.0F, 0.0F}, {0.0F, 0.2F, 0.0F}),
                     builder.material(glm::vec3(0.0F)));
         PunctualLight light;
@@ -73,8 +78,8 @@ TEST(Media, AirlightOfAPointLight) {
 }
 
 TEST(Media, ALightOnTheViewRayIsFinite) {
-    for (const bool bounded : {false, true}) {
-        SceneBuilder builder = filled_space(medium_of(glm::vec3(0.3F), glm::vec3(1.0F)), bounded);
+    for (const Space space : spaces) {
+        SceneBuilder builder = filled_space(medium_of(glm::vec3(0.3F), glm::vec3(1.0F)), space);
         PunctualLight light;
         light.position = {0.0, 0.0, -1.0};
         builder.scene.lights.push_back(light);
@@ -93,9 +98,9 @@ TEST(Media, ALightOnTheViewRayIsFinite) {
 TEST(Media, SurfacesAreSeenAndLitThroughMedia) {
     // A point light above a floor, all in a medium that absorbs: exactly known.
     const glm::vec3 sigma(0.2F, 1.0F, 3.0F);
-    for (const bool bounded : {false, true})
+    for (const Space space : spaces)
         for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ais}) {
-            SceneBuilder builder = filled_space(medium_of(sigma, glm::vec3(0.0F)), bounded);
+            SceneBuilder builder = filled_space(medium_of(sigma, glm::vec3(0.0F)), space);
             builder.add(
                 test::quad_mesh({-1.0F, -1.0F, 1.0F}, {2.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -2.0F}),
                 builder.material(glm::vec3(0.5F)));
@@ -152,6 +157,35 @@ TEST(Media, SlabsGlow) {
                 for (const double value : test::channel_of(rendering, "emission", c))
                     ASSERT_NEAR(value, expected, 1e-5 * expected) << test::backend_name(backend);
             }
+        }
+    }
+}
+
+TEST(Media, StretchesFromPlanesAreThoseOfWalks) {
+    // A box in a box, and one apart, in a room that fog fills; a point light in the innermost.
+    Scene convex = test::foggy_room().scene;
+    convex.outer_medium = 0;
+    convex.media.push_back(medium_of({2.0F, 0.5F, 1.0F}, {0.5F, 0.9F, 0.7F}, -0.3F));
+    convex.media.push_back(medium_of(glm::vec3(4.0F), glm::vec3(0.9F)));
+    add_boundary(convex, cube_mesh(), test::turned(0.5, {0.2, 0.0, -0.3}), 1);
+    add_boundary(convex, cube_mesh(), test::placement(0.15, {0.35, 0.1, -0.3}), -1);
+    add_boundary(convex, test::icosphere(0, false), test::placement(0.2, {-0.6, -0.5, 0.0}), 2);
+    Scene walked = convex;
+    test::add_far_overlap(walked);
+    ASSERT_EQ(flatten(convex).media.space.convex, 1U);
+    ASSERT_EQ(flatten(walked).media.space.convex, 0U);
+    const RenderSettings settings = settings_of(Algorithm::amax, 32);
+    for (const Backend backend : test::backends()) {
+        const Rendering a = test::render(backend, convex, test::room_camera(), settings, 2);
+        const Rendering b = test::render(backend, walked, test::room_camera(), settings, 2);
+        for (const char* layer : {"direct", "indirect", "media"}) {
+            const auto& expected = b.layer(layer);
+            const double mean = test::mean_of(expected);
+            ASSERT_GT(mean, 0.0);
+            // Walks step over boundaries by roundings of the scene's size, a few 1e-6 of lengths
+            // and so of depths; where VPLs are close that is a larger share of the distance.
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                ASSERT_NEAR(a.layer(layer)[i], expected[i], 1e-4 * (mean + expected[i])) << layer;
         }
     }
 }
@@ -302,19 +336,23 @@ TEST(Media, AConstantGridIsAHomogeneousMedium) {
     Scene even = test::foggy_room().scene;
     add_boundary(even, cube_mesh(), glm::dmat4(0.8), 0);
     even.medium_boundaries.back().to_world[3][3] = 1.0;
-    Scene gridded = test::foggy_room().scene;
-    DensityGrid grid;
-    grid.size = {4, 4, 4};
-    grid.densities.assign(64, 1.0F);
-    test::add_grid(gridded, 0, grid, test::placement(0.8, {0.0, 0.0, 0.0}));
-    gridded.outer_medium = 0;
     RenderSettings settings = settings_of(Algorithm::igi, 24);
     settings.sampling.bounces = 0;
     const Rendering a = test::render(Backend::own_bvh, even, test::room_camera(), settings, 32);
-    const Rendering b = test::render(Backend::own_bvh, gridded, test::room_camera(), settings, 32);
-    for (std::uint32_t c = 0; c < 3; ++c) {
-        EXPECT_GT(test::mean_of(a.layer("media")), 0.01);
-        EXPECT_NEAR(scattered_mean(b, c), scattered_mean(a, c), 0.01 * scattered_mean(a, c));
+    EXPECT_GT(test::mean_of(a.layer("media")), 0.01);
+    // Ended by the grid itself, and by a boundary as well.
+    for (const bool bounded : {false, true}) {
+        Scene gridded = bounded ? even : test::foggy_room().scene;
+        DensityGrid grid;
+        grid.size = {4, 4, 4};
+        grid.densities.assign(64, 1.0F);
+        test::add_grid(gridded, 0, grid, test::placement(0.8, {0.0, 0.0, 0.0}));
+        if (!bounded) gridded.outer_medium = 0;
+        ASSERT_EQ(flatten(gridded).media.space.convex, bounded ? 1U : 0U);
+        const Rendering b =
+            test::render(Backend::own_bvh, gridded, test::room_camera(), settings, 32);
+        for (std::uint32_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(scattered_mean(b, c), scattered_mean(a, c), 0.01 * scattered_mean(a, c));
     }
 }
 

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "scene/convex_media.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
@@ -219,10 +220,6 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     return 2.0 * std::atan2(above, below);
 }
 
-}  // namespace
-
-namespace {
-
 /// The box outside of which no medium is: about all boundaries, and about the grid of the medium
 /// outside of them. Without end where that medium has no grid.
 void set_box(const Scene& scene, const KernelUnits& units, FlatMedia& media) {
@@ -303,6 +300,7 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
         media.records.push_back(record);
     }
     set_box(scene, units, media);
+    find_convex_boundaries(media);
     return media;
 }
 
