@@ -19,10 +19,9 @@ static inline float fraction(float x) {
 static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl* vpl, uint kind) {
     WFloat zero = WIDE(0.0f);
     if (kind == VPL_POINT) return places->weight;
-    WFloat distance = wide_square_root(wide_dot(places->d, places->d));
-    WFloat cosine = wide_dot_scalar(places->d, xyz(vpl->normal)) / distance;
+    WFloat cosine = wide_dot_scalar(places->d, xyz(vpl->normal)) / places->distance;
     // 0 / 0 where a place is that of the light.
-    cosine = SELECT(distance > zero, cosine, zero);
+    cosine = SELECT(places->distance > zero, cosine, zero);
     if (kind == VPL_SPOT) return places->weight * wide_spot(cosine, vpl->cone.x, vpl->cone.y);
     WFloat bound = places->square * vpl->position.w;
     if (kind == VPL_SURFACE) return places->weight * VMAX(VMIN(cosine, bound), zero);
@@ -34,9 +33,8 @@ static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl*
 
 /// Phase functions of places for light from the VPL to the camera.
 static inline WFloat phase_to_camera(const ViewPacket* view, const ViewPlaces* places, WFloat g) {
-    WFloat distance = wide_square_root(wide_dot(places->d, places->d));
-    WFloat cosine = (-wide_dot(places->d, view->direction)) / distance;
-    cosine = SELECT(distance > WIDE(0.0f), cosine, WIDE(1.0f));
+    WFloat cosine = (-wide_dot(places->d, view->direction)) / places->distance;
+    cosine = SELECT(places->distance > WIDE(0.0f), cosine, WIDE(1.0f));
     return wide_phase(g, cosine);
 }
 

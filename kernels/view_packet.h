@@ -65,9 +65,10 @@ static inline ViewPacket load_views(const Params* params, GLOBAL const uint* slo
 // Places on view rays, and the weight of what is found there for the whole of the rays.
 typedef struct {
     WFloat t;
-    WFloat3 d;      // from the light to the place
-    WFloat square;  // of its length
-    WFloat weight;  // 1 / (density of the place times `square`)
+    WFloat3 d;        // from the light to the place
+    WFloat distance;  // its length
+    WFloat square;    // of the distance that the weight is for
+    WFloat weight;    // 1 / (density of the place times `square`)
 } ViewPlaces;
 
 /// Places where a light's scattered light is looked for: about even over the angles under which
@@ -103,6 +104,7 @@ static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, 
     places.d.x = v.x * places.t - to.x;
     places.d.y = v.y * places.t - to.y;
     places.d.z = v.z * places.t - to.z;
+    places.distance = wide_square_root(wide_dot(places.d, places.d));
     places.square = offset * offset + square;
     places.weight = ((last - first) * 2.0f) / ((one + s * s) * beside);
     return places;
@@ -234,8 +236,7 @@ static inline PlaceMedia convex_media_at(const Params* params, const Media* medi
         add_length(media, k, stretch.end - stretch.begin, &lit);
     }
     WFloat3 depth = depth_of(params, media, &seen, one);
-    WFloat3 beyond =
-        depth_of(params, media, &lit, wide_square_root(wide_dot(places->d, places->d)));
+    WFloat3 beyond = depth_of(params, media, &lit, places->distance);
     found.left =
         wide_transmittance(wide_vector(depth.x + beyond.x, depth.y + beyond.y, depth.z + beyond.z));
     if (HAS(params, FEATURE_DENSITY_GRIDS))
