@@ -6,7 +6,8 @@
 // it and from inside takes it away, so that meeting the same one twice does no harm. Where rays
 // start on a boundary, rounding decides whether they have crossed it; so the side from which the
 // next one is met is believed more than the set. Of boundaries that are met at the same place only
-// one is seen; where no further one is met, the ray is outside of all, whatever the set says.
+// one is seen; where no further one is met, the ray is outside of all, whatever the set says. None
+// of that is needed where planes tell the boundaries (MediaRecord::convex).
 #ifndef WEFT_MEDIUM_WALK_H
 #define WEFT_MEDIUM_WALK_H
 
@@ -72,6 +73,53 @@ static inline uint medium_inside(const Media* media, uint inside) {
     return inside != 0u ? media->record->inside[lowest_bit(inside)] : media->record->outside;
 }
 
+/// Ends the stretch at the next boundary before `limit`, looked for in the tree.
+static inline void walk_to_boundary(const Media* media, MediumWalk* walk, float limit) {
+    Hit hit =
+        bvh_closest(media->nodes, media->leaves, walk->origin + walk->direction * walk->search,
+                    walk->direction, RAY_INFINITY);
+    if (hit.triangle == NO_TRIANGLE) {
+        walk->inside = 0u;
+        walk->beyond = 0u;
+        return;
+    }
+    float4 normal = media->normals[hit.triangle];
+    uint bit = 1u << as_bits(normal.w);
+    int enters = dot3(xyz(normal), walk->direction) < 0.0f ? 1 : 0;
+    walk->inside = enters != 0 ? walk->inside & ~bit : walk->inside | bit;
+    float at = walk->search + hit.t;
+    walk->beyond = walk->inside;
+    if (!(at < limit)) return;
+    walk->end = m_max(at, walk->begin);
+    walk->beyond = enters != 0 ? walk->inside | bit : walk->inside & ~bit;
+    // As long a step as makes the search go on.
+    walk->search = at + media->record->rounding +
+                   2.38418579e-7f * (absolute(at) + max_component(absolute3(walk->origin)));
+}
+
+/// The same by planes, where MediaRecord::convex is set: which boundaries are around the stretch
+/// follows from where it begins.
+static inline void walk_to_plane(const Media* media, MediumWalk* walk) {
+    walk->inside = 0u;
+    uint i = 0u;
+    for (uint k = 0u; k < media->record->boundaries; ++k) {
+        float enters = 0.0f;
+        float leaves = M_INFINITY;
+        for (; i < media->record->plane_end[k]; ++i) {
+            float4 plane = media->record->planes[i];
+            float height = dot3(xyz(plane), walk->origin) - plane.w;
+            float rise = dot3(xyz(plane), walk->direction);
+            if (rise < 0.0f) enters = m_max(enters, -height / rise);
+            if (rise > 0.0f) leaves = m_min(leaves, -height / rise);
+            if (rise == 0.0f && height > 0.0f) leaves = 0.0f;
+        }
+        if (!(leaves > enters && leaves > walk->begin)) continue;
+        if (enters <= walk->begin) walk->inside |= 1u << k;
+        walk->end = m_min(walk->end, enters <= walk->begin ? leaves : enters);
+    }
+    walk->beyond = walk->inside;
+}
+
 /// Goes on to the next stretch, which ends at `limit` at the latest. Returns 0 where that is
 /// reached.
 static inline int next_stretch(const Media* media, MediumWalk* walk, float limit) {
@@ -79,30 +127,10 @@ static inline int next_stretch(const Media* media, MediumWalk* walk, float limit
     walk->begin = walk->end;
     walk->end = limit;
     walk->inside = walk->beyond;
-    if (media->record->boundaries != 0u) {
-        Hit hit =
-            bvh_closest(media->nodes, media->leaves, walk->origin + walk->direction * walk->search,
-                        walk->direction, RAY_INFINITY);
-        if (hit.triangle == NO_TRIANGLE) {
-            walk->inside = 0u;
-            walk->beyond = 0u;
-        } else {
-            float4 normal = media->normals[hit.triangle];
-            uint bit = 1u << as_bits(normal.w);
-            int enters = dot3(xyz(normal), walk->direction) < 0.0f ? 1 : 0;
-            walk->inside = enters != 0 ? walk->inside & ~bit : walk->inside | bit;
-            float at = walk->search + hit.t;
-            walk->beyond = walk->inside;
-            if (at < limit) {
-                walk->end = m_max(at, walk->begin);
-                walk->beyond = enters != 0 ? walk->inside | bit : walk->inside & ~bit;
-                // As long a step as makes the search go on.
-                walk->search =
-                    at + media->record->rounding +
-                    2.38418579e-7f * (absolute(at) + max_component(absolute3(walk->origin)));
-            }
-        }
-    }
+    if (media->record->convex != 0u)
+        walk_to_plane(media, walk);
+    else if (media->record->boundaries != 0u)
+        walk_to_boundary(media, walk, limit);
     walk->medium = medium_inside(media, walk->inside);
     return 1;
 }
