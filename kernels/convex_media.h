@@ -88,8 +88,8 @@ static inline void add_length(const Media* media, uint boundary, WFloat length,
         lengths->inside[around] = lengths->inside[around] - length;
 }
 
-static inline void add_medium_depth(const Params* params, const Media* media, uint index, WFloat length,
-                             WFloat3* depth) {
+static inline void add_medium_depth(const Params* params, const Media* media, uint index,
+                                    WFloat length, WFloat3* depth) {
     if (index == NO_MEDIUM) return;
     MediumRecord medium = media->media[index];
     if (has_grid(params, &medium) != 0) return;
@@ -105,7 +105,8 @@ static inline WFloat3 depth_of(const Params* params, const Media* media, const W
                                WFloat unit) {
     WFloat3 depth = wide_same(0.0f);
     for (uint k = 0u; k < media->record->boundaries; ++k)
-        add_medium_depth(params, media, media->record->inside[k], lengths->inside[k] * unit, &depth);
+        add_medium_depth(params, media, media->record->inside[k], lengths->inside[k] * unit,
+                         &depth);
     add_medium_depth(params, media, media->record->outside, lengths->outside * unit, &depth);
     return depth;
 }
