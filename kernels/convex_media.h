@@ -39,26 +39,39 @@ typedef struct {
     WFloat begin, end;
 } WideStretch;
 
-/// What lies inside of a boundary of origin + s way, s from 0 to `limit`.
+/// Cuts off what lies above a plane, of a line that has a height above it at its origin, and rises
+/// so much by one direction. `inverse` is 1 / rise.
+static inline void cut_stretch(WFloat height, WFloat rise, WFloat inverse, WideStretch* stretch) {
+    WFloat zero = WIDE(0.0f);
+    WFloat at = (-height) * inverse;
+    WFloat begin = VMAX(at, stretch->begin);
+    WFloat end = VMIN(at, stretch->end);
+    // Along a plane, either all of a line lies below it or nothing.
+    WFloat beside = SELECT(height > zero, zero, stretch->end);
+    stretch->begin = SELECT(rise < zero, begin, stretch->begin);
+    stretch->end = SELECT(rise > zero, end, stretch->end);
+    stretch->end = SELECT(rise == zero, beside, stretch->end);
+}
+
+/// What lies inside of a boundary of origin + s way, s from 0 to `limit`. Of two planes that face
+/// away from each other the host puts one after the other: they share a division.
 static inline WideStretch stretch_inside(const Media* media, uint boundary, WFloat3 origin,
                                          WFloat3 way, WFloat limit) {
-    WFloat zero = WIDE(0.0f);
     WideStretch stretch;
-    stretch.begin = zero;
+    stretch.begin = WIDE(0.0f);
     stretch.end = limit;
-    uint first = boundary == 0u ? 0u : media->record->plane_end[boundary - 1u];
-    for (uint i = first; i < media->record->plane_end[boundary]; ++i) {
+    uint last = media->record->plane_end[boundary];
+    for (uint i = boundary == 0u ? 0u : media->record->plane_end[boundary - 1u]; i < last; ++i) {
         float4 plane = media->record->planes[i];
-        WFloat height = wide_dot_scalar(origin, xyz(plane)) - plane.w;
+        WFloat along = wide_dot_scalar(origin, xyz(plane));
         WFloat rise = wide_dot_scalar(way, xyz(plane));
-        WFloat at = (-height) / rise;
-        WFloat begin = VMAX(at, stretch.begin);
-        WFloat end = VMIN(at, stretch.end);
-        // Along a plane, either all of a line lies below it or nothing.
-        WFloat beside = SELECT(height > zero, zero, stretch.end);
-        stretch.begin = SELECT(rise < zero, begin, stretch.begin);
-        stretch.end = SELECT(rise > zero, end, stretch.end);
-        stretch.end = SELECT(rise == zero, beside, stretch.end);
+        WFloat inverse = WIDE(1.0f) / rise;
+        cut_stretch(along - plane.w, rise, inverse, &stretch);
+        if (i + 1u == last) break;
+        float4 next = media->record->planes[i + 1u];
+        if (next.x != -plane.x || next.y != -plane.y || next.z != -plane.z) continue;
+        cut_stretch(-along - next.w, -rise, -inverse, &stretch);
+        ++i;
     }
     stretch.end = VMAX(stretch.end, stretch.begin);
     return stretch;

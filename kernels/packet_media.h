@@ -9,21 +9,43 @@
 
 #include "convex_media.h"
 
-// Boundaries of media around the points of a packet.
+// Where the points of a packet are among the boundaries of media.
 typedef struct {
-    uint inside[LANES];
+    uint inside[LANES];  // boundaries around them
+    uint above[2];       // planes of convex boundaries that all of them lie above, a bit each
 } PacketInside;
 
-static inline PacketInside load_inside(const Params* params, GLOBAL const float* planes,
-                                       uint slot) {
+static inline PacketInside load_inside(const Params* params, const Media* media,
+                                       GLOBAL const float* planes, WFloat3 positions, uint slot) {
     PacketInside packet;
-    if (HAS(params, FEATURE_MEDIA)) {
-        for (uint lane = 0u; lane < (uint)LANES; ++lane)
-            packet.inside[lane] = as_bits(planes[RECEIVER_INSIDE * params->slots + slot + lane]);
-    } else {
+    packet.above[0] = 0u;
+    packet.above[1] = 0u;
+    if (!HAS(params, FEATURE_MEDIA)) {
         for (uint lane = 0u; lane < (uint)LANES; ++lane) packet.inside[lane] = 0u;
+        return packet;
+    }
+    for (uint lane = 0u; lane < (uint)LANES; ++lane)
+        packet.inside[lane] = as_bits(planes[RECEIVER_INSIDE * params->slots + slot + lane]);
+    uint count = media->record->boundaries;
+    if (media->record->convex == 0u || count == 0u) return packet;
+    for (uint i = 0u; i < media->record->plane_end[count - 1u]; ++i) {
+        float4 plane = media->record->planes[i];
+        if (wide_lowest(wide_dot_scalar(positions, xyz(plane)) - plane.w) > 0.0f)
+            packet.above[i >> 5] |= 1u << (i & 31u);
     }
     return packet;
+}
+
+/// 1 where a plane of a convex boundary lies below a light and all of the packet.
+static inline int is_above(const Media* media, const PacketInside* packet, uint boundary,
+                           float3 light) {
+    uint first = boundary == 0u ? 0u : media->record->plane_end[boundary - 1u];
+    for (uint i = first; i < media->record->plane_end[boundary]; ++i) {
+        if ((packet->above[i >> 5] >> (i & 31u) & 1u) == 0u) continue;
+        float4 plane = media->record->planes[i];
+        if (dot3(xyz(plane), light) > plane.w) return 1;
+    }
+    return 0;
 }
 
 // Three values a lane.
@@ -84,15 +106,21 @@ static inline void track_grid(const Params* params, const Media* media, uint bou
 
 /// packet_transmittance where boundaries are convex.
 static inline WFloat3 convex_transmittance(const Params* params, const Media* media,
-                                           WFloat3 positions, WFloat3 d, uint number,
-                                           WMask wanted) {
+                                           WFloat3 positions, const PacketInside* packet,
+                                           float3 light, WFloat3 d, uint number, WMask wanted) {
     WFloat one = WIDE(1.0f);
     WideLengths lengths = no_lengths(media, one);
     WFloat3 way = wide_vector(-d.x, -d.y, -d.z);
+    uint met = 0u;
     for (uint k = 0u; k < media->record->boundaries; ++k) {
+        if (is_above(media, packet, k, light) != 0) continue;
         WideStretch stretch = stretch_inside(media, k, positions, way, one);
-        add_length(media, k, stretch.end - stretch.begin, &lengths);
+        WFloat length = stretch.end - stretch.begin;
+        if (!mask_any(length > WIDE(0.0f))) continue;
+        met |= 1u << k;
+        add_length(media, k, length, &lengths);
     }
+    if (met == 0u && media->record->outside == NO_MEDIUM) return wide_same(1.0f);
     WFloat3 left =
         wide_transmittance(depth_of(params, media, &lengths, wide_square_root(wide_dot(d, d))));
     if (!HAS(params, FEATURE_DENSITY_GRIDS)) return left;
@@ -103,19 +131,21 @@ static inline WFloat3 convex_transmittance(const Params* params, const Media* me
     for (uint lane = 0u; lane < (uint)LANES; ++lane)
         random[lane] = way_random(params, lane_vector(&places, lane), number);
     for (uint k = 0u; k < media->record->boundaries; ++k)
-        track_grid(params, media, k, &places, &ways, stretch_inside(media, k, positions, way, one),
-                   mask_bits(wanted), random, &lanes);
+        if ((met >> k & 1u) != 0u)
+            track_grid(params, media, k, &places, &ways,
+                       stretch_inside(media, k, positions, way, one), mask_bits(wanted), random,
+                       &lanes);
     return wide_of(&lanes);
 }
 
-/// What media leave of light on its ways from one point to the lanes of `wanted`; `d` leads from
-/// it to their `positions`. `number` tells the ways of a lane apart. 1 in other lanes of media that
+/// What media leave of light on its ways from a light to the lanes of `wanted`; `d` leads from it
+/// to their `positions`. `number` tells the ways of a lane apart. 1 in other lanes of media that
 /// are walked.
 static inline WFloat3 packet_transmittance(const Params* params, const Media* media,
-                                           WFloat3 positions, const PacketInside* packet, WFloat3 d,
-                                           uint number, WMask wanted) {
+                                           WFloat3 positions, const PacketInside* packet,
+                                           float3 from, WFloat3 d, uint number, WMask wanted) {
     if (media->record->convex != 0u)
-        return convex_transmittance(params, media, positions, d, number, wanted);
+        return convex_transmittance(params, media, positions, packet, from, d, number, wanted);
     LaneVectors places = lanes_of(positions);
     LaneVectors ways = lanes_of(d);
     LaneVectors left = lanes_of(wide_same(1.0f));
@@ -149,12 +179,12 @@ static inline WideLight no_light(void) {
 /// see; see packet_transmittance.
 static inline void add_connection(const Params* params, const Media* media,
                                   const ReceiverPacket* packet, const PacketInside* inside,
-                                  float4 flux, WFloat g, WFloat3 d, uint number, WMask wanted,
-                                  WideLight* light) {
+                                  float3 from, float4 flux, WFloat g, WFloat3 d, uint number,
+                                  WMask wanted, WideLight* light) {
     WFloat carried = SELECT(wanted, g, WIDE(0.0f));
     if (HAS(params, FEATURE_MEDIA)) {
         WFloat3 left =
-            packet_transmittance(params, media, packet->position, inside, d, number, wanted);
+            packet_transmittance(params, media, packet->position, inside, from, d, number, wanted);
         light->red = light->red + carried * flux.x * left.x;
         light->green = light->green + carried * flux.y * left.y;
         light->blue = light->blue + carried * flux.z * left.z;

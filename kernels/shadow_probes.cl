@@ -22,8 +22,8 @@ static inline void add_light(const Params* params, const Media* media, const Rec
         WFloat3 d = from_vpl(packet, vpl);
         WMask useful;
         WFloat g = connection(packet, vpl, VPL_SURFACE, d, &useful);
-        add_connection(params, media, packet, inside, flux, g, d, (uint)(vpl - first),
-                       useful & mask_not(blocked), light);
+        add_connection(params, media, packet, inside, xyz(vpl->position), flux, g, d,
+                       (uint)(vpl - first), useful & mask_not(blocked), light);
     }
 }
 
@@ -71,7 +71,7 @@ WEFT_KERNEL(shadow_probes)
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, receiver_planes, slot);
+    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
     GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
     WideLight light = no_light();

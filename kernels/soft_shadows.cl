@@ -83,7 +83,7 @@ WEFT_KERNEL(soft_shadows)
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, receiver_planes, slot);
+    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
     PacketPixels pixels;
     load_pixels(&params, slot_pixel, slot, pixel_shadows, shadow_edges, gb_albedo, irradiance,
                 &pixels);
@@ -116,8 +116,8 @@ WEFT_KERNEL(soft_shadows)
                 WMask found = trace_any_packet(scene, xyz(vpl->position), d, unsure);
                 blocked = (hidden & mask_not(edge)) | (found & edge);
             }
-            add_connection(&params, &through, &packet, &inside, flux, g, d, (uint)(vpl - first),
-                           useful & mask_not(blocked), &light);
+            add_connection(&params, &through, &packet, &inside, xyz(vpl->position), flux, g, d,
+                           (uint)(vpl - first), useful & mask_not(blocked), &light);
         }
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);

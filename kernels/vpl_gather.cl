@@ -37,7 +37,7 @@ WEFT_KERNEL(vpl_gather)
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, receiver_planes, slot);
+    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
     GLOBAL const Vpl* vpl = vpls + params.list_first + set * params.list_stride;
     WideLight light = no_light();
@@ -60,7 +60,7 @@ WEFT_KERNEL(vpl_gather)
         if (!mask_any(useful)) continue;
         rays += mask_count(useful);
         WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
-        add_connection(&params, &through, &packet, &inside, flux, g, d, i,
+        add_connection(&params, &through, &packet, &inside, xyz(vpl->position), flux, g, d, i,
                        useful & mask_not(blocked), &light);
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);

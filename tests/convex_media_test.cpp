@@ -86,6 +86,19 @@ TEST(ConvexMedia, KnowsWhichBoundaryIsAroundWhich) {
     for (std::uint32_t k = 0; k < 4; ++k) EXPECT_EQ(space.plane_end[k], 6 * (k + 1));
 }
 
+TEST(ConvexMedia, OppositeFacesFollowEachOther) {
+    Scene scene = scene_of_media(1);
+    add_boundary(scene, cube_mesh(),
+                 glm::rotate(placement(0.7, {5.0, -0.1, 0.1}), 0.8, glm::dvec3(1.0, 2.0, 3.0)), 0);
+    const shared::MediaRecord& space = flatten(scene).media.space;
+    ASSERT_EQ(space.plane_end[0], 6U);
+    for (std::uint32_t i = 0; i < 6; i += 2) {
+        EXPECT_EQ(space.planes[i].x, -space.planes[i + 1].x);
+        EXPECT_EQ(space.planes[i].y, -space.planes[i + 1].y);
+        EXPECT_EQ(space.planes[i].z, -space.planes[i + 1].z);
+    }
+}
+
 TEST(ConvexMedia, SpaceWithoutBoundariesIsConvex) {
     Scene scene = scene_of_media(1);
     scene.outer_medium = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -84,6 +85,31 @@ std::vector<Plane> planes_of(const Hull& hull, double tolerance) {
     return planes;
 }
 
+// Puts planes that face away from each other one after the other, with normals that are each
+// other's negative to the last bit.
+void pair_planes(Hull& hull, double tolerance) {
+    std::vector<Plane>& planes = hull.planes;
+    for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
+        Plane opposite{-planes[i].normal, -HUGE_VAL};
+        for (const glm::dvec3& v : hull.vertices)
+            opposite.offset = std::max(opposite.offset, glm::dot(opposite.normal, v));
+        // A face lies in that plane if its own plane holds the same vertices.
+        const auto same = [&](const Plane& plane) {
+            return glm::dot(plane.normal, opposite.normal) > 0.0 &&
+                   std::all_of(
+                       hull.vertices.begin(), hull.vertices.end(), [&](const glm::dvec3& v) {
+                           return std::abs(plane.height(v) - opposite.height(v)) <= tolerance;
+                       });
+        };
+        const auto next = planes.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        const auto found = std::find_if(next, planes.end(), same);
+        if (found == planes.end()) continue;
+        *found = opposite;
+        std::iter_swap(next, found);
+        ++i;
+    }
+}
+
 bool all_below(const Hull& hull, const Plane& plane, double tolerance) {
     return std::all_of(hull.vertices.begin(), hull.vertices.end(),
                        [&](const glm::dvec3& v) { return plane.height(v) <= tolerance; });
@@ -146,6 +172,7 @@ void find_convex_boundaries(FlatMedia& media) {
         hull.planes = planes_of(hull, tolerance);
         planes += hull.planes.size();
         if (planes > CONVEX_PLANES || !is_convex(hull, tolerance)) return;
+        pair_planes(hull, tolerance);
     }
     std::array<std::uint32_t, CONVEX_BOUNDARIES> around{};
     if (!find_around(media, hulls, tolerance, around)) return;
