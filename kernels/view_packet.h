@@ -169,44 +169,46 @@ static inline void scatters_at(const Media* media, uint index, WMask here, Place
     found->g = SELECT(here, WIDE(g), found->g);
 }
 
-/// Multiplies by densities of grids at places, and by what grids leave on their ways.
+/// Multiplies what scatters by the density of the grid inside of a boundary, in the lanes of
+/// `bits`.
+static inline void scale_by_density(const Params* params, const Media* media, uint boundary,
+                                    WFloat3 positions, uint bits, PlaceMedia* found) {
+    DensityGrid grid;
+    float3 sigma;
+    if (bits == 0u || grid_inside(params, media, boundary, &grid, &sigma) == 0) return;
+    LaneVectors at = lanes_of(positions);
+    LaneVectors scatters = lanes_of(found->scatters);
+    for (uint lane = 0u; lane < (uint)LANES; ++lane)
+        if ((bits >> lane & 1u) != 0u)
+            set_lane(
+                &scatters, lane,
+                lane_vector(&scatters, lane) * density_at_place(&grid, lane_vector(&at, lane)));
+    found->scatters = wide_of(&scatters);
+}
+
+/// Multiplies what is left by what grids leave on the ways of places to the camera and to the
+/// light.
 static inline void track_grids(const Params* params, const Media* media, const ViewPacket* view,
-                               const ViewPlaces* places, uint number, WMask wanted,
-                               PlaceMedia* found) {
+                               const ViewPlaces* places, WFloat3 positions, uint number,
+                               WMask wanted, PlaceMedia* found) {
     WFloat one = WIDE(1.0f);
-    WFloat3 positions = wide_vector(view->direction.x * places->t + view->origin.x,
-                                    view->direction.y * places->t + view->origin.y,
-                                    view->direction.z * places->t + view->origin.z);
     WFloat3 back = wide_vector(-(view->direction.x * places->t), -(view->direction.y * places->t),
                                -(view->direction.z * places->t));
     WFloat3 way = wide_vector(-places->d.x, -places->d.y, -places->d.z);
     LaneVectors at = lanes_of(positions);
     LaneVectors backs = lanes_of(back);
     LaneVectors ways = lanes_of(way);
-    LaneVectors scatters = lanes_of(found->scatters);
     LaneVectors left = lanes_of(found->left);
     Random random[LANES];
     for (uint lane = 0u; lane < (uint)LANES; ++lane)
         random[lane] = way_random(params, lane_vector(&at, lane), number);
     uint bits = mask_bits(wanted);
     for (uint k = 0u; k < media->record->boundaries; ++k) {
-        DensityGrid grid;
-        float3 sigma;
-        if (grid_inside(params, media, k, &grid, &sigma) == 0) continue;
-        WideStretch to_camera = stretch_inside(media, k, positions, back, one);
-        uint here =
-            bits & mask_bits((to_camera.begin <= WIDE(0.0f)) & (to_camera.end > to_camera.begin));
-        for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-            if ((here >> lane & 1u) == 0u) continue;
-            set_lane(
-                &scatters, lane,
-                lane_vector(&scatters, lane) * density_at_place(&grid, lane_vector(&at, lane)));
-        }
-        track_grid(params, media, k, &at, &backs, to_camera, bits, random, &left);
+        track_grid(params, media, k, &at, &backs, stretch_inside(media, k, positions, back, one),
+                   bits, random, &left);
         track_grid(params, media, k, &at, &ways, stretch_inside(media, k, positions, way, one),
                    bits, random, &left);
     }
-    found->scatters = wide_of(&scatters);
     found->left = wide_of(&left);
 }
 
@@ -231,6 +233,8 @@ static inline PlaceMedia convex_media_at(const Params* params, const Media* medi
         WideStretch stretch = stretch_inside(media, k, origin, view->direction, places->t);
         WMask here = (stretch.end >= places->t) & (stretch.end > stretch.begin);
         scatters_at(media, media->record->inside[k], here, &found);
+        if (HAS(params, FEATURE_DENSITY_GRIDS))
+            scale_by_density(params, media, k, place, mask_bits(wanted & here), &found);
         add_length(media, k, stretch.end - stretch.begin, &seen);
         stretch = stretch_inside(media, k, place, way, one);
         add_length(media, k, stretch.end - stretch.begin, &lit);
@@ -240,7 +244,7 @@ static inline PlaceMedia convex_media_at(const Params* params, const Media* medi
     found.left =
         wide_transmittance(wide_vector(depth.x + beyond.x, depth.y + beyond.y, depth.z + beyond.z));
     if (HAS(params, FEATURE_DENSITY_GRIDS))
-        track_grids(params, media, view, places, number, wanted, &found);
+        track_grids(params, media, view, places, place, number, wanted, &found);
     return found;
 }
 
