@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 #define NATIVE_KERNELS "kernels/wide_maths.h"
 #include "tests/native_kernels.h"

@@ -25,11 +25,11 @@ constexpr std::uint32_t max_depth = (BVH_STACK - 1) / (node_width - 1) + 1;
 constexpr double worthwhile_cost = 0.95;
 
 // Pieces that cuts may add, as a share of those there are. Measured SAH costs of five scenes at
-// 0.3, 1 and 2: within 2 percent of each other, with 3 to 30 percent of pieces added.
+// 0.3, 1 and 2: within 2 percent of each other, with 6 to 27 percent of pieces added.
 constexpr double split_room = 1.0;
 
-// A build with splits takes five to ten times as long as one without, for a cost that may be lower
-// by no more than a few percent. So no second build is tried beyond this size.
+// A build with splits takes eight to twenty times as long as one without, for a cost that may be
+// lower by no more than a few percent. So no second build is tried beyond this size.
 constexpr std::size_t max_pieces_to_split = 4'000'000;
 
 // Embree works with areas in float, which have to stay finite.
