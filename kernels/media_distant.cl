@@ -16,10 +16,11 @@ typedef struct {
 
 /// Extinction by which places are spread: that of the clearest channel where one medium fills all
 /// space; 0, for places spread evenly, elsewhere.
-static inline float spread_extinction(const Media* media) {
+static inline float spread_extinction(const Params* params, const Media* media) {
     uint outside = media->record->outside;
     // Convex without a boundary: of a medium without a grid.
-    if (media->record->boundaries != 0u || media->record->convex == 0u || outside == NO_MEDIUM)
+    if (!HAS(params, FEATURE_CONVEX_MEDIA) || media->record->boundaries != 0u ||
+        outside == NO_MEDIUM)
         return 0.0f;
     return clearest_channel(xyz(media->media[outside].sigma_t));
 }
@@ -110,7 +111,7 @@ WEFT_KERNEL(media_distant)
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    float sigma = spread_extinction(&through);
+    float sigma = spread_extinction(&params, &through);
     uint rays = 0u;
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS))

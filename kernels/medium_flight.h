@@ -52,7 +52,7 @@ static inline Flight fly(const Params* params, const Media* media, float3 origin
     flight.inside = inside;
     if (may_meet_media(media, origin, direction, length) == 0) return flight;
     MediumWalk walk = start_walk(media, origin, direction, inside);
-    while (next_stretch(media, &walk, length) != 0) {
+    while (next_stretch(params, media, &walk, length) != 0) {
         flight.inside = walk.inside;
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = media->media[walk.medium];

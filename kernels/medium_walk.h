@@ -122,12 +122,13 @@ static inline void walk_to_plane(const Media* media, MediumWalk* walk) {
 
 /// Goes on to the next stretch, which ends at `limit` at the latest. Returns 0 where that is
 /// reached.
-static inline int next_stretch(const Media* media, MediumWalk* walk, float limit) {
+static inline int next_stretch(const Params* params, const Media* media, MediumWalk* walk,
+                               float limit) {
     if (!(walk->end < limit)) return 0;
     walk->begin = walk->end;
     walk->end = limit;
     walk->inside = walk->beyond;
-    if (media->record->convex != 0u)
+    if (HAS(params, FEATURE_CONVEX_MEDIA))
         walk_to_plane(media, walk);
     else if (media->record->boundaries != 0u)
         walk_to_boundary(media, walk, limit);
@@ -176,7 +177,7 @@ static inline float3 ray_transmittance(const Params* params, const Media* media,
     float3 left = f3(1.0f, 1.0f, 1.0f);
     if (may_meet_media(media, origin, direction, length) == 0) return left;
     MediumWalk walk = start_walk(media, origin, direction, inside);
-    while (next_stretch(media, &walk, length) != 0 && max_component(left) > 0.0f) {
+    while (next_stretch(params, media, &walk, length) != 0 && max_component(left) > 0.0f) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = media->media[walk.medium];
         if (has_grid(params, &medium) != 0) {

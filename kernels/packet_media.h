@@ -27,7 +27,7 @@ static inline PacketInside load_inside(const Params* params, const Media* media,
     for (uint lane = 0u; lane < (uint)LANES; ++lane)
         packet.inside[lane] = as_bits(planes[RECEIVER_INSIDE * params->slots + slot + lane]);
     uint count = media->record->boundaries;
-    if (media->record->convex == 0u || count == 0u) return packet;
+    if (!HAS(params, FEATURE_CONVEX_MEDIA) || count == 0u) return packet;
     for (uint i = 0u; i < media->record->plane_end[count - 1u]; ++i) {
         float4 plane = media->record->planes[i];
         if (wide_lowest(wide_dot_scalar(positions, xyz(plane)) - plane.w) > 0.0f)
@@ -144,7 +144,7 @@ static inline WFloat3 convex_transmittance(const Params* params, const Media* me
 static inline WFloat3 packet_transmittance(const Params* params, const Media* media,
                                            WFloat3 positions, const PacketInside* packet,
                                            float3 from, WFloat3 d, uint number, WMask wanted) {
-    if (media->record->convex != 0u)
+    if (HAS(params, FEATURE_CONVEX_MEDIA))
         return convex_transmittance(params, media, positions, packet, from, d, number, wanted);
     LaneVectors places = lanes_of(positions);
     LaneVectors ways = lanes_of(d);

@@ -95,7 +95,7 @@ static inline int cross_media(const Params* params, const PathScene* world, cons
                               MediaPath* path, float length, Random* random, PathSample* sample,
                               uint* rays) {
     MediumWalk walk = start_walk(media, path->origin, path->direction, path->inside);
-    while (next_stretch(media, &walk, length) != 0) {
+    while (next_stretch(params, media, &walk, length) != 0) {
         path->inside = walk.inside;
         if (walk.medium == NO_MEDIUM) continue;
         Stretch stretch;

@@ -31,6 +31,7 @@
 #define FEATURE_MEDIA 4096u          // light goes through participating media
 #define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
 #define FEATURE_EMISSIVE_MEDIA 16384u
+#define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu

@@ -10,6 +10,7 @@
 //   position  begin and end of what scatters, and a measure of length whose differences count
 //   normal    along that measure; w: how far it may differ
 //   albedo    such that irradiance is radiance; w: 1 where anything scatters
+//   shading   as normal, and emission none: the same for every pixel and frame (ViewMedia)
 #include "camera.h"
 #include "gbuffer.h"
 #include "medium_walk.h"
@@ -82,8 +83,7 @@ static inline void pass_stretch(const Params* params, const Media* media, const 
 WEFT_KERNEL(view_media)
 (PARAMS, GBUFFER_ARGS, MEDIA_ARGS, GLOBAL float4* view_left, GLOBAL float4* view_glow,
  GLOBAL uint* view_inside, GLOBAL uint* end_ids, GLOBAL float4* end_position,
- GLOBAL float4* end_normal, GLOBAL float4* end_shading, GLOBAL float4* end_albedo,
- GLOBAL float4* end_emission) {
+ GLOBAL float4* end_normal, GLOBAL float4* end_albedo) {
     if (GLOBAL_ID >= params.count) return;
     uint pixel = params.first + GLOBAL_ID;
     MEDIA_MAKE(through);
@@ -96,7 +96,7 @@ WEFT_KERNEL(view_media)
     Passed passed = {f3(1.0f, 1.0f, 1.0f), f3(0.0f, 0.0f, 0.0f)};
     Scattering found = {0.0f, 0.0f, 0.0f, 0};
     int meets = may_meet_media(&through, walk.origin, walk.direction, length);
-    while (meets != 0 && next_stretch(&through, &walk, length) != 0) {
+    while (meets != 0 && next_stretch(&params, &through, &walk, length) != 0) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = through.media[walk.medium];
         add_stretch(&params, &through, &walk, &medium, &found);
@@ -115,8 +115,6 @@ WEFT_KERNEL(view_media)
         end_position[pixel] =
             any != 0 ? f4(found.begin, end, m_log(end), end) : f4(0.0f, 0.0f, 0.0f, 0.0f);
         end_normal[pixel] = f4(0.0f, 0.0f, 1.0f, LENGTH_SHARE + slant);
-        end_shading[pixel] = f4(0.0f, 0.0f, 1.0f, 0.0f);
         end_albedo[pixel] = f4(3.14159265f, 3.14159265f, 3.14159265f, any != 0 ? 1.0f : 0.0f);
-        end_emission[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
     }
 }

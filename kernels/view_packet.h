@@ -128,7 +128,7 @@ static inline void walk_to_place(const Params* params, const Media* media, float
     float3 place = origin + direction * t;
     Random random = way_random(params, place, number);
     MediumWalk walk = start_walk(media, origin, direction, media->record->around_camera);
-    while (next_stretch(media, &walk, RAY_INFINITY) != 0) {
+    while (next_stretch(params, media, &walk, RAY_INFINITY) != 0) {
         int last = t <= walk.end ? 1 : 0;
         float end = m_min(t, walk.end);
         if (walk.medium != NO_MEDIUM) {
@@ -251,7 +251,7 @@ static inline PlaceMedia convex_media_at(const Params* params, const Media* medi
 /// The media at the places of the lanes of `wanted`; see packet_transmittance.
 static inline PlaceMedia media_at(const Params* params, const Media* media, const ViewPacket* view,
                                   const ViewPlaces* places, uint number, WMask wanted) {
-    if (media->record->convex != 0u)
+    if (HAS(params, FEATURE_CONVEX_MEDIA))
         return convex_media_at(params, media, view, places, number, wanted);
     WFloat zero = WIDE(0.0f);
     LaneVectors scatters = lanes_of(wide_same(0.0f));

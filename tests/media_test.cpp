@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "media_builder.h"
@@ -193,7 +194,8 @@ TEST(Media, StretchesFromPlanesAreThoseOfWalks) {
 TEST(Media, BoundariesMayShareFaces) {
     // A cube and, in the half of it that is further away, a box that shares five of its faces:
     // entered or left at the same place.
-    for (const double side : {1.0, -1.0}) {
+    for (const auto& [side, walked] :
+         {std::pair(1.0, false), {-1.0, false}, {1.0, true}, {-1.0, true}}) {
         SceneBuilder builder;
         builder.scene.media.push_back(medium_of(glm::vec3(0.3F), glm::vec3(0.0F)));
         builder.scene.media.push_back(medium_of(glm::vec3(0.7F), glm::vec3(0.0F)));
@@ -201,6 +203,7 @@ TEST(Media, BoundariesMayShareFaces) {
         glm::dmat4 half = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.5));
         half[3] = {0.0, 0.0, -0.5, 1.0};
         add_boundary(builder.scene, cube_mesh(), half, 1);
+        if (walked) test::add_far_overlap(builder.scene);
         const auto z = static_cast<float>(-3.0 * side);
         builder.add(test::quad_mesh({-9.0F, -9.0F, z}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
                     builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));

@@ -75,7 +75,9 @@ struct FrameBuffers {
 
 /// Places in a GBuffer, and how many there are.
 inline constexpr std::size_t gbuffer_position = 1;
+inline constexpr std::size_t gbuffer_shading = 3;
 inline constexpr std::size_t gbuffer_albedo = 4;
+inline constexpr std::size_t gbuffer_emission = 5;
 inline constexpr std::size_t gbuffer_buffers = 6;
 
 /// A G-buffer of that many pixels; `of` says of what.

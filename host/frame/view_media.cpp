@@ -2,7 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame/view_media.h"
 
+#include <cstring>
+#include <span>
+
 namespace weft {
+namespace {
+
+void fill(Executor& executor, Buffer& plane, const shared::float4& value) {
+    executor.with_mapped(plane, Access::write, [&](std::span<std::byte> bytes) {
+        for (std::size_t at = 0; at + sizeof(value) <= bytes.size(); at += sizeof(value))
+            std::memcpy(&bytes[at], &value, sizeof(value));
+    });
+}
+
+}  // namespace
 
 ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& camera,
                      std::size_t pixels, std::uint32_t features)
@@ -12,8 +25,11 @@ ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& c
     set_camera(executor, scene, camera);
     if ((features & FEATURE_EMISSIVE_MEDIA) != 0)
         glow_ = executor.allocate(pixels * sizeof(shared::float4), "light that media emit");
-    if ((features & FEATURE_AIRLIGHT) != 0)
+    if ((features & FEATURE_AIRLIGHT) != 0) {
         ends_ = allocate_gbuffer(executor, pixels, "ends of view rays");
+        fill(executor, *ends_[gbuffer_shading], {0.0F, 0.0F, 1.0F, 0.0F});
+        fill(executor, *ends_[gbuffer_emission], {0.0F, 0.0F, 0.0F, 0.0F});
+    }
 }
 
 void ViewMedia::set_camera(Executor& executor, const FlatScene& scene, const Camera& camera) {
@@ -23,8 +39,10 @@ void ViewMedia::set_camera(Executor& executor, const FlatScene& scene, const Cam
 void ViewMedia::find(FrameContext& frame) const {
     std::vector<Buffer*> others =
         media_.followed_by({left_.get(), frame.buffers.or_nothing(glow_), inside_.get()});
-    for (std::size_t i = 0; i < gbuffer_buffers; ++i)
+    for (std::size_t i = 0; i < gbuffer_buffers; ++i) {
+        if (i == gbuffer_shading || i == gbuffer_emission) continue;  // filled once
         others.push_back(ends_.empty() ? frame.buffers.nothing.get() : ends_[i].get());
+    }
     frame.run(KernelId::view_media, "view rays through media", "", false,
               with_gbuffer(frame.buffers.gbuffer, others),
               frame.params.width * frame.params.height);

@@ -263,7 +263,8 @@ bool FlatMedia::scatters() const {
 
 std::uint32_t FlatMedia::features() const {
     return (grids.records.empty() ? 0U : FEATURE_DENSITY_GRIDS) |
-           (radiance > 0.0 ? FEATURE_EMISSIVE_MEDIA : 0U);
+           (radiance > 0.0 ? FEATURE_EMISSIVE_MEDIA : 0U) |
+           (present() && space.convex != 0 ? FEATURE_CONVEX_MEDIA : 0U);
 }
 
 FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {

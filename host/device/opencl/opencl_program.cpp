@@ -14,7 +14,7 @@
 namespace weft {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::uint32_t>, 13> feature_names{{
+constexpr std::array<std::pair<std::string_view, std::uint32_t>, 14> feature_names{{
     {"FEATURE_TEXTURES", FEATURE_TEXTURES},
     {"FEATURE_VERTEX_COLOURS", FEATURE_VERTEX_COLOURS},
     {"FEATURE_SMOOTH_NORMALS", FEATURE_SMOOTH_NORMALS},
@@ -28,6 +28,7 @@ constexpr std::array<std::pair<std::string_view, std::uint32_t>, 13> feature_nam
     {"FEATURE_MEDIA", FEATURE_MEDIA},
     {"FEATURE_AIRLIGHT", FEATURE_AIRLIGHT},
     {"FEATURE_EMISSIVE_MEDIA", FEATURE_EMISSIVE_MEDIA},
+    {"FEATURE_CONVEX_MEDIA", FEATURE_CONVEX_MEDIA},
 }};
 
 /// The features that `source` asks about, beyond their definitions.
