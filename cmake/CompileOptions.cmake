@@ -23,7 +23,7 @@ endif()
 if(WEFT_SANITIZE)
   target_compile_options(
     weft_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                           -fno-omit-frame-pointer -g)
+                           -fno-omit-frame-pointer -g1)
   target_link_options(weft_options INTERFACE -fsanitize=address,undefined)
 endif()
 
@@ -31,5 +31,5 @@ endif()
 # stb_image overflow, which does no harm where it is defined.
 function(weft_wrap_overflow)
   set_source_files_properties("${CMAKE_SOURCE_DIR}/host/scene/stb_image_implementation.cpp"
-                              PROPERTIES COMPILE_OPTIONS -fwrapv)
+                              PROPERTIES COMPILE_OPTIONS -fwrapv SKIP_PRECOMPILE_HEADERS ON)
 endfunction()

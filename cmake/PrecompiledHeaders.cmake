@@ -1,0 +1,13 @@
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+
+# weft_precompile(<target> [headers...]): parses what most files include once for the target where
+# WEFT_PRECOMPILED_HEADERS is on. Files that forget an include are found by builds without it.
+function(weft_precompile target)
+  if(WEFT_PRECOMPILED_HEADERS)
+    target_precompile_headers(
+      ${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits>
+      <map> <memory> <numbers> <optional> <random> <span> <string> <string_view> <utility> <vector>
+      <glm/glm.hpp> ${ARGN})
+  endif()
+endfunction()
