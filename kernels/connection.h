@@ -106,4 +106,20 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
     return g;
 }
 
+/// `roulette` times the mean over a list of VPLs of what each adds to every lane's luminance where
+/// nothing lies between.
+static inline WFloat roulette_level(const Params* params, const ReceiverPacket* packet,
+                                    GLOBAL const Vpl* vpl, uint count) {
+    WFloat zero = WIDE(0.0f);
+    WFloat sum = zero;
+    for (uint i = 0u; i < count; ++i, ++vpl) {
+        float weight = luminance(xyz(vpl->flux));
+        if (!(weight > 0.0f)) continue;
+        WMask useful;
+        WFloat g = connection(packet, vpl, as_bits(vpl->normal.w), from_vpl(packet, vpl), &useful);
+        sum = sum + SELECT(useful, g * weight, zero);
+    }
+    return sum * (params->roulette / (float)count);
+}
+
 #endif

@@ -192,6 +192,16 @@ typedef struct {
     float4 planes[CONVEX_PLANES];       // unit normal outwards; w: dot product of points with it
 } MediaRecord;
 
+// Irradiance about a place, and how it changes to first order. Gradients are those of Jarosz et al.
+// 2012 in closed form for VPLs; see cache_records.cl.
+typedef struct {
+    float4 position;  // xyz, offset to the lit side; w: how far the record serves, kernel units
+    float4 normal;    // shading normal; w: 1 where something may lie between it and what it serves
+    float4 irradiance;                       // rgb
+    float4 move_red, move_green, move_blue;  // change per kernel unit
+    float4 turn_red, turn_green, turn_blue;  // change with the normal: with n x n', to first order
+} CacheRecord;
+
 // Tiles of the adaptive components, TILE_EDGE pixels square. A bit of a mask is a pixel, row by
 // row; the first word is the upper half.
 #define TILE_EDGE 8
@@ -342,6 +352,9 @@ typedef struct {
     uint interleave;       // edge of the squares of pixels that hold every set once
     uint media_steps;      // places on a view ray where a light's scattered light is looked for
     uint media_adds;       // 1: scattered light is added to what is there
+    float cache_error;     // of irradiance records: relative error that their radius allows
+    uint cache_records;    // how many there are
+    uint pad0, pad1;
 } Params;
 
 #endif

@@ -115,7 +115,7 @@ std::uint64_t rays_of(const Rendering& rendering) {
     return rays;
 }
 
-constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir};
+constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic};
 
 TEST(BackendAgreement, TheSceneShowsAllItShould) {
     const Rendering rendering =

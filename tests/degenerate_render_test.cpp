@@ -17,13 +17,13 @@ using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
 
-constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir};
+constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic};
 
 Camera plain_camera() {
     return test::look_at({0.3, 0.2, 3.0}, {0.0, 0.0, 0.0}, 0.8);
 }
 
-/// Renders on every backend with both algorithms, two frames each, and looks for what is not clean.
+/// Renders on every backend with all of them, two frames each, and looks for what is not clean.
 template <class Check>
 void render_everywhere(const Scene& scene, const Camera& camera, const Check& check) {
     for (const Backend backend : test::backends())

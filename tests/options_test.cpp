@@ -242,7 +242,7 @@ TEST(Options, RefusesBadListsAndNames) {
     for (const char* text : {"direct,direct", ",", "direct,", "fog", "Direct"})
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
     EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
-              "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, path");
+              "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, ic, path");
     EXPECT_EQ(render_refusal({"--backend", "cuda"}),
               "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
     EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);

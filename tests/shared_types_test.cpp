@@ -93,6 +93,7 @@ std::map<std::string, std::size_t> host_sizes() {
             {"DensityGridRecord", sizeof(DensityGridRecord)},
             {"MediumRecord", sizeof(MediumRecord)},
             {"MediaRecord", sizeof(MediaRecord)},
+            {"CacheRecord", sizeof(CacheRecord)},
             {"TileRecord", sizeof(TileRecord)},
             {"RayCounter", sizeof(RayCounter)},
             {"NonfiniteCounter", sizeof(NonfiniteCounter)},

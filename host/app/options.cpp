@@ -26,7 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 5> algorithm_names = {"ais", "amax", "igi", "ir", "path"};
+constexpr std::array<std::string_view, 6> algorithm_names = {"ais", "amax", "igi",
+                                                             "ir",  "ic",   "path"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
@@ -244,6 +245,10 @@ void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
     if (options.algorithm == Algorithm::path && options.components == std::vector{media_alone})
         throw usage_error("--components: path tracing has the light of media in direct, indirect");
     options.compensation = is_given(command, "--vpl-compensation");
+    if (options.compensation && options.algorithm == Algorithm::ic)
+        throw usage_error(
+            "--vpl-compensation: records hold the light of VPLs alone, expected another "
+            "--algorithm");
     if (options.compensation && options.algorithm == Algorithm::path)
         throw usage_error(
             "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");

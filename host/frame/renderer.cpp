@@ -135,6 +135,7 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
     std::copy(plan_.survivors.begin(), plan_.survivors.end(), params.survivors);
     std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), params.first_vpl);
     params.filter_radius = plan_.filter_radius;
+    params.cache_error = static_cast<float>(plan_.cache_error);
     params.edge_samples = plan_.edge_samples;
     params.delta_lights = plan_.punctual_lights;
     params.directional_lights = plan_.directional_lights;

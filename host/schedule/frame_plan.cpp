@@ -86,6 +86,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.media_light = scene.scattering && scene.media_light && lights > 0;
     plan.direct = scene.direct;
     plan.indirect = scene.indirect;
+    plan.cached = algorithm == Algorithm::ic;
+    plan.cache_error = settings.cache_error;
     if (scene.direct || plan.media_light) {
         const bool all_lights =
             scene.area_lights * settings.samples_per_light <= settings.max_samples_per_set;
@@ -102,7 +104,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     if ((scene.indirect || plan.media_light) && lights > 0 && scatters)
         plan_vpls(plan, settings, scene.mean_reflectance);
     plan.adaptive = algorithm == Algorithm::ais;
-    if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
+    if ((plan.adaptive && plan.threshold > 0.0) || plan.cached)
+        plan.roulette = std::max(0.0, settings.roulette);
     plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,

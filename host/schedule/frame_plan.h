@@ -14,7 +14,7 @@
 
 namespace weft {
 
-enum class Algorithm : std::uint8_t { ais, amax, igi, ir, path };
+enum class Algorithm : std::uint8_t { ais, amax, igi, ir, ic, path };
 
 /// What renders where no algorithm is named.
 inline constexpr Algorithm default_algorithm = Algorithm::ais;
@@ -36,9 +36,11 @@ struct SamplingSettings {
     /// Of ais: share of its taps' weight that a pixel needs on its own surface, else it is sampled
     /// more densely.
     double enough_support = 0.4;
-    /// Of ais: VPLs that would add less than this share of what a pixel's VPLs add on average are
-    /// traced by chance, and then count for more.
+    /// Of ais and ic: VPLs that would add less than this share of what a pixel's VPLs add on
+    /// average are traced by chance, and then count for more.
     double roulette = 2.0;
+    /// Of ic: relative error of irradiance at the mean distance that a record serves.
+    double cache_error = 0.1;
     bool compensation = false;  ///< trace what bounds and bounces leave out
     /// Further rays of an edge pixel, of ais and amax; rounded down to an even number, at most
     /// MAX_EDGE_SAMPLES.
@@ -81,6 +83,7 @@ struct FramePlan {
 
     bool direct = false;            ///< surfaces gather the light of lights
     bool indirect = false;          ///< and of VPLs
+    bool cached = false;            ///< that through irradiance records
     bool media = false;             ///< light goes through participating media
     bool media_light = false;       ///< what they scatter to the camera is gathered, too
     std::uint32_t media_steps = 1;  ///< places on a view ray for each light without area
@@ -98,6 +101,7 @@ struct FramePlan {
     double threshold = 0.0;
     double luminance_scale = 100.0;
     double roulette = 0.0;  ///< of VPLs; 0: all are traced
+    double cache_error = 0.0;
 
     double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
     double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound

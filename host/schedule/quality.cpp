@@ -10,11 +10,13 @@ SamplingSettings sampling_of(Quality quality) {
         settings.threshold = 20.0;
         settings.enough_support = 0.3;
         settings.roulette = 4.0;
+        settings.cache_error = 0.2;
     }
     if (quality == Quality::high) {
         settings.threshold = 3.0;
         settings.enough_support = 0.7;
         settings.roulette = 0.5;
+        settings.cache_error = 0.05;
         settings.vpls_per_set = 256;
         settings.samples_per_light = 16;
         settings.max_samples_per_set = 1024;

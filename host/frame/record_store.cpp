@@ -1,0 +1,79 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/record_store.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernels/cache.h"
+
+namespace weft {
+namespace {
+
+constexpr std::size_t least_room = 1024;
+
+struct Bounds {
+    shared::float4 lower, upper;
+};
+
+constexpr float far = std::numeric_limits<float>::max();
+constexpr Bounds no_bounds{{far, far, far, 0.0F}, {-far, -far, -far, 0.0F}};
+
+void grow(Bounds& bounds, const Bounds& other) {
+    bounds.lower.x = std::min(bounds.lower.x, other.lower.x);
+    bounds.lower.y = std::min(bounds.lower.y, other.lower.y);
+    bounds.lower.z = std::min(bounds.lower.z, other.lower.z);
+    bounds.upper.x = std::max(bounds.upper.x, other.upper.x);
+    bounds.upper.y = std::max(bounds.upper.y, other.upper.y);
+    bounds.upper.z = std::max(bounds.upper.z, other.upper.z);
+}
+
+Bounds bounds_of(const shared::CacheRecord& record) {
+    // Rounding must not put a place outside that the kernel finds within the radius.
+    const shared::float4& p = record.position;
+    const float reach = p.w * 1.0001F;
+    return {{p.x - reach, p.y - reach, p.z - reach, 0.0F},
+            {p.x + reach, p.y + reach, p.z + reach, 0.0F}};
+}
+
+/// Bounds of CACHE_GROUP entries at a time.
+std::vector<Bounds> grouped(std::span<const Bounds> entries) {
+    std::vector<Bounds> groups((entries.size() + CACHE_GROUP - 1) / CACHE_GROUP, no_bounds);
+    for (std::size_t i = 0; i < entries.size(); ++i) grow(groups[i / CACHE_GROUP], entries[i]);
+    return groups;
+}
+
+}  // namespace
+
+std::vector<shared::float4> record_boxes(std::span<const shared::CacheRecord> records) {
+    std::vector<Bounds> single;
+    single.reserve(records.size());
+    for (const shared::CacheRecord& record : records) single.push_back(bounds_of(record));
+    const std::vector<Bounds> groups = grouped(single);
+    std::vector<shared::float4> boxes;
+    for (const std::vector<Bounds>& level : {grouped(groups), groups})
+        for (const Bounds& bounds : level) {
+            boxes.push_back(bounds.lower);
+            boxes.push_back(bounds.upper);
+        }
+    return boxes;
+}
+
+RecordStore::RecordStore(Executor& executor) {
+    set(executor, {});
+}
+
+void RecordStore::set(Executor& executor, std::span<const shared::CacheRecord> records) {
+    if (records_ == nullptr || records.size() > room_) {
+        room_ = std::max({least_room, records.size(), 2 * room_});
+        records_ = executor.allocate(room_ * sizeof(shared::CacheRecord), "irradiance records");
+        const std::size_t groups = room_ / CACHE_GROUP + room_ / (CACHE_GROUP * CACHE_GROUP) + 2;
+        boxes_ =
+            executor.allocate(groups * 2 * sizeof(shared::float4), "bounds of irradiance records");
+    }
+    count_ = static_cast<std::uint32_t>(records.size());
+    write_buffer<shared::CacheRecord>(executor, *records_, records);
+    write_buffer<shared::float4>(executor, *boxes_, record_boxes(records));
+}
+
+}  // namespace weft
