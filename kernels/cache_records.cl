@@ -121,10 +121,94 @@ static inline void store_record(const Params* params, const WideLight* light,
 
 /// Adds the curvature of light that falls off as from a point at the distance of a VPL: of VPLs
 /// whose geometry term is bounded, which is flat only up to the edge of a disc, or is another.
-static inline void add_bend(WFloat3 d, WFloat bright, WideChange* change) {
-    WFloat bend = bright * 4.0f / wide_dot(d, d);
+/// `square` is the squared distance, not 0.
+static inline void add_bend(WFloat square, WFloat bright, WideChange* change) {
+    WFloat bend = bright * 4.0f / square;
     change->along = change->along - bend;
     change->across = change->across - bend;
+}
+
+// LANES records in the making.
+typedef struct {
+    ReceiverPacket packet;
+    PacketInside inside;
+    WFloat3 tangent, bitangent;
+    WFloat level;  // see roulette_level
+    WideLight light;
+    WideChange change;
+} RecordPacket;
+
+static inline void begin_records(const Params* params, const Media* media,
+                                 GLOBAL const float* receiver_planes, uint slot,
+                                 RecordPacket* records) {
+    records->packet = load_receivers(params, receiver_planes, slot);
+    records->inside = load_inside(params, media, receiver_planes, records->packet.position, slot);
+    LaneVectors normals = lanes_of(records->packet.shading);
+    LaneVectors tangents;
+    LaneVectors bitangents;
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        float3 t;
+        float3 b;
+        make_basis(lane_vector(&normals, lane), &t, &b);
+        set_lane(&tangents, lane, t);
+        set_lane(&bitangents, lane, b);
+    }
+    records->tangent = wide_of(&tangents);
+    records->bitangent = wide_of(&bitangents);
+    records->level = WIDE(0.0f);
+    records->light = no_light();
+    records->change = no_change();
+}
+
+/// Adds a VPL, the `number`th. Returns how many rays it took.
+static inline uint add_vpl(const Params* params, Scene scene, const Media* media,
+                           GLOBAL const Vpl* vpl, uint number, RecordPacket* records) {
+    float3 flux = xyz(vpl->flux);
+    float bright = luminance(flux);
+    if (!(max_component(flux) > 0.0f)) return 0u;
+    WFloat zero = WIDE(0.0f);
+    WFloat one = WIDE(1.0f);
+    WFloat3 d = from_vpl(&records->packet, vpl);
+    uint kind = as_bits(vpl->normal.w);
+    WMask useful;
+    WFloat g = connection(&records->packet, vpl, kind, d, &useful);
+    WFloat times = one;
+    if (params->roulette > 0.0f) {
+        // As in vpl_gather.cl; derivatives grow by the same share.
+        WFloat least = records->level / bright;
+        useful = useful & (g >= least * vpl->flux.w);
+        times = SELECT(g < least, least / g, times);
+    }
+    if (!mask_any(useful)) return 0u;
+    uint rays = mask_count(useful);
+    WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
+    // Lanes without use may be anywhere, even at the VPL.
+    d = wide_vector(SELECT(useful, d.x, one), SELECT(useful, d.y, zero), SELECT(useful, d.z, zero));
+    g = SELECT(useful, g, zero);
+    WFloat gain = SELECT(useful, g * times * bright, zero);
+    WideChange* change = &records->change;
+    change->all = change->all + gain;
+    useful = useful & mask_not(blocked);
+    if (!mask_any(useful)) return rays;
+    gain = SELECT(useful, gain, zero);
+    change->seen = change->seen + gain;
+    // Of geometry term 1, then of theirs.
+    WideLight part = no_light();
+    add_connection(params, media, &records->packet, &records->inside, xyz(vpl->position), vpl->flux,
+                   SELECT(useful, times, zero), d, number, useful, &part);
+    records->light.red = records->light.red + part.red * g;
+    records->light.green = records->light.green + part.green * g;
+    records->light.blue = records->light.blue + part.blue * g;
+    WMask free = useful & (g < WIDE(vpl->position.w));
+    if (kind != VPL_SURFACE) free = mask_of(0u);
+    add_bend(wide_dot(d, d), SELECT(free, zero, gain), change);
+    if (!mask_any(free)) return rays;
+    part.red = SELECT(free, part.red, zero);
+    part.green = SELECT(free, part.green, zero);
+    part.blue = SELECT(free, part.blue, zero);
+    add_change(&records->packet, xyz(vpl->normal), d, records->tangent, records->bitangent, &part,
+               change);
+    return rays;
 }
 
 /// Radius by error and by the share of light that is seen, before pixels have a say.
@@ -179,6 +263,27 @@ static inline int is_guarded(Scene scene, float3 position, float3 normal, float 
     return 0;
 }
 
+/// Holds radii to what pixels want, and looks for what may lie in the way.
+static inline void finish_records(const Params* params, Scene scene, const RecordPacket* packet,
+                                  GLOBAL const uint* slot_pixel, GLOBAL const float4* gb_position,
+                                  GLOBAL const float4* gb_normal, uint slot,
+                                  GLOBAL float* records) {
+    LaneVectors normals = lanes_of(packet->packet.shading);
+    LaneVectors places = lanes_of(packet->packet.position);
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        GLOBAL float* radius = records + RECORD_RADIUS * params->slots + slot + lane;
+        GLOBAL float* guarded = records + RECORD_GUARDED * params->slots + slot + lane;
+        uint pixel = slot_pixel[slot + lane];
+        *guarded = 0.0f;
+        if (pixel == NO_TRIANGLE) continue;
+        float across = gb_position[pixel].w * params->pixel_angle;
+        float width = square_root(gb_normal[pixel].w * across);
+        *radius = m_clamp(*radius, across, MOST_PIXELS * width);
+        float3 place = lane_vector(&places, lane);
+        if (is_guarded(scene, place, lane_vector(&normals, lane), *radius) != 0) *guarded = 1.0f;
+    }
+}
+
 WEFT_KERNEL(cache_records)
 (PARAMS, SCENE_ARGS, MEDIA_ARGS, GBUFFER_ARGS, GLOBAL const float* receiver_planes,
  GLOBAL const uint* slot_pixel, GLOBAL const Vpl* vpls, GLOBAL float* records,
@@ -187,89 +292,18 @@ WEFT_KERNEL(cache_records)
     uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
-    ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
-    LaneVectors normals = lanes_of(packet.shading);
-    LaneVectors places = lanes_of(packet.position);
-    LaneVectors tangents;
-    LaneVectors bitangents;
-    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-        float3 t;
-        float3 b;
-        make_basis(lane_vector(&normals, lane), &t, &b);
-        set_lane(&tangents, lane, t);
-        set_lane(&bitangents, lane, b);
-    }
-    WFloat3 tangent = wide_of(&tangents);
-    WFloat3 bitangent = wide_of(&bitangents);
-    WideLight light = no_light();
-    WideChange change = no_change();
-    WFloat zero = WIDE(0.0f);
-    uint rays = 0u;
-    uint count = mask_any(packet.valid) ? params.list_length : 0u;
+    RecordPacket made;
+    begin_records(&params, &through, receiver_planes, slot, &made);
     GLOBAL const Vpl* vpl = vpls + params.list_first;
-    WFloat level = WIDE(0.0f);
-    if (params.roulette > 0.0f && count > 0u) level = roulette_level(&params, &packet, vpl, count);
-    for (uint i = 0u; i < count; ++i, ++vpl) {
-        float3 flux = xyz(vpl->flux);
-        float bright = luminance(flux);
-        if (!(max_component(flux) > 0.0f)) continue;
-        WFloat3 d = from_vpl(&packet, vpl);
-        WMask useful;
-        uint kind = as_bits(vpl->normal.w);
-        WFloat g = connection(&packet, vpl, kind, d, &useful);
-        WFloat times = WIDE(1.0f);
-        if (params.roulette > 0.0f) {
-            // As in vpl_gather.cl; derivatives grow by the same share.
-            WFloat least = level / bright;
-            useful = useful & (g >= least * vpl->flux.w);
-            times = SELECT(g < least, least / g, times);
-            times = SELECT(useful, times, zero);
-        }
-        if (!mask_any(useful)) continue;
-        rays += mask_count(useful);
-        WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
-        change.all = change.all + SELECT(useful, g * times * bright, zero);
-        useful = useful & mask_not(blocked);
-        if (!mask_any(useful)) continue;
-        change.seen = change.seen + SELECT(useful, g * times * bright, zero);
-        // Of geometry term 1, then of theirs.
-        WideLight part = no_light();
-        add_connection(&params, &through, &packet, &inside, xyz(vpl->position), vpl->flux,
-                       WIDE(1.0f), d, i, useful, &part);
-        part.red = part.red * times;
-        part.green = part.green * times;
-        part.blue = part.blue * times;
-        light.red = light.red + part.red * g;
-        light.green = light.green + part.green * g;
-        light.blue = light.blue + part.blue * g;
-        WMask free = useful & (g < WIDE(vpl->position.w));
-        if (kind != VPL_SURFACE) free = mask_of(0u);
-        add_bend(d, SELECT(useful & mask_not(free), g * times * bright, zero), &change);
-        if (!mask_any(free)) continue;
-        part.red = SELECT(free, part.red, zero);
-        part.green = SELECT(free, part.green, zero);
-        part.blue = SELECT(free, part.blue, zero);
-        WFloat3 apart = wide_vector(SELECT(free, d.x, WIDE(1.0f)), SELECT(free, d.y, zero),
-                                    SELECT(free, d.z, zero));
-        add_change(&packet, xyz(vpl->normal), apart, tangent, bitangent, &part, &change);
-    }
+    uint count = mask_any(made.packet.valid) ? params.list_length : 0u;
+    if (params.roulette > 0.0f && count > 0u)
+        made.level = roulette_level(&params, &made.packet, vpl, count);
+    uint rays = 0u;
+    for (uint i = 0u; i < count; ++i) rays += add_vpl(&params, scene, &through, vpl + i, i, &made);
     count_rays(counters + params.counter, rays);
-    store_record(&params, &light, &change, slot, records);
-    WFloat bright = wide_luminance(light.red, light.green, light.blue);
-    wide_store(error_radius(&params, &change, tangent, bitangent, bright), records,
+    store_record(&params, &made.light, &made.change, slot, records);
+    WFloat bright = wide_luminance(made.light.red, made.light.green, made.light.blue);
+    wide_store(error_radius(&params, &made.change, made.tangent, made.bitangent, bright), records,
                RECORD_RADIUS * params.slots + slot);
-    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-        GLOBAL float* radius = records + RECORD_RADIUS * params.slots + slot + lane;
-        GLOBAL float* guarded = records + RECORD_GUARDED * params.slots + slot + lane;
-        uint pixel = slot_pixel[slot + lane];
-        *guarded = 0.0f;
-        if (pixel == NO_TRIANGLE) continue;
-        float across = gb_position[pixel].w * params.pixel_angle;
-        float width = square_root(gb_normal[pixel].w * across);
-        *radius = m_clamp(*radius, across, MOST_PIXELS * width);
-        if (is_guarded(scene, lane_vector(&places, lane), lane_vector(&normals, lane), *radius) !=
-            0)
-            *guarded = 1.0f;
-    }
+    finish_records(&params, scene, &made, slot_pixel, gb_position, gb_normal, slot, records);
 }
