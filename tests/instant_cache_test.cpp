@@ -76,6 +76,24 @@ TEST(InstantCache, ApproachesTheGatheringOfAllVplsByEveryPixel) {
     }
 }
 
+TEST(InstantCache, AdaptiveSamplingMayTakeIndirectLightFromIt) {
+    // Indirect light is then that of `ic`, bit for bit; edges are left as they are, and direct
+    // light stays adaptive.
+    const Scene scene = furnished_box();
+    for (const Backend backend : test::backends()) {
+        RenderSettings alone = settings_of(Algorithm::ic, 97, 70);
+        RenderSettings source = settings_of(Algorithm::ais, 97, 70);
+        source.sampling.cached = true;
+        source.sampling.edge_samples = 0;
+        alone.direct = source.direct = true;
+        const Rendering a = test::render(backend, scene, front_camera(), alone);
+        const Rendering b = test::render(backend, scene, front_camera(), source);
+        EXPECT_EQ(a.layer("indirect"), b.layer("indirect")) << test::backend_name(backend);
+        ASSERT_EQ(b.stats.back().levels.size(), 1U);
+        EXPECT_EQ(std::string(b.stats.back().levels.front().component), "direct");
+    }
+}
+
 TEST(InstantCache, EveryPixelThatReflectsHasLight) {
     const Scene scene = furnished_box();
     const Rendering cached =

@@ -282,10 +282,28 @@ TEST(Options, PathTracing) {
     EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "./box.exr"}), "no failure");
 }
 
+TEST(Options, IndirectLightMayComeFromRecords) {
+    EXPECT_FALSE(render({}).caches_indirect());
+    EXPECT_TRUE(render({"--algorithm", "ic"}).caches_indirect());
+    EXPECT_TRUE(render({"--indirect", "ic"}).caches_indirect());
+    EXPECT_FALSE(render({"--algorithm", "amax", "--indirect", "vpl"}).caches_indirect());
+    for (const char* const name : {"igi", "ir", "ic", "path"})
+        EXPECT_EQ(render_refusal({"--algorithm", name, "--indirect", "ic"}),
+                  "--indirect: is for adaptive sampling, expected --algorithm ais or amax");
+    EXPECT_EQ(render_refusal({"--indirect", "cache"}),
+              "--indirect: 'cache' is not valid, expected one of vpl, ic");
+    EXPECT_EQ(options_json(render({}))["indirect"], "vpl");
+    EXPECT_EQ(options_json(render({"--indirect", "ic"}))["indirect"], "ic");
+}
+
 TEST(Options, CompensationIsForVirtualLights) {
     EXPECT_FALSE(render({}).compensation);
     EXPECT_TRUE(render({"--vpl-compensation"}).compensation);
     EXPECT_TRUE(render({"--algorithm", "ir", "--vpl-compensation"}).compensation);
+    EXPECT_NE(render_refusal({"--vpl-compensation", "--algorithm", "ic"}).find("records"),
+              std::string::npos);
+    EXPECT_NE(render_refusal({"--vpl-compensation", "--indirect", "ic"}).find("records"),
+              std::string::npos);
     EXPECT_EQ(
         render_refusal({"--vpl-compensation", "--algorithm", "path"}).find("--vpl-compensation: "),
         0u);

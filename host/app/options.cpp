@@ -11,6 +11,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/algorithm_options.h"
 #include "app/command_line.h"
 #include "app/compare_options.h"
 #include "app/merge_options.h"
@@ -26,16 +27,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 6> algorithm_names = {"ais", "amax", "igi",
-                                                             "ir",  "ic",   "path"};
-constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
-constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 constexpr std::array<std::string_view, 5> command_names = {"render", "merge", "compare", "info",
                                                            "devices"};
 constexpr double max_exposure_ev = 100.0;
-const std::string media_alone = "media";
 
 void add_render(CLI::App& app) {
     CLI::App& render = add_command(app, "render", "Renders a scene to an EXR or PNG file");
@@ -44,13 +40,7 @@ void add_render(CLI::App& app) {
     add_value(render, "-o,--output", "FILE",
               "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
-    add_value(render, "--algorithm", "NAME",
-              fmt::format("ais, amax, igi, ir or path, the reference (default: {})",
-                          to_string(default_algorithm)));
-    add_flag(render, "--vpl-compensation",
-             "Adds by path tracing what virtual lights leave out (not with path)");
-    add_value(render, "--quality", "NAME",
-              "draft, preview or high: how much time the picture is worth (default: preview)");
+    add_algorithm(render);
     add_value(
         render, "--backend", "NAME",
         "opencl, embree, or native: as embree, but tracing with Weft's own BVH (default: opencl "
@@ -204,64 +194,6 @@ void read_sampling(const CLI::App& command, RenderOptions& options) {
         options.seed = parse_unsigned("--seed", *text, 0, max_uint);
 }
 
-/// What only some algorithms know; after everything else has been read.
-void read_of_algorithms(const CLI::App& command, RenderOptions& options) {
-    constexpr double least_error = 1e-9;
-    for (const char* const name : {"--samples", "--target-error", "--resume", "--pixel-filter"})
-        if (value_of(command, name) && options.algorithm != Algorithm::path)
-            throw usage_error(std::string(name) +
-                              ": is for path tracing, expected it together "
-                              "with --algorithm path");
-    if (const auto text = value_of(command, "--samples")) {
-        options.samples = parse_range("--samples", *text);
-        if (options.spp) throw usage_error("--samples: says what --spp says, expected one of them");
-        if (options.output.extension() != ".exr")
-            throw usage_error(
-                "--samples: needs a file that holds sums, expected an .exr file as "
-                "--output");
-    }
-    if (const auto text = value_of(command, "--target-error"))
-        options.target_error = parse_number("--target-error", *text, least_error, 1.0);
-    if (const auto text = value_of(command, "--resume")) {
-        options.resume = *text;
-        if (options.resume->extension() != ".exr")
-            throw usage_error("--resume: unknown file type " + quote(*text) +
-                              ", expected an .exr file");
-        for (const fs::path& other : {options.output, options.scene})
-            if (options.resume->lexically_normal() == other.lexically_normal())
-                throw usage_error("--resume: names the same file as " +
-                                  std::string(other == options.scene ? "the scene" : "--output"));
-    }
-    if (const auto text = value_of(command, "--pixel-filter"))
-        options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;
-    if (options.frame_seconds && options.algorithm != Algorithm::ais)
-        throw usage_error("--frame-time: is for adaptive sampling, expected --algorithm ais");
-    if (options.algorithm == Algorithm::path && options.components)
-        for (const std::string_view name : choosable_components(Choice::on_request))
-            if (options.names_component(name))
-                throw usage_error(
-                    fmt::format("--components: path tracing has no {}, expected {}", name,
-                                fmt::join(choosable_components(Choice::by_default), ", ")));
-    if (options.algorithm == Algorithm::path && options.components == std::vector{media_alone})
-        throw usage_error("--components: path tracing has the light of media in direct, indirect");
-    options.compensation = is_given(command, "--vpl-compensation");
-    if (options.compensation && options.algorithm == Algorithm::ic)
-        throw usage_error(
-            "--vpl-compensation: records hold the light of VPLs alone, expected another "
-            "--algorithm");
-    if (options.compensation && options.algorithm == Algorithm::path)
-        throw usage_error(
-            "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
-    if (const auto text = value_of(command, "--quality")) {
-        options.quality = static_cast<Quality>(parse_name("--quality", *text, quality_names));
-        if (options.algorithm == Algorithm::path)
-            throw usage_error(
-                "--quality: is for virtual lights, expected --spp, --time or --target-error of "
-                "path "
-                "tracing");
-    }
-}
-
 void read_picture(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--size")) options.size = parse_size("--size", *text);
     options.camera = value_of(command, "--camera");
@@ -280,15 +212,12 @@ void read_picture(const CLI::App& command, RenderOptions& options) {
 RenderOptions read_render(const CLI::App& command) {
     RenderOptions options;
     options.scene = *value_of(command, "SCENE");
-    if (const auto text = value_of(command, "--algorithm"))
-        options.algorithm =
-            static_cast<Algorithm>(parse_name("--algorithm", *text, algorithm_names));
     if (const auto text = value_of(command, "--backend"))
         options.backend = static_cast<Backend>(parse_name("--backend", *text, backend_names));
     if (const auto text = value_of(command, "--device")) options.device = checked_device(*text);
     read_sampling(command, options);
     read_picture(command, options);
-    read_of_algorithms(command, options);
+    read_algorithm(command, options);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
     if (const auto text = value_of(command, "--progress"))
         options.progress =
@@ -314,10 +243,6 @@ nlohmann::json json_or_null(const std::optional<Value>& value) {
 }
 
 }  // namespace
-
-std::string_view to_string(Algorithm algorithm) {
-    return algorithm_names.at(static_cast<std::size_t>(algorithm));
-}
 
 std::string_view to_string(Backend backend) {
     return backend_names.at(static_cast<std::size_t>(backend));
@@ -382,9 +307,10 @@ nlohmann::json options_json(const RenderOptions& options) {
     if (options.samples) json["samples"] = {options.samples->first, options.samples->end};
     json["target_error"] = json_or_null(options.target_error);
     json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
-    json["quality"] = quality_names.at(static_cast<std::size_t>(options.quality));
+    json["quality"] = to_string(options.quality);
+    json["indirect"] = to_string(options.indirect);
     json["vpl_compensation"] = options.compensation;
-    json["pixel_filter"] = filter_names.at(options.through_centres ? 1 : 0);
+    json["pixel_filter"] = options.through_centres ? "centre" : "box";
     json["time"] = json_or_null(options.time_seconds);
     json["frame_time"] = json_or_null(options.frame_seconds);
     json["seed"] = options.seed;

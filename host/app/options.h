@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
+#include "app/algorithm_options.h"
 #include "app/frame_options.h"
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "frame/film_sums.h"
-#include "schedule/quality.h"
 
 namespace weft {
 
@@ -24,8 +24,6 @@ namespace weft {
 /// build tracing with Weft's own BVH.
 enum class Backend { opencl, embree, native };
 
-/// The name the command line uses.
-[[nodiscard]] std::string_view to_string(Algorithm algorithm);
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(Backend backend);
 /// The name the command line uses.
@@ -37,7 +35,8 @@ struct RenderOptions {
     std::filesystem::path output;  ///< ends in .exr or .png, in any case
     Algorithm algorithm = default_algorithm;
     Quality quality = Quality::preview;
-    bool compensation = false;  ///< of igi and ir
+    IndirectSource indirect = IndirectSource::vpl;  ///< of ais and amax
+    bool compensation = false;                      ///< of all that gather VPLs by pixels
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
     std::optional<std::uint32_t> threads;  ///< 1 and up
@@ -62,6 +61,10 @@ struct RenderOptions {
 
     /// Whether --components is given and lists this one.
     [[nodiscard]] bool names_component(std::string_view name) const;
+    /// Whether indirect light comes from irradiance records.
+    [[nodiscard]] bool caches_indirect() const {
+        return algorithm == Algorithm::ic || indirect == IndirectSource::ic;
+    }
 };
 
 /// `weft info`.

@@ -40,6 +40,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.seed = options.seed;
     settings.sampling = sampling_of(options.quality);
     settings.sampling.compensation = options.compensation;
+    settings.sampling.cached = options.caches_indirect();
     settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
     // How many samples a time limit allows is not known before; textures stay sharp for many.
     constexpr std::uint32_t timed_samples = 16;

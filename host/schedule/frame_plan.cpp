@@ -86,7 +86,7 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.media_light = scene.scattering && scene.media_light && lights > 0;
     plan.direct = scene.direct;
     plan.indirect = scene.indirect;
-    plan.cached = algorithm == Algorithm::ic;
+    plan.cached = algorithm == Algorithm::ic || settings.cached;
     plan.cache_error = settings.cache_error;
     if (scene.direct || plan.media_light) {
         const bool all_lights =

@@ -39,7 +39,8 @@ struct SamplingSettings {
     /// Of ais and ic: VPLs that would add less than this share of what a pixel's VPLs add on
     /// average are traced by chance, and then count for more.
     double roulette = 2.0;
-    /// Of ic: relative error of irradiance at the mean distance that a record serves.
+    bool cached = false;  ///< indirect light from irradiance records, as ic always has it
+    /// Of those: relative error of irradiance at the mean distance that a record serves.
     double cache_error = 0.1;
     bool compensation = false;  ///< trace what bounds and bounces leave out
     /// Further rays of an edge pixel, of ais and amax; rounded down to an even number, at most

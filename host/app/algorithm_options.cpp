@@ -1,0 +1,138 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/algorithm_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/options.h"
+#include "app/parse_values.h"
+#include "base/error.h"
+#include "base/quote.h"
+#include "components/component.h"
+
+namespace weft {
+namespace {
+
+// In the order of the enumerations.
+constexpr std::array<std::string_view, 6> algorithm_names = {"ais", "amax", "igi",
+                                                             "ir",  "ic",   "path"};
+constexpr std::array<std::string_view, 2> source_names = {"vpl", "ic"};
+constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
+constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
+const std::string media_alone = "media";
+
+/// What only path tracing knows.
+void read_path(const CLI::App& command, RenderOptions& options) {
+    namespace fs = std::filesystem;
+    constexpr double least_error = 1e-9;
+    for (const char* const name : {"--samples", "--target-error", "--resume", "--pixel-filter"})
+        if (value_of(command, name) && options.algorithm != Algorithm::path)
+            throw usage_error(std::string(name) +
+                              ": is for path tracing, expected it together "
+                              "with --algorithm path");
+    if (const auto text = value_of(command, "--samples")) {
+        options.samples = parse_range("--samples", *text);
+        if (options.spp) throw usage_error("--samples: says what --spp says, expected one of them");
+        if (options.output.extension() != ".exr")
+            throw usage_error(
+                "--samples: needs a file that holds sums, expected an .exr file as "
+                "--output");
+    }
+    if (const auto text = value_of(command, "--target-error"))
+        options.target_error = parse_number("--target-error", *text, least_error, 1.0);
+    if (const auto text = value_of(command, "--resume")) {
+        options.resume = *text;
+        if (options.resume->extension() != ".exr")
+            throw usage_error("--resume: unknown file type " + quote(*text) +
+                              ", expected an .exr file");
+        for (const fs::path& other : {options.output, options.scene})
+            if (options.resume->lexically_normal() == other.lexically_normal())
+                throw usage_error("--resume: names the same file as " +
+                                  std::string(other == options.scene ? "the scene" : "--output"));
+    }
+    if (const auto text = value_of(command, "--pixel-filter"))
+        options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;
+}
+
+/// What path tracing has no layers of.
+void check_components(const RenderOptions& options) {
+    if (options.algorithm != Algorithm::path) return;
+    if (options.components)
+        for (const std::string_view name : choosable_components(Choice::on_request))
+            if (options.names_component(name))
+                throw usage_error(
+                    fmt::format("--components: path tracing has no {}, expected {}", name,
+                                fmt::join(choosable_components(Choice::by_default), ", ")));
+    if (options.components == std::vector{media_alone})
+        throw usage_error("--components: path tracing has the light of media in direct, indirect");
+}
+
+void read_indirect(const CLI::App& command, RenderOptions& options) {
+    const auto text = value_of(command, "--indirect");
+    if (!text) return;
+    options.indirect = static_cast<IndirectSource>(parse_name("--indirect", *text, source_names));
+    if (options.algorithm != Algorithm::ais && options.algorithm != Algorithm::amax)
+        throw usage_error("--indirect: is for adaptive sampling, expected --algorithm ais or amax");
+}
+
+}  // namespace
+
+std::string_view to_string(Algorithm algorithm) {
+    return algorithm_names.at(static_cast<std::size_t>(algorithm));
+}
+
+std::string_view to_string(IndirectSource source) {
+    return source_names.at(static_cast<std::size_t>(source));
+}
+
+std::string_view to_string(Quality quality) {
+    return quality_names.at(static_cast<std::size_t>(quality));
+}
+
+void add_algorithm(CLI::App& render) {
+    add_value(render, "--algorithm", "NAME",
+              fmt::format("ais, amax, igi, ir, ic or path, the reference (default: {})",
+                          to_string(default_algorithm)));
+    add_value(render, "--indirect", "NAME",
+              "Of ais and amax: indirect light from vpl, or from the records of ic (default: vpl)");
+    add_flag(render, "--vpl-compensation",
+             "Adds by path tracing what virtual lights leave out (not with path or ic)");
+    add_value(render, "--quality", "NAME",
+              "draft, preview or high: how much time the picture is worth (default: preview)");
+}
+
+void read_algorithm(const CLI::App& command, RenderOptions& options) {
+    if (const auto text = value_of(command, "--algorithm"))
+        options.algorithm =
+            static_cast<Algorithm>(parse_name("--algorithm", *text, algorithm_names));
+    read_path(command, options);
+    if (options.frame_seconds && options.algorithm != Algorithm::ais)
+        throw usage_error("--frame-time: is for adaptive sampling, expected --algorithm ais");
+    check_components(options);
+    read_indirect(command, options);
+    options.compensation = is_given(command, "--vpl-compensation");
+    if (options.compensation && options.caches_indirect())
+        throw usage_error(
+            "--vpl-compensation: records hold the light of VPLs alone, expected another "
+            "--algorithm and --indirect vpl");
+    if (options.compensation && options.algorithm == Algorithm::path)
+        throw usage_error(
+            "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
+    if (const auto text = value_of(command, "--quality")) {
+        options.quality = static_cast<Quality>(parse_name("--quality", *text, quality_names));
+        if (options.algorithm == Algorithm::path)
+            throw usage_error(
+                "--quality: is for virtual lights, expected --spp, --time or --target-error of "
+                "path "
+                "tracing");
+    }
+}
+
+}  // namespace weft

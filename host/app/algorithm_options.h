@@ -1,0 +1,39 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_ALGORITHM_OPTIONS_H
+#define WEFT_APP_ALGORITHM_OPTIONS_H
+
+#include <cstdint>
+#include <string_view>
+
+#include "schedule/frame_plan.h"
+#include "schedule/quality.h"
+
+namespace CLI {
+class App;
+}
+
+namespace weft {
+
+struct RenderOptions;
+
+/// Where adaptive sampling takes indirect light from.
+enum class IndirectSource : std::uint8_t { vpl, ic };
+
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(Algorithm algorithm);
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(IndirectSource source);
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(Quality quality);
+
+/// Adds the options that choose what `weft render` computes.
+void add_algorithm(CLI::App& render);
+
+/// Reads them and what only some algorithms know, after all other options but those of frames.
+/// Throws Error (exit code 1).
+void read_algorithm(const CLI::App& command, RenderOptions& options);
+
+}  // namespace weft
+
+#endif
