@@ -12,7 +12,8 @@
 #define RECORD_TURN 12u  // and over turns of the normal, likewise
 #define RECORD_RADIUS 21u
 #define RECORD_GUARDED 22u
-#define RECORD_PLANES 23u
+#define RECORD_PLACE 23u  // x, y, z on its surface
+#define RECORD_PLANES 26u
 
 // Records that follow one another make a group, and so do groups.
 #define CACHE_GROUP 16u

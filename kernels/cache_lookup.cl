@@ -75,7 +75,7 @@ static inline NFloat row_weights(const Params* params, const SurfaceRow* row,
 static inline void weigh_seen(const Params* params, Scene scene, const TileWindow* window,
                               const CacheRecord* record, float weights[TILE_EDGE][TILE_EDGE],
                               uint* rays) {
-    float3 from = xyz(record->position);
+    float3 from = xyz(record->origin);
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
         for (uint first = 0u; first < (uint)TILE_EDGE; first += (uint)LANES) {
             LaneVectors ways;

@@ -276,11 +276,16 @@ static inline void finish_records(const Params* params, Scene scene, const Recor
         uint pixel = slot_pixel[slot + lane];
         *guarded = 0.0f;
         if (pixel == NO_TRIANGLE) continue;
-        float across = gb_position[pixel].w * params->pixel_angle;
+        float4 at = gb_position[pixel];
+        float across = at.w * params->pixel_angle;
         float width = square_root(gb_normal[pixel].w * across);
         *radius = m_clamp(*radius, across, MOST_PIXELS * width);
-        float3 place = lane_vector(&places, lane);
-        if (is_guarded(scene, place, lane_vector(&normals, lane), *radius) != 0) *guarded = 1.0f;
+        GLOBAL float* place = records + RECORD_PLACE * params->slots + slot + lane;
+        place[0] = at.x;
+        place[params->slots] = at.y;
+        place[2u * params->slots] = at.z;
+        float3 origin = lane_vector(&places, lane);
+        if (is_guarded(scene, origin, lane_vector(&normals, lane), *radius) != 0) *guarded = 1.0f;
     }
 }
 

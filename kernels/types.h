@@ -195,7 +195,8 @@ typedef struct {
 // Irradiance about a place, and how it changes to first order. Gradients are those of Jarosz et al.
 // 2012 in closed form for VPLs; see cache_records.cl.
 typedef struct {
-    float4 position;  // xyz, offset to the lit side; w: how far the record serves, kernel units
+    float4 position;  // xyz; w: how far the record serves, kernel units
+    float4 origin;    // where its rays start: xyz, moved off its surface
     float4 normal;    // shading normal; w: 1 where something may lie between it and what it serves
     float4 irradiance;                       // rgb
     float4 move_red, move_green, move_blue;  // change per kernel unit

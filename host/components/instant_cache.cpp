@@ -148,7 +148,7 @@ void InstantCache::store(FrameContext& frame, const WorkList& list) {
                                   places[(i + 2) * count + slot], w};
         };
         records.push_back(
-            {place(RECEIVER_X, plane(RECORD_RADIUS)),
+            {three(RECORD_PLACE, plane(RECORD_RADIUS)), place(RECEIVER_X, 0.0F),
              place(RECEIVER_SHADING_X, plane(RECORD_GUARDED)), three(RECORD_LIGHT, 0.0F),
              three(RECORD_MOVE, 0.0F), three(RECORD_MOVE + 3, 0.0F), three(RECORD_MOVE + 6, 0.0F),
              three(RECORD_TURN, 0.0F), three(RECORD_TURN + 3, 0.0F), three(RECORD_TURN + 6, 0.0F)});
