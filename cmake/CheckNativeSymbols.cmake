@@ -13,8 +13,10 @@ foreach(object IN LISTS OBJECTS)
     COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "[^\n]+" lines "${symbols}")
   foreach(line IN LISTS lines)
-    # Personality routine references are weak data that any variant may provide.
-    if(NOT line MATCHES "weft_native_" AND NOT line MATCHES "DW\\.ref\\.")
+    # Weak data that any variant may provide: references to personality routines, and information
+    # about types, which clang++ writes for the sanitizer of undefined behaviour.
+    if(NOT line MATCHES "weft_native_" AND NOT line MATCHES "DW\\.ref\\."
+       AND NOT line MATCHES " V _ZT[IS]")
       message(SEND_ERROR "${object} defines a symbol that other code shares: ${line}")
     endif()
   endforeach()
