@@ -192,8 +192,7 @@ typedef struct {
     float4 planes[CONVEX_PLANES];       // unit normal outwards; w: dot product of points with it
 } MediaRecord;
 
-// Irradiance about a place, and how it changes to first order. Gradients are those of Jarosz et al.
-// 2012 in closed form for VPLs; see cache_records.cl.
+// Irradiance about a place, and how it changes to first order; see cache_records.cl.
 typedef struct {
     float4 position;  // xyz; w: how far the record serves, kernel units
     float4 origin;    // where its rays start: xyz, moved off its surface

@@ -32,7 +32,8 @@ ComponentNeeds needs(const FramePlan&) {
 
 /// Instant Caching (Debattista et al. 2009): diffuse interreflection from irradiance records, each
 /// of which has gathered all VPLs of the frame. Records are placed in rounds: all pixels look up
-/// what there is, and where they lack light, a few of them become records, the rarest first.
+/// what there is, and where they lack light, a few of them become records, ever closer to each
+/// other.
 class InstantCache : public Component {
   public:
     explicit InstantCache(const ComponentInputs& inputs);
@@ -115,7 +116,7 @@ void InstantCache::make_records(FrameContext& frame, const std::vector<std::uint
     frame.params.list_first = 0;
     frame.params.list_length = frame.plan.sets * frame.plan.vpls_per_set;
     const float roulette_before =
-        std::exchange(frame.params.roulette, static_cast<float>(frame.plan.roulette));
+        std::exchange(frame.params.roulette, static_cast<float>(frame.plan.cache_roulette));
     std::vector<Buffer*> arguments = with_media(frame.buffers, {});
     for (Buffer* const buffer : with_gbuffer(
              frame.buffers.gbuffer, {receivers_.get(), slot_pixel_.get(), frame.buffers.vpls.get(),

@@ -104,8 +104,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     if ((scene.indirect || plan.media_light) && lights > 0 && scatters)
         plan_vpls(plan, settings, scene.mean_reflectance);
     plan.adaptive = algorithm == Algorithm::ais;
-    if ((plan.adaptive && plan.threshold > 0.0) || plan.cached)
-        plan.roulette = std::max(0.0, settings.roulette);
+    if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
+    if (plan.cached) plan.cache_roulette = std::max(0.0, settings.roulette);
     plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,

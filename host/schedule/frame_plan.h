@@ -103,6 +103,7 @@ struct FramePlan {
     double luminance_scale = 100.0;
     double roulette = 0.0;  ///< of VPLs; 0: all are traced
     double cache_error = 0.0;
+    double cache_roulette = 0.0;  ///< as roulette, of records
 
     double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
     double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound
