@@ -136,8 +136,9 @@ static inline void add_row(const SurfaceRow* row, const CacheRecord* record, NFl
     node_store(node_load(tile->weight[y]) + weight, tile->weight[y]);
 }
 
-static inline void add_record(const Params* params, Scene scene, const CacheRecord* record,
-                              CachedTile* tile, uint* rays) {
+/// Returns 0 where the record serves none of the pixels.
+static inline int add_record(const Params* params, Scene scene, const CacheRecord* record,
+                             CachedTile* tile, uint* rays) {
     float weights[TILE_EDGE][TILE_EDGE];
     uint any = 0u;
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
@@ -150,13 +151,14 @@ static inline void add_record(const Params* params, Scene scene, const CacheReco
         any |= node_mask_bits(weight > NODE(0.0f)) != 0u ? 1u << y : 0u;
         node_store(weight, weights[y]);
     }
-    if (any == 0u) return;
+    if (any == 0u) return 0;
     if (record->normal.w > 0.0f) weigh_seen(params, scene, &tile->window, record, weights, rays);
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
         if ((any >> y & 1u) == 0u) continue;
         SurfaceRow row = surface_row(&tile->window, y);
         add_row(&row, record, node_load(weights[y]), y, tile);
     }
+    return 1;
 }
 
 /// What earlier launches have found for the tile.
@@ -191,8 +193,8 @@ static inline void store_means_of(const Params* params, const CachedTile* tile, 
 
 WEFT_KERNEL(cache_lookup)
 (PARAMS, SCENE_ARGS, GBUFFER_ARGS, GLOBAL const float4* tile_boxes,
- GLOBAL const CacheRecord* records, GLOBAL const float4* boxes, GLOBAL float4* filtered,
- GLOBAL uint* missing, GLOBAL RayCounter* counters) {
+ GLOBAL const CacheRecord* records, GLOBAL const float4* boxes, GLOBAL uint* used,
+ GLOBAL float4* filtered, GLOBAL uint* missing, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
     uint number = params.first + GLOBAL_ID;
     uint columns = tile_columns(&params);
@@ -226,7 +228,9 @@ WEFT_KERNEL(cache_lookup)
                     tile.loaded = 1;
                 }
                 CacheRecord record = records[i];
-                add_record(&params, scene, &record, &tile, &rays);
+                if (add_record(&params, scene, &record, &tile, &rays) != 0 &&
+                    HAS(&params, FEATURE_TEMPORAL))
+                    used[i] = 1u;
             }
         }
     }

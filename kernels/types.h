@@ -32,6 +32,7 @@
 #define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
 #define FEATURE_EMISSIVE_MEDIA 16384u
 #define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
+#define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records outlast their frame
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -354,7 +355,8 @@ typedef struct {
     uint media_adds;       // 1: scattered light is added to what is there
     float cache_error;     // of irradiance records: relative error that their radius allows
     uint cache_records;    // how many there are
-    uint pad0, pad1;
+    uint cache_words;      // words of a packet's bits by VPL (cache_masks.h); 0: none are kept
+    uint moved_boxes;      // see moved.h
 } Params;
 
 #endif

@@ -43,6 +43,9 @@ class CountingExecutor : public Executor {
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
         return inner_->make_scene(geometry);
     }
+    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override {
+        inner_->update_scene(scene, geometry);
+    }
     void build(std::span<const KernelId> kernels, std::uint32_t features) override {
         for (const KernelId kernel : kernels) kernels_.emplace_back(kernel_name(kernel));
         features_.push_back(features);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -88,15 +89,21 @@ struct PacketBatch {
 class RayQueries {
   public:
     /// Executor and geometry must outlive this object. Boxes grow by `padding` of the extent; the
-    /// renderer's share is the standard.
-    RayQueries(Executor& executor, const RayGeometry& geometry, float padding = 0x1p-22F)
+    /// renderer's share is the standard. Triangles from `first_moving` on may move.
+    RayQueries(Executor& executor, const RayGeometry& geometry, float padding = 0x1p-22F,
+               std::size_t first_moving = std::numeric_limits<std::size_t>::max())
         : executor_(executor),
-          scene_(executor.make_scene(
-              {geometry.positions, geometry.triangles, geometry.extent() * padding})) {
+          geometry_(geometry),
+          padding_(padding),
+          first_moving_(first_moving),
+          scene_(executor.make_scene(traced())) {
         constexpr std::array kernels{KernelId::query_closest, KernelId::query_closest_packet,
                                      KernelId::query_any, KernelId::query_packet};
         executor_.build(kernels, 0);
     }
+
+    /// After the geometry's moving triangles have changed.
+    void update() { executor_.update_scene(*scene_, traced()); }
 
     [[nodiscard]] std::vector<RayHit> closest(const RayBatch& rays) const {
         return run_rays<RayHit>(KernelId::query_closest, rays);
@@ -122,6 +129,10 @@ class RayQueries {
     }
 
   private:
+    [[nodiscard]] TracedGeometry traced() const {
+        return {geometry_.positions, geometry_.triangles, geometry_.extent() * padding_,
+                first_moving_};
+    }
     template <class Answer>
     [[nodiscard]] std::vector<Answer> run_rays(KernelId kernel, const RayBatch& rays) const {
         return run<Answer>(kernel, rays.origins, std::span<const shared::float4>(rays.directions),
@@ -145,6 +156,9 @@ class RayQueries {
     }
 
     Executor& executor_;
+    const RayGeometry& geometry_;
+    float padding_;
+    std::size_t first_moving_;
     std::unique_ptr<TracedScene> scene_;
 };
 

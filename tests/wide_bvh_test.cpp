@@ -229,6 +229,9 @@ TEST(WideBvh, RefusesBadSettingsAndIndices) {
     EXPECT_EQ(code_of_failure(mesh, {.max_leaf_triangles = 9}), ExitCode::usage);
     EXPECT_EQ(code_of_failure(mesh, {.padding = -1.0F}), ExitCode::usage);
     EXPECT_EQ(code_of_failure(mesh, {.padding = std::nanf("")}), ExitCode::usage);
+    EXPECT_EQ(code_of_failure(mesh, {.max_stack = 63}), ExitCode::usage);
+    EXPECT_EQ(code_of_failure(mesh, {.max_stack = BVH_STACK + 1}), ExitCode::usage);
+    EXPECT_EQ(code_of_failure(mesh, {.max_stack = 64}), ExitCode::success);
     EXPECT_EQ(code_of_failure(mesh, {}), ExitCode::success);
     mesh.triangles[1].v2 = 9;
     EXPECT_EQ(code_of_failure(mesh, {}), ExitCode::bad_input);

@@ -30,6 +30,10 @@ class FrameRecorder : public Executor {
         frame_.scene = inner_.make_scene(geometry);
         return std::make_unique<Placeholder>();
     }
+    void update_scene(TracedScene&, const TracedGeometry& geometry) override {
+        frame_.box_padding = geometry.box_padding;
+        inner_.update_scene(*frame_.scene, geometry);
+    }
     void build(std::span<const KernelId> kernels, std::uint32_t features) override {
         inner_.build(kernels, features);
     }

@@ -15,6 +15,10 @@ std::unique_ptr<TracedScene> SharedScene::make_scene(const TracedGeometry& geome
     return std::make_unique<Placeholder>();
 }
 
+void SharedScene::update_scene(TracedScene&, const TracedGeometry& geometry) {
+    inner_.update_scene(*scene_, geometry);
+}
+
 bool SharedScene::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
     Launch passed = launch;
     if (launch.scene != nullptr) passed.scene = scene_.get();

@@ -28,6 +28,7 @@ class SharedScene : public Executor {
     }
     /// Every call has to be given the same geometry; the first one builds.
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
+    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override;
     void build(std::span<const KernelId> kernels, std::uint32_t features) override {
         inner_.build(kernels, features);
     }

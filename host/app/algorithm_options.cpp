@@ -14,6 +14,7 @@
 #include "app/options.h"
 #include "app/parse_values.h"
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/quote.h"
 #include "components/component.h"
 
@@ -21,10 +22,11 @@ namespace weft {
 namespace {
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 6> algorithm_names = {"ais", "amax", "igi",
-                                                             "ir",  "ic",   "path"};
-constexpr std::array<std::string_view, 2> source_names = {"vpl", "ic"};
+constexpr std::array<std::string_view, 7> algorithm_names = {"ais", "amax", "igi", "ir",
+                                                             "ic",  "tic",  "path"};
+constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "tic"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
+constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 const std::string media_alone = "media";
 
@@ -82,6 +84,20 @@ void read_indirect(const CLI::App& command, RenderOptions& options) {
         throw usage_error("--indirect: is for adaptive sampling, expected --algorithm ais or amax");
 }
 
+/// What only records that outlast their frame know.
+void read_temporal(const CLI::App& command, RenderOptions& options) {
+    for (const char* const name : {"--cache-records", "--cache-masks"})
+        if (value_of(command, name) && !options.keeps_records())
+            throw usage_error(std::string(name) +
+                              ": is for records that are kept from frame to frame, expected "
+                              "--algorithm tic or --indirect tic");
+    if (const auto text = value_of(command, "--cache-records"))
+        options.cache_records =
+            parse_unsigned("--cache-records", *text, 1, limits::max_cache_records);
+    if (const auto text = value_of(command, "--cache-masks"))
+        options.cache_masks = parse_name("--cache-masks", *text, switch_names) == 0;
+}
+
 }  // namespace
 
 std::string_view to_string(Algorithm algorithm) {
@@ -98,10 +114,15 @@ std::string_view to_string(Quality quality) {
 
 void add_algorithm(CLI::App& render) {
     add_value(render, "--algorithm", "NAME",
-              fmt::format("ais, amax, igi, ir, ic or path, the reference (default: {})",
+              fmt::format("ais, amax, igi, ir, ic, tic or path, the reference (default: {})",
                           to_string(default_algorithm)));
     add_value(render, "--indirect", "NAME",
-              "Of ais and amax: indirect light from vpl, or from the records of ic (default: vpl)");
+              "Of ais and amax: indirect light from vpl, or from the records of ic or tic "
+              "(default: vpl)");
+    add_value(render, "--cache-records", "N",
+              "Of tic: most records that are kept from frame to frame (default: 262144)");
+    add_value(render, "--cache-masks", "on|off",
+              "Of tic: each record keeps which VPLs it sees (default: on)");
     add_flag(render, "--vpl-compensation",
              "Adds by path tracing what virtual lights leave out (not with path or ic)");
     add_value(render, "--quality", "NAME",
@@ -117,6 +138,7 @@ void read_algorithm(const CLI::App& command, RenderOptions& options) {
         throw usage_error("--frame-time: is for adaptive sampling, expected --algorithm ais");
     check_components(options);
     read_indirect(command, options);
+    read_temporal(command, options);
     options.compensation = is_given(command, "--vpl-compensation");
     if (options.compensation && options.caches_indirect())
         throw usage_error(

@@ -18,7 +18,7 @@ namespace weft {
 struct RenderOptions;
 
 /// Where adaptive sampling takes indirect light from.
-enum class IndirectSource : std::uint8_t { vpl, ic };
+enum class IndirectSource : std::uint8_t { vpl, ic, tic };
 
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(Algorithm algorithm);

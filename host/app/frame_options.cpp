@@ -35,6 +35,8 @@ void add_frames(CLI::App& render) {
     add_value(render, "--frames", "A:B",
               "Frames A to B - 1 of the scene's animation, each a picture of its own");
     add_value(render, "--frame-rate", "R", "Frames per second of --frames (default: 30)");
+    add_value(render, "--edits", "FILE",
+              "Changes of objects, lights and materials over --frames, from a JSON file");
 }
 
 void read_frames(const CLI::App& command, RenderOptions& options) {
@@ -47,6 +49,11 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
         if (!options.frames)
             throw usage_error(
                 "--frame-rate: is for animations, expected it together with --frames");
+    }
+    if (const auto text = value_of(command, "--edits")) {
+        options.edits = *text;
+        if (!options.frames)
+            throw usage_error("--edits: is for animations, expected it together with --frames");
     }
     if (!options.frames) return;
     for (const char* const name : {"--samples", "--resume"})

@@ -301,6 +301,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["frames"] = nullptr;
     if (options.frames) json["frames"] = {options.frames->first, options.frames->end};
     json["frame_rate"] = options.frame_rate;
+    json["edits"] = options.edits ? json_text(options.edits->string()) : nullptr;
     json["components"] = json_or_null(options.components);
     json["spp"] = json_or_null(options.spp);
     json["samples"] = nullptr;
@@ -309,6 +310,8 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
     json["quality"] = to_string(options.quality);
     json["indirect"] = to_string(options.indirect);
+    json["cache_records"] = json_or_null(options.cache_records);
+    json["cache_masks"] = options.cache_masks ? "on" : "off";
     json["vpl_compensation"] = options.compensation;
     json["pixel_filter"] = options.through_centres ? "centre" : "box";
     json["time"] = json_or_null(options.time_seconds);

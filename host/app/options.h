@@ -36,6 +36,8 @@ struct RenderOptions {
     Algorithm algorithm = default_algorithm;
     Quality quality = Quality::preview;
     IndirectSource indirect = IndirectSource::vpl;  ///< of ais and amax
+    std::optional<std::uint32_t> cache_records;     ///< of tic: most that are kept, 1 and up
+    bool cache_masks = true;                        ///< of tic
     bool compensation = false;                      ///< of all that gather VPLs by pixels
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
@@ -45,6 +47,7 @@ struct RenderOptions {
     std::optional<std::string> camera;     ///< else the scene's first
     std::optional<FrameRange> frames;      ///< of the animation; else one picture of it at rest
     double frame_rate = 30.0;              ///< frames per second, above 0
+    std::optional<std::filesystem::path> edits;  ///< of the animation: what changes in its frames
     std::optional<std::vector<std::string>> components;  ///< of choosable_components
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
     std::optional<SampleRange> samples;                  ///< of path tracing: these only
@@ -63,7 +66,11 @@ struct RenderOptions {
     [[nodiscard]] bool names_component(std::string_view name) const;
     /// Whether indirect light comes from irradiance records.
     [[nodiscard]] bool caches_indirect() const {
-        return algorithm == Algorithm::ic || indirect == IndirectSource::ic;
+        return algorithm == Algorithm::ic || indirect == IndirectSource::ic || keeps_records();
+    }
+    /// Whether those outlast their frame.
+    [[nodiscard]] bool keeps_records() const {
+        return algorithm == Algorithm::tic || indirect == IndirectSource::tic;
     }
 };
 

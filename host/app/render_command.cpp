@@ -25,6 +25,8 @@
 #include "image/exr.h"
 #include "image/png.h"
 #include "scene/load_scene.h"
+#include "scene/moving_scene.h"
+#include "scene/pose_scene.h"
 
 namespace weft {
 namespace {
@@ -41,6 +43,9 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.sampling = sampling_of(options.quality);
     settings.sampling.compensation = options.compensation;
     settings.sampling.cached = options.caches_indirect();
+    settings.sampling.temporal = options.keeps_records();
+    settings.sampling.cache_masks = options.cache_masks;
+    if (options.cache_records) settings.sampling.cache_records = *options.cache_records;
     settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
     // How many samples a time limit allows is not known before; textures stay sharp for many.
     constexpr std::uint32_t timed_samples = 16;
@@ -224,17 +229,29 @@ Camera camera_of_frame(const Scene& scene, const Camera& camera, const RenderOpt
     return options.frames ? camera_at(scene, camera, frame / options.frame_rate) : camera;
 }
 
+/// The scene with what moves in it: only over frames.
+MovingScene read_moving_scene(const RenderOptions& options, Diagnostics& diagnostics) {
+    Scene scene = load_scene(options.scene, diagnostics);
+    EditTimeline edits;
+    if (!options.frames) hold_still(scene);
+    if (options.edits) edits = read_scene_edits(*options.edits, scene);
+    return {std::move(scene), std::move(edits), options.frame_rate};
+}
+
 /// Finds what is wrong with the last frame before the first is rendered.
-void check_frames(const Scene& scene, const Camera& camera, const RenderOptions& options,
+void check_frames(MovingScene& moving, const Camera& camera, const RenderOptions& options,
                   Diagnostics& diagnostics) {
     if (!options.frames) return;
-    if (!camera.motion.moves()) {
-        diagnostics.warn(scene.source, "camera " + quote(camera.name) +
-                                           " is not animated, all frames are the same");
+    const Scene& scene = moving.at_rest();
+    if (!camera.motion.moves() && !moving.moves()) {
+        diagnostics.warn(scene.source, "neither the scene nor camera " + quote(camera.name) +
+                                           " is animated, all frames are the same");
         return;
     }
-    for (std::uint32_t frame = options.frames->first; frame < options.frames->end; ++frame)
+    for (std::uint32_t frame = options.frames->first; frame < options.frames->end; ++frame) {
+        moving.check_frame(frame);
         (void)camera_of_frame(scene, camera, options, frame);
+    }
 }
 
 /// The options of one picture: its file, and until when it may take, an equal share of what is
@@ -254,7 +271,7 @@ RenderOptions options_of_frame(const RenderOptions& options, std::uint32_t frame
 
 /// Makes and writes all pictures, or until the user ends it: then a single one is written as it is,
 /// one of several is not. Returns how many are finished.
-std::uint32_t render_pictures(const PictureMaker& maker, const Scene& scene, const Camera& camera,
+std::uint32_t render_pictures(const PictureMaker& maker, MovingScene& moving, const Camera& camera,
                               const RenderOptions& options, Progress& progress, Stopwatch& watch,
                               RunTimes& times, Diagnostics& diagnostics) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
@@ -262,7 +279,11 @@ std::uint32_t render_pictures(const PictureMaker& maker, const Scene& scene, con
     for (std::uint32_t done = 0; done < count; ++done) {
         const std::uint32_t frame = frames.first + done;
         if (done > 0 && interrupt_flag()) return done;
-        if (done > 0) maker.renderer->move_camera(camera_of_frame(scene, camera, options, frame));
+        if (done > 0) {
+            moving.set_frame(frame);
+            if (moving.moves()) maker.renderer->update_scene();
+            maker.renderer->move_camera(camera_of_frame(moving.at_rest(), camera, options, frame));
+        }
         progress.begin_part(static_cast<double>(done) / count, 1.0 / count);
         const RenderOptions wanted = options_of_frame(options, frame, watch);
         Image image;
@@ -295,8 +316,9 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     Progress progress(options.progress, stderr);
     RunTimes times;
     progress.update(0.0, "reading");
-    const Scene scene = load_scene(options.scene, diagnostics);
-    const FlatScene flat = flatten(scene);
+    MovingScene moving = read_moving_scene(options, diagnostics);
+    const Scene& scene = moving.at_rest();
+    const FlatScene& flat = moving.flat();
     const RenderSettings settings = settings_of(options, scene);
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
     const bool media_shine = flat.media.radiance > 0.0;
@@ -305,18 +327,19 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     if (flat.media.present() && options.compensation)
         throw usage_error(
             "--vpl-compensation: knows nothing of participating media, which the scene has");
-    check_frames(scene, camera, options, diagnostics);
+    check_frames(moving, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");
     const std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
     times.open_device_ms = watch.lap();
     progress.update(0.0, "building");
     const FrameRange frames = options.frames.value_or(FrameRange{});
+    if (options.frames) moving.set_frame(frames.first);
     const PictureMaker maker =
         picture_maker(*executor, flat, camera_of_frame(scene, camera, options, frames.first),
                       options, settings, progress, watch);
     const std::uint32_t finished =
-        render_pictures(maker, scene, camera, options, progress, watch, times, diagnostics);
+        render_pictures(maker, moving, camera, options, progress, watch, times, diagnostics);
     const FrameRenderer& renderer = *maker.renderer;
     const std::uint32_t pictures = frames.end - frames.first;
     const bool complete = finished == pictures;

@@ -34,12 +34,17 @@ nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
     for (const LevelStats& level : frame.levels)
         levels[level.component] = {
             {"tiles", level.tiles}, {"samples", level.samples}, {"gain", level.gain}};
-    return {{"frame", first_frame + frame.picture},
-            {"ms", frame.ms},
-            {"rays", frame.rays},
-            {"stages", stages},
-            {"levels", levels},
-            {"nonfinite", nonfinite}};
+    nlohmann::json json = {{"frame", first_frame + frame.picture},
+                           {"ms", frame.ms},
+                           {"rays", frame.rays},
+                           {"stages", stages},
+                           {"levels", levels},
+                           {"nonfinite", nonfinite}};
+    if (const std::optional<CacheStats>& cache = frame.cache)
+        json["records"] = {{"kept", cache->kept},       {"updated", cache->updated},
+                           {"dropped", cache->dropped}, {"evicted", cache->evicted},
+                           {"made", cache->made},       {"bytes", cache->bytes}};
+    return json;
 }
 
 /// Bytes that the vertices, triangles and acceleration structure take on the device.

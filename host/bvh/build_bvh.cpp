@@ -19,7 +19,12 @@ namespace {
 
 // A path of n nodes needs at most n (node_width - 1) + 1 stack entries; Embree counts the leaf too
 // and falls back to balanced subtrees before it goes deeper than it may.
-constexpr std::uint32_t max_depth = (BVH_STACK - 1) / (node_width - 1) + 1;
+std::uint32_t depth_within(std::uint32_t stack) noexcept {
+    return (stack - 1) / static_cast<std::uint32_t>(node_width - 1) + 1;
+}
+
+// What a balanced tree of 2^27 triangles, each a leaf, may need: it has 9 levels.
+constexpr std::uint32_t least_stack = 9 * (node_width - 1) + 1;
 
 // Splits repeat triangles, so they must earn that by this factor of the cost.
 constexpr double worthwhile_cost = 0.95;
@@ -52,17 +57,24 @@ void check_settings(const BvhSettings& settings) {
                                          " triangles, expected 1 to 8");
     if (!std::isfinite(settings.padding) || settings.padding < 0.0F)
         throw Error(ExitCode::usage, "the padding of the BVH is not finite or negative");
+    if (settings.max_stack < least_stack || settings.max_stack > BVH_STACK)
+        throw Error(ExitCode::usage, "traversal of the BVH may need " +
+                                         std::to_string(settings.max_stack) +
+                                         " stack entries, expected " + std::to_string(least_stack) +
+                                         " to " + std::to_string(BVH_STACK));
 }
 
 WideBvh build_best(std::span<const shared::float4> positions,
-                   std::span<const shared::Triangle> triangles, const BvhSettings& settings) {
-    std::vector<Piece> pieces = make_pieces(positions, triangles);
+                   std::span<const shared::Triangle> triangles, const BvhSettings& settings,
+                   std::size_t first) {
+    std::vector<Piece> pieces = make_pieces(positions, triangles, first);
     const auto flat = [&](const BuildTree& tree) {
         return flatten(tree, positions, triangles, settings);
     };
     // Very large coordinates are the one case where a tree worse than Embree's is accepted.
     if (!fits_embree(pieces)) return flat(build_balanced_tree(pieces, settings.max_leaf_triangles));
 
+    const std::uint32_t max_depth = depth_within(settings.max_stack);
     const EmbreeBuild request{.max_leaf = settings.max_leaf_triangles, .max_depth = max_depth};
     WideBvh best = flat(build_embree_tree(pieces, request));
     if (settings.spatial_splits && pieces.size() > 1 && pieces.size() <= max_pieces_to_split) {
@@ -71,10 +83,11 @@ WideBvh build_best(std::span<const shared::float4> positions,
         WideBvh split = flat(build_spatial_tree(
             pieces, positions, triangles,
             {.max_leaf = settings.max_leaf_triangles, .max_depth = max_depth, .room = room}));
-        if (split.stack_need <= BVH_STACK && split.sah_cost < worthwhile_cost * best.sah_cost)
+        if (split.stack_need <= settings.max_stack &&
+            split.sah_cost < worthwhile_cost * best.sah_cost)
             best = std::move(split);
     }
-    if (best.stack_need > BVH_STACK)
+    if (best.stack_need > settings.max_stack)
         best = flat(build_balanced_tree(pieces, settings.max_leaf_triangles));
     return best;
 }
@@ -82,11 +95,12 @@ WideBvh build_best(std::span<const shared::float4> positions,
 }  // namespace
 
 WideBvh build_bvh(std::span<const shared::float4> positions,
-                  std::span<const shared::Triangle> triangles, const BvhSettings& settings) {
+                  std::span<const shared::Triangle> triangles, const BvhSettings& settings,
+                  std::size_t first) {
     check_settings(settings);
     const Stopwatch watch;
     try {
-        WideBvh bvh = build_best(positions, triangles, settings);
+        WideBvh bvh = build_best(positions, triangles, settings, first);
         bvh.build_ms = watch.total();
         return bvh;
     } catch (const std::bad_alloc&) {

@@ -14,18 +14,6 @@
 namespace weft {
 namespace {
 
-shared::BvhNode empty_node() noexcept {
-    shared::BvhNode node{};
-    for (std::size_t slot = 0; slot < node_width; ++slot) {
-        for (std::size_t a = 0; a < 3; ++a) {
-            node.bounds[2 * a][slot] = FLT_MAX;
-            node.bounds[2 * a + 1][slot] = -FLT_MAX;
-        }
-        node.child[slot] = BVH_EMPTY;
-    }
-    return node;
-}
-
 class Flattener {
   public:
     Flattener(std::span<const shared::float4> positions,
@@ -76,7 +64,7 @@ class Flattener {
             const BuildNode& below = *inner.children[i];
             if (below.child_count == 0 && below.piece_count == 0) continue;
             const Subtree child = add_child(below);
-            set_child(bvh_.nodes[index], count++, child);
+            set_child(bvh_.nodes[index], count++, child.box, child.reference);
             result.box.extend(child.box);
             result.depth = std::max(result.depth, child.depth);
             result.stack_need = std::max(result.stack_need, child.stack_need);
@@ -125,14 +113,6 @@ class Flattener {
         return result;
     }
 
-    static void set_child(shared::BvhNode& node, std::size_t slot, const Subtree& child) noexcept {
-        for (std::size_t a = 0; a < 3; ++a) {
-            node.bounds[2 * a][slot] = child.box.lower[a];
-            node.bounds[2 * a + 1][slot] = child.box.upper[a];
-        }
-        node.child[slot] = child.reference;
-    }
-
     std::span<const shared::float4> positions_;
     std::span<const shared::Triangle> triangles_;
     const BvhSettings& settings_;
@@ -143,6 +123,27 @@ class Flattener {
 };
 
 }  // namespace
+
+shared::BvhNode empty_node() noexcept {
+    shared::BvhNode node{};
+    for (std::size_t slot = 0; slot < node_width; ++slot) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            node.bounds[2 * a][slot] = FLT_MAX;
+            node.bounds[2 * a + 1][slot] = -FLT_MAX;
+        }
+        node.child[slot] = BVH_EMPTY;
+    }
+    return node;
+}
+
+void set_child(shared::BvhNode& node, std::size_t slot, const Box& box,
+               std::uint32_t reference) noexcept {
+    for (std::size_t a = 0; a < 3; ++a) {
+        node.bounds[2 * a][slot] = box.lower[a];
+        node.bounds[2 * a + 1][slot] = box.upper[a];
+    }
+    node.child[slot] = reference;
+}
 
 Box child_box(const shared::BvhNode& node, std::size_t slot) noexcept {
     Box box;

@@ -3,6 +3,7 @@
 #ifndef WEFT_BVH_FLATTEN_H
 #define WEFT_BVH_FLATTEN_H
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,13 @@
 #include "bvh/wide_bvh.h"
 
 namespace weft {
+
+/// A node whose children no ray can hit.
+[[nodiscard]] shared::BvhNode empty_node() noexcept;
+
+/// Makes `reference` with its box child `slot` of a node.
+void set_child(shared::BvhNode& node, std::size_t slot, const Box& box,
+               std::uint32_t reference) noexcept;
 
 /// The box of child `slot` of a node.
 [[nodiscard]] Box child_box(const shared::BvhNode& node, std::size_t slot) noexcept;

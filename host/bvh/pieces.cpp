@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bvh/pieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -49,14 +50,14 @@ Piece with_box(const Piece& piece, const Box& box) noexcept {
 }
 
 std::vector<Piece> make_pieces(std::span<const shared::float4> positions,
-                               std::span<const shared::Triangle> triangles) {
+                               std::span<const shared::Triangle> triangles, std::size_t first) {
     if (triangles.size() > limits::max_triangles)
         throw Error(ExitCode::bad_input, "the scene has " + std::to_string(triangles.size()) +
                                              " triangles, expected at most " +
                                              std::to_string(limits::max_triangles));
     std::vector<Piece> pieces;
-    pieces.reserve(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    pieces.reserve(triangles.size() - std::min(first, triangles.size()));
+    for (std::size_t i = first; i < triangles.size(); ++i) {
         const shared::Triangle& t = triangles[i];
         if (t.v0 >= positions.size() || t.v1 >= positions.size() || t.v2 >= positions.size())
             throw Error(ExitCode::bad_input,

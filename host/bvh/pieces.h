@@ -4,6 +4,7 @@
 #define WEFT_BVH_PIECES_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,10 +39,11 @@ using Piece = RTCBuildPrimitive;
 /// A piece of the same triangle with another box.
 [[nodiscard]] Piece with_box(const Piece& piece, const Box& box) noexcept;
 
-/// One piece for each triangle that can be hit, in order.
+/// One piece for each triangle from `first` on that can be hit, in order.
 /// Throws Error (exit code 2) where a vertex index is out of range or there are too many triangles.
 [[nodiscard]] std::vector<Piece> make_pieces(std::span<const shared::float4> positions,
-                                             std::span<const shared::Triangle> triangles);
+                                             std::span<const shared::Triangle> triangles,
+                                             std::size_t first = 0);
 
 }  // namespace weft
 

@@ -19,6 +19,7 @@ struct BvhSettings {
     bool spatial_splits = true;            ///< tried; kept where they lower the SAH cost enough
     std::uint32_t max_leaf_triangles = 8;  ///< at most NODE_WIDTH, which are tested at once
     float padding = 0.0F;  ///< outward growth of every box, kernel units, on top of rounding
+    std::uint32_t max_stack = BVH_STACK;  ///< entries that a traversal may need, at least 64
 };
 
 /// A BVH of width NODE_WIDTH in the layout kernels traverse. Node 0 is the root; a scene without
@@ -54,12 +55,12 @@ struct BvhStats {
             bvh.build_ms};
 }
 
-/// Builds with Embree's `rtcBuildBVH`. Triangles whose area is exactly zero or whose vertices are
-/// not finite are left out, since no ray can hit them. Throws Error (exit code 4 when memory runs
-/// out).
+/// Builds with Embree's `rtcBuildBVH` over the triangles from `first` on. Triangles whose area is
+/// exactly zero or whose vertices are not finite are left out, since no ray can hit them. Throws
+/// Error (exit code 4 when memory runs out).
 [[nodiscard]] WideBvh build_bvh(std::span<const shared::float4> positions,
                                 std::span<const shared::Triangle> triangles,
-                                const BvhSettings& settings);
+                                const BvhSettings& settings, std::size_t first = 0);
 
 /// Checks every invariant that traversal relies on; returns what is broken, or an empty text.
 [[nodiscard]] std::string check_bvh(const WideBvh& bvh, std::span<const shared::float4> positions,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "frame/frame_context.h"
+#include "frame/frame_renderer.h"
 #include "frame/sampling_decision.h"
 #include "image/image.h"
 #include "schedule/level_scheduler.h"
@@ -54,6 +55,8 @@ class Component {
     /// Where it adapts: what has decided in the last frame where it is sampled, for statistics and
     /// for the picture's layers of levels. Null where it samples every pixel in full.
     [[nodiscard]] virtual const SamplingDecision* decision() const { return nullptr; }
+    /// Of records that outlast a frame: what has become of them in the last one.
+    [[nodiscard]] virtual std::optional<CacheStats> cache() const { return {}; }
     /// Adds layers of its own: means over the frames of the picture.
     virtual void add_layers(Image&) const {}
 };

@@ -31,6 +31,16 @@ std::uint32_t kernel_chunk(KernelId kernel) {
     return kernel_entries.at(static_cast<std::size_t>(kernel)).chunk;
 }
 
+void check_update(const TracedGeometry& made_of, const TracedGeometry& given) {
+    const auto same = [](const auto& a, const auto& b) {
+        return a.data() == b.data() && a.size() == b.size();
+    };
+    if (!same(made_of.positions, given.positions) || !same(made_of.triangles, given.triangles) ||
+        made_of.first_moving != given.first_moving)
+        throw Error(ExitCode::device,
+                    "a scene cannot be brought up to date with geometry it was not made of");
+}
+
 std::uint32_t lanes_from_environment() {
     const char* const text = std::getenv("WEFT_LANES");
     if (text == nullptr || *text == '\0') return 0;

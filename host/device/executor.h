@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -68,6 +69,8 @@ struct TracedGeometry {
     std::span<const shared::float4> positions;
     std::span<const shared::Triangle> triangles;
     float box_padding = 0.0F;  ///< see BvhSettings::padding
+    /// Triangles from here on may move: see Executor::update_scene. By default none does.
+    std::size_t first_moving = std::numeric_limits<std::size_t>::max();
 };
 
 /// One kernel over [first_item, first_item + items). The executor cuts it into short launches and
@@ -115,6 +118,10 @@ class Executor {
 
     [[nodiscard]] virtual std::unique_ptr<TracedScene> make_scene(
         const TracedGeometry& geometry) = 0;
+    /// Brings a scene that was made of this geometry up to date after the vertices of its moving
+    /// triangles have moved, or these name other ones of them; the padding may be another, all else
+    /// is as it was (see check_update).
+    virtual void update_scene(TracedScene& scene, const TracedGeometry& geometry) = 0;
 
     /// Makes kernels ready for frames with these features (Params::features of their launches).
     virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;
@@ -127,13 +134,18 @@ class Executor {
     virtual double take_milliseconds() = 0;
 
     [[nodiscard]] virtual const std::vector<KernelBuild>& builds() const = 0;
-    /// The BVH of the scene made last, or null where the backend has its own (Embree).
+    /// The BVH of the scene made or updated last, or null where the backend has its own (Embree).
     [[nodiscard]] virtual const BvhStats* bvh() const { return nullptr; }
-    /// Milliseconds that acceleration structures took.
+    /// Milliseconds that the acceleration structure of the scene made last took, updates since then
+    /// included.
     [[nodiscard]] virtual double scene_ms() const = 0;
     /// Bytes of device memory allocated now.
     [[nodiscard]] virtual std::size_t allocated_bytes() const = 0;
 };
+
+/// Throws Error (exit code 3) unless `given` is what a scene was `made_of`, but for what vertices
+/// and triangles are now and the padding: the same memory, and as many of it that move.
+void check_update(const TracedGeometry& made_of, const TracedGeometry& given);
 
 /// Typed copy into a buffer; `values` fits in it.
 template <class T>

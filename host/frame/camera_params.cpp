@@ -28,6 +28,11 @@ shared::Params scene_params(const FlatScene& scene, const Camera& camera, std::u
     params.width = width;
     params.height = height;
     set_camera(camera, scene.units, params);
+    set_scene(scene, params);
+    return params;
+}
+
+void set_scene(const FlatScene& scene, shared::Params& params) {
     params.environment = {scene.environment.r, scene.environment.g, scene.environment.b, 0.0F};
     params.scene_centre = {0.0F, 0.0F, 0.0F, scene.radius};
     params.extent = scene.extent;
@@ -38,7 +43,6 @@ shared::Params scene_params(const FlatScene& scene, const Camera& camera, std::u
     params.directional_lights_first = scene.area_lights + scene.punctual_lights;
     params.directional_lights = scene.directional_lights;
     params.choice_lights = scene.area_lights + scene.punctual_lights + scene.directional_lights;
-    return params;
 }
 
 void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params) {

@@ -17,6 +17,9 @@ namespace weft {
 [[nodiscard]] shared::Params scene_params(const FlatScene& scene, const Camera& camera,
                                           std::uint32_t width, std::uint32_t height);
 
+/// Sets the fields of `params` that come from the scene alone.
+void set_scene(const FlatScene& scene, shared::Params& params);
+
 /// Sets the camera fields of `params` for a picture of params.width x params.height square pixels.
 void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params);
 

@@ -16,6 +16,20 @@ namespace {
 /// Counters that stages share out; all are read before the first is used again.
 constexpr std::uint32_t counter_slots = 32;
 
+TracedGeometry traced_geometry(const FlatScene& flat) {
+    // Boxes grow by what the triangle tests may be off: some rounding errors of the largest
+    // coordinate. Where the tree changes from frame to frame they hold all that packets count as
+    // inside (2^-19 of the distance), so that a ray's result does not depend on it.
+    const bool moves = flat.first_moving_triangle < flat.triangles.size();
+    return {flat.positions, flat.triangles, flat.extent * (moves ? 0x1p-16F : 0x1p-22F),
+            flat.first_moving_triangle};
+}
+
+void upload_lights(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
+    scene.lights = upload<shared::LightRecord>(executor, flat.lights, "lights");
+    scene.emissive = upload<shared::EmissiveTriangle>(executor, flat.emissive, "emitters");
+}
+
 }  // namespace
 
 SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
@@ -33,12 +47,24 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
     add(flat.textures, "texture table");
     add(flat.texels, "texels");
     add(srgb_table(), "sRGB table");
-    scene.lights = upload<shared::LightRecord>(executor, flat.lights, "lights");
-    scene.emissive = upload<shared::EmissiveTriangle>(executor, flat.emissive, "emitters");
-    // Boxes grow by what the triangle tests may be off: some rounding errors of the largest
-    // coordinate.
-    scene.traced = executor.make_scene({flat.positions, flat.triangles, flat.extent * 0x1p-22F});
+    upload_lights(executor, flat, scene);
+    scene.traced = executor.make_scene(traced_geometry(flat));
     return scene;
+}
+
+void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
+    const auto write = [&]<class T>(std::size_t buffer, const std::vector<T>& values) {
+        write_buffer<T>(executor, *scene.geometry[buffer], values);
+    };
+    if (flat.first_moving_triangle < flat.triangles.size()) {
+        write(0, flat.positions);
+        write(1, flat.triangles);
+        write(4, flat.normals);
+        executor.update_scene(*scene.traced, traced_geometry(flat));
+    }
+    write(2, flat.instances);
+    write(3, flat.materials);
+    upload_lights(executor, flat, scene);
 }
 
 FrameBuffers::FrameBuffers() = default;
@@ -113,9 +139,11 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
     params.counter = static_cast<std::uint32_t>(uncounted_.size());
     uncounted_.push_back(stages_.size());
     stages_.push_back({stage, component, 0.0, 0, 0});
+    const TracedScene* const scene_of_stage =
+        other_scene != nullptr ? other_scene : scene_buffers.traced.get();
     const Launch launch{kernel,
                         params,
-                        traces ? scene_buffers.traced.get() : nullptr,
+                        traces ? scene_of_stage : nullptr,
                         arguments,
                         items,
                         items_per_launch,

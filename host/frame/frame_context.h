@@ -28,6 +28,9 @@ struct SceneBuffers {
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
 
+/// Brings them up to date with the scene they were made of after update_flat.
+void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
+
 class EdgeSamples;
 class TileGeometry;
 class ViewMedia;
@@ -74,6 +77,7 @@ struct FrameBuffers {
 };
 
 /// Places in a GBuffer, and how many there are.
+inline constexpr std::size_t gbuffer_ids = 0;
 inline constexpr std::size_t gbuffer_position = 1;
 inline constexpr std::size_t gbuffer_shading = 3;
 inline constexpr std::size_t gbuffer_albedo = 4;
@@ -157,6 +161,8 @@ class FrameContext : public FrameInputs {
     /// A sequence's first frame remembers nothing; a picture's first takes over what the pictures
     /// before it said.
     Begins begins = Begins::sequence;
+    /// Where given, stages trace in this and not in the scene.
+    const TracedScene* other_scene = nullptr;
     /// Where given, its gains scale the thresholds of adaptive components.
     const FrameBudget* budget = nullptr;
 

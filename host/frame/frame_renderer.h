@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/stopwatch.h"
@@ -28,13 +29,27 @@ struct LevelStats {
     double gain = 1.0;                     ///< factor on the threshold, by the frame budget
 };
 
+/// What has become of irradiance records in a frame of those that outlast it.
+struct CacheStats {
+    std::uint32_t kept = 0;     ///< of the frames before
+    std::uint32_t updated = 0;  ///< of those: light may have changed
+    std::uint32_t dropped = 0;  ///< their surface has moved
+    std::uint32_t evicted = 0;  ///< beyond SamplingSettings::cache_records
+    std::uint32_t made = 0;
+    std::uint64_t bytes = 0;  ///< of device memory, for all records there is room for
+    /// With SamplingSettings::cache_audit: records and VPLs that differ in any bit from those
+    /// computed anew.
+    std::uint32_t differing = 0;
+};
+
 /// What one frame took.
 struct FrameStats {
     double ms = 0.0;
     std::uint64_t rays = 0;
     std::vector<StageStats> stages;
     std::vector<LevelStats> levels;  ///< of adaptive components
-    std::uint32_t picture = 0;       ///< of those a renderer has begun, from 0 on
+    std::optional<CacheStats> cache;
+    std::uint32_t picture = 0;  ///< of those a renderer has begun, from 0 on
     /// By component, COMPONENT_* order.
     std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
 };
@@ -59,6 +74,10 @@ class FrameRenderer {
     /// Begins the next picture of a sequence, which may go on from what the pictures since the
     /// last set_camera told about where samples are needed.
     virtual void move_camera(const Camera& camera) { set_camera(camera); }
+
+    /// Goes on with the scene as it is now: it has been changed where it lies (update_flat). The
+    /// next picture has to be begun afterwards.
+    virtual void update_scene() = 0;
 
     /// Samples of every pixel in the film.
     [[nodiscard]] virtual std::uint64_t samples() const = 0;

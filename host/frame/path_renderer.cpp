@@ -114,9 +114,8 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     params_.through_centres = settings.through_centres ? 1 : 0;
     film_.width = settings.width;
     film_.height = settings.height;
-    film_.light_exponent = light_exponent(scene);
     film_.depth_unit = scene.units.scale;
-    params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
+    scale_light();
     identify();
 
     const std::size_t words = std::size_t{FILM_PIXEL_WORDS} * settings.width * settings.height;
@@ -149,6 +148,17 @@ void PathRenderer::identify() {
     // Previews average textures over a pixel; here the samples do, unless all are at the centre.
     params_.texture_angle = settings_.through_centres ? params_.pixel_angle : 0.0F;
     film_.picture = picture_identity(scene_, params_);
+}
+
+void PathRenderer::scale_light() {
+    film_.light_exponent = light_exponent(scene_);
+    params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
+}
+
+void PathRenderer::update_scene() {
+    weft::update_scene(executor_, scene_, scene_buffers_);
+    set_scene(scene_, params_);
+    scale_light();
 }
 
 void PathRenderer::set_camera(const Camera& camera) {

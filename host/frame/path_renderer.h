@@ -41,6 +41,7 @@ class PathRenderer : public FrameRenderer {
 
     /// Forgets the sums, also those of other renderers that it went on from.
     void set_camera(const Camera& camera) override;
+    void update_scene() override;
 
     /// Samples still to be made.
     [[nodiscard]] std::uint32_t samples_left() const noexcept {
@@ -60,6 +61,7 @@ class PathRenderer : public FrameRenderer {
 
   private:
     void identify();
+    void scale_light();
     /// path, or path_media where the scene has media.
     [[nodiscard]] KernelId kernel() const noexcept;
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;

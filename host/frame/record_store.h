@@ -24,11 +24,14 @@ class RecordStore {
 
     [[nodiscard]] std::uint32_t count() const { return count_; }
     [[nodiscard]] Buffer& records() const { return *records_; }
+    /// By record, 1 where a lookup has used it since the records were set.
+    [[nodiscard]] Buffer& used() const { return *used_; }
+    [[nodiscard]] std::vector<std::uint32_t> read_used(Executor& executor) const;
     /// Pairs of float4: of the groups of groups, then of the groups.
     [[nodiscard]] Buffer& boxes() const { return *boxes_; }
 
   private:
-    std::unique_ptr<Buffer> records_, boxes_;
+    std::unique_ptr<Buffer> records_, boxes_, used_;
     std::size_t room_ = 0;  ///< records that the buffers hold
     std::uint32_t count_ = 0;
 };

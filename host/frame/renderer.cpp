@@ -42,6 +42,14 @@ WorkList work_list_of(const FramePlan& plan, const RenderSettings& settings) {
     return make_work_list(settings.width, settings.height, plan.interleave, settings.tile);
 }
 
+/// Whether frames of one plan take their light from as many lights, and VPLs, as those of another.
+bool same_lights(const FramePlan& a, const FramePlan& b) {
+    return a.samples_per_light == b.samples_per_light && a.samples_per_set == b.samples_per_set &&
+           a.environment_samples == b.environment_samples &&
+           a.punctual_lights == b.punctual_lights && a.directional_lights == b.directional_lights &&
+           a.has_vpls() == b.has_vpls() && a.media_light == b.media_light;
+}
+
 }  // namespace
 
 FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
@@ -87,42 +95,51 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& cam
                    const RenderSettings& settings)
     : executor_(executor),
       scene_(scene),
+      camera_(camera),
       settings_(settings),
       plan_(plan_for(scene, settings)),
-      work_(work_list_of(plan_, settings)),
+      scene_buffers_(upload_scene(executor, scene)),
       budget_(plan_.adaptive ? settings.frame_time_ms : 0.0) {
-    const std::uint32_t features = features_of(scene, plan_, settings.components);
-    executor_.build(kernels_of(plan_, settings.components), features);
-    scene_buffers_ = upload_scene(executor_, scene);
-    const ComponentNeeds needs = needs_of(plan_, settings.components);
+    set_up();
+}
+
+void Renderer::set_up() {
+    components_.clear();
+    work_ = work_list_of(plan_, settings_);
+    const std::uint32_t features = features_of(scene_, plan_, settings_.components);
+    executor_.build(kernels_of(plan_, settings_.components), features);
+    const ComponentNeeds needs = needs_of(plan_, settings_.components);
     all_receivers_ = needs.all_receivers || !(needs.tiles || needs.own_tiles);
-    buffers_ = allocate_frame(executor_, plan_, work_, settings.width, settings.height, features,
+    buffers_ = allocate_frame(executor_, plan_, work_, settings_.width, settings_.height, features,
                               needs.tiles);
     if (plan_.media)
         buffers_.view_media = std::make_unique<ViewMedia>(
-            executor_, scene, camera, std::size_t{settings.width} * settings.height, features);
-    components_ = make_components(settings.components, {.executor = executor_,
-                                                        .scene = scene,
-                                                        .plan = plan_,
-                                                        .buffers = buffers_,
-                                                        .work = work_,
-                                                        .width = settings.width,
-                                                        .height = settings.height,
-                                                        .features = features,
-                                                        .earlier = {}});
+            executor_, scene_, camera_, std::size_t{settings_.width} * settings_.height, features);
+    components_ = make_components(settings_.components, {.executor = executor_,
+                                                         .scene = scene_,
+                                                         .plan = plan_,
+                                                         .buffers = buffers_,
+                                                         .work = work_,
+                                                         .width = settings_.width,
+                                                         .height = settings_.height,
+                                                         .features = features,
+                                                         .earlier = {}});
     for (const ActiveComponent& active : components_)
         active.component->hand_over(buffers_.irradiance);
+    set_params(features);
+}
 
-    base_params_ = scene_params(scene, camera, settings.width, settings.height);
+void Renderer::set_params(std::uint32_t features) {
+    base_params_ = scene_params(scene_, camera_, settings_.width, settings_.height);
     shared::Params& params = base_params_;
-    params.texture_angle = texture_angle(params, settings);
+    params.texture_angle = texture_angle(params, settings_);
     params.gather_scale = static_cast<float>(plan_.gather_sets);
-    params.filter_cosine = static_cast<float>(settings.sampling.filter_cosine);
-    params.filter_planes = static_cast<float>(settings.sampling.filter_planes);
-    params.enough_support = static_cast<float>(settings.sampling.enough_support);
+    params.filter_cosine = static_cast<float>(settings_.sampling.filter_cosine);
+    params.filter_planes = static_cast<float>(settings_.sampling.filter_planes);
+    params.enough_support = static_cast<float>(settings_.sampling.enough_support);
     params.features = features;
     params.interleave = plan_.interleave;
-    params.seed = settings.seed;
+    params.seed = settings_.seed;
     params.slots = buffers_.slots;
     params.sets = plan_.sets;
     params.gather_sets = plan_.gather_sets;
@@ -146,7 +163,18 @@ void Renderer::set_camera(const Camera& camera) {
     sequence_ = picture_;
 }
 
+void Renderer::update_scene() {
+    weft::update_scene(executor_, scene_, scene_buffers_);
+    const FramePlan plan = plan_for(scene_, settings_);
+    if (!same_lights(plan, plan_)) {
+        plan_ = plan;
+        set_up();
+    }
+    set_params(base_params_.features);
+}
+
 void Renderer::move_camera(const Camera& camera) {
+    camera_ = camera;
     weft::set_camera(camera, scene_.units, base_params_);
     if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
     base_params_.texture_angle = texture_angle(base_params_, settings_);
@@ -225,6 +253,7 @@ void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
     stats_.push_back(frame_stats(frame, watch));
     stats_.back().picture = picture_;
     for (const ActiveComponent& active : components_) {
+        if (const auto cache = active.component->cache()) stats_.back().cache = cache;
         const SamplingDecision* const decision = active.component->decision();
         if (decision == nullptr) continue;
         const LevelCounts counts = decision->counts();

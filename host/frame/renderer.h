@@ -56,6 +56,8 @@ class Renderer : public FrameRenderer {
 
     void set_camera(const Camera& camera) override;
     void move_camera(const Camera& camera) override;
+    /// Keeps the plan, unless the scene has other lights now than it was made for.
+    void update_scene() override;
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
     /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth;
@@ -65,6 +67,9 @@ class Renderer : public FrameRenderer {
     [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
 
   private:
+    /// Makes everything that depends on the plan.
+    void set_up();
+    void set_params(std::uint32_t features);
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
     void record(FrameContext& frame, const Stopwatch& watch);
@@ -74,6 +79,7 @@ class Renderer : public FrameRenderer {
 
     Executor& executor_;
     const FlatScene& scene_;
+    Camera camera_;
     RenderSettings settings_;
     FramePlan plan_;
     WorkList work_;

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame/virtual_lights.h"
 
+#include <vector>
+
+#include "frame/scene_motion.h"
 #include "frame/view_media.h"
+#include "kernels/cache.h"
 
 namespace weft {
 
@@ -29,15 +33,61 @@ void make_media_samples(FrameContext& frame, const char* component, Buffer& samp
     frame.params = before;
 }
 
-void walk_vpls(FrameContext& frame, const char* component) {
+namespace {
+
+/// The buffers of GEOMETRY_ARGS, LIGHT_ARGS and MEDIA_ARGS, followed by others.
+std::vector<Buffer*> with_light_paths(FrameContext& frame, const std::vector<Buffer*>& others) {
     std::vector<Buffer*> arguments =
         with_geometry(frame.scene_buffers,
                       {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get()});
-    for (Buffer* const buffer :
-         with_media(frame.buffers, {frame.buffers.vpls.get(), frame.buffers.counters.get()}))
-        arguments.push_back(buffer);
-    frame.run(KernelId::vpl_walk, "VPL walk", component, true, arguments,
+    for (Buffer* const buffer : with_media(frame.buffers, others)) arguments.push_back(buffer);
+    return arguments;
+}
+
+void run_walk(FrameContext& frame, const char* component, Buffer* doubts, Buffer* memory,
+              Buffer* changes) {
+    frame.run(KernelId::vpl_walk, "VPL walk", component, true,
+              with_light_paths(frame, {doubts, memory, changes, frame.buffers.vpls.get(),
+                                       frame.buffers.counters.get()}),
               frame.plan.sets * frame.plan.paths_per_set);
+}
+
+}  // namespace
+
+void walk_vpls(FrameContext& frame, const char* component) {
+    Buffer* const nothing = frame.buffers.nothing.get();
+    run_walk(frame, component, nothing, nothing, nothing);
+}
+
+LightPaths::LightPaths(Executor& executor, const FramePlan& plan)
+    : paths_(plan.sets * plan.paths_per_set),
+      vpls_(plan.sets * plan.vpls_per_set),
+      doubts_(executor.allocate(paths_ * sizeof(std::uint32_t), "doubts about light paths")),
+      memory_(executor.allocate((2 * std::size_t{paths_} + vpls_) * sizeof(shared::float4),
+                                "memory of light paths")),
+      changes_(executor.allocate(vpls_ * sizeof(std::uint32_t), "changes of VPLs")) {}
+
+void LightPaths::walk(FrameContext& frame, const char* component, const SceneMotion& motion,
+                      bool known) {
+    if (known) {
+        frame.other_scene = &motion.traced();
+        frame.run(
+            KernelId::vpl_doubts, "VPL doubts", component, true,
+            with_light_paths(frame, {memory_.get(), doubts_.get(), frame.buffers.counters.get()}),
+            paths_);
+        frame.other_scene = nullptr;
+    } else {
+        const std::vector<std::uint32_t> none(paths_, 0);
+        write_buffer<std::uint32_t>(frame.executor, *doubts_, none);
+        const std::vector<shared::Vpl> dark(vpls_);
+        write_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, dark);
+    }
+    run_walk(frame, component, doubts_.get(), memory_.get(), changes_.get());
+}
+
+void LightPaths::doubt_all(Executor& executor) {
+    const std::vector<std::uint32_t> all(vpls_, VPL_MOVED);
+    write_buffer<std::uint32_t>(executor, *changes_, all);
 }
 
 }  // namespace weft

@@ -3,6 +3,9 @@
 #ifndef WEFT_FRAME_VIRTUAL_LIGHTS_H
 #define WEFT_FRAME_VIRTUAL_LIGHTS_H
 
+#include <cstdint>
+#include <memory>
+
 #include "frame/frame_context.h"
 
 namespace weft {
@@ -17,6 +20,27 @@ void make_media_samples(FrameContext& frame, const char* component, Buffer& samp
 
 /// Fills FrameBuffers::vpls with the indirect VPLs of a frame, likewise.
 void walk_vpls(FrameContext& frame, const char* component);
+
+class SceneMotion;
+
+/// Light paths, and so VPLs, that outlast their frame (FEATURE_TEMPORAL).
+class LightPaths {
+  public:
+    LightPaths(Executor& executor, const FramePlan& plan);
+
+    /// Fills FrameBuffers::vpls. Only segments that meet what has moved are traced, and those that
+    /// follow them, unless `known` is false: then all are.
+    void walk(FrameContext& frame, const char* component, const SceneMotion& motion, bool known);
+    /// As if all VPLs had moved.
+    void doubt_all(Executor& executor);
+
+    /// By VPL: VPL_MOVED, VPL_RECOLOURED (kernels/cache.h), by the last walk.
+    [[nodiscard]] Buffer& changes() const { return *changes_; }
+
+  private:
+    std::uint32_t paths_, vpls_;
+    std::unique_ptr<Buffer> doubts_, memory_, changes_;
+};
 
 }  // namespace weft
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -90,26 +91,63 @@ std::vector<bool> used_vertices(const Mesh& mesh) {
     return used;
 }
 
-/// Vertices that no triangle uses go to the centre: wherever they are, they must not count for the
-/// scene's extent, nor become infinite in its units.
-void append_vertices(const Mesh& mesh, const Instance& instance, const Attributes& attributes,
-                     FlatScene& flat) {
+/// Places the vertices of an instance from `first` on, which there is room for. Those that no
+/// triangle uses go to the centre: wherever they are, they must not count for the scene's extent,
+/// nor become infinite in its units. So do those of an instance that is absent.
+void place_vertices(const Mesh& mesh, const Instance& instance, std::size_t first,
+                    FlatScene& flat) {
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(instance.to_world)));
     const double side = instance.flip_normals ? -1.0 : 1.0;
     const std::vector<bool> used = used_vertices(mesh);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         glm::vec3 p(0.0F);
-        if (used[i])
+        if (used[i] && instance.present)
             p = flat.units.point(
                 glm::dvec3(instance.to_world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1.0)));
-        flat.positions.push_back({p.x, p.y, p.z, 0.0F});
-        if (attributes.normals) {
-            glm::dvec3 n(0.0);
-            if (!mesh.normals.empty()) n = side * (normal_matrix * glm::dvec3(mesh.normals[i]));
-            const double length = glm::length(n);
-            if (length > 0.0) n /= length;
-            for (int k = 0; k < 3; ++k) flat.normals.push_back(static_cast<float>(n[k]));
-        }
+        flat.positions[first + i] = {p.x, p.y, p.z, 0.0F};
+        if (flat.normals.empty()) continue;
+        glm::dvec3 n(0.0);
+        if (!mesh.normals.empty()) n = side * (normal_matrix * glm::dvec3(mesh.normals[i]));
+        const double length = glm::length(n);
+        if (length > 0.0) n /= length;
+        for (int k = 0; k < 3; ++k)
+            flat.normals[3 * (first + i) + static_cast<std::size_t>(k)] = static_cast<float>(n[k]);
+    }
+}
+
+/// Writes the triangles of an instance where there is room for them.
+void place_triangles(const Mesh& mesh, const Instance& instance, std::uint32_t index,
+                     FlatScene& flat) {
+    // A mirroring transform turns the winding; the outside stays outside.
+    const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0.0;
+    const bool swap = mirrored != instance.flip_normals;
+    const std::uint32_t base = flat.ranges[index].first_vertex;
+    std::size_t at = flat.instances[index].first_triangle;
+    for (const auto& t : mesh.triangles)
+        flat.triangles[at++] = {base + t[0], base + t[swap ? 2 : 1], base + t[swap ? 1 : 2], index};
+}
+
+void append_instance(const Scene& scene, std::uint32_t index, const Attributes& attributes,
+                     FlatScene& flat) {
+    const Instance& instance = scene.instances[index];
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const std::size_t first = flat.positions.size();
+    const std::size_t first_triangle = flat.triangles.size();
+    if (first + mesh.positions.size() > limits::max_vertices ||
+        first_triangle + mesh.triangles.size() > limits::max_triangles)
+        throw input_error(scene.source, "the instances together have too many triangles");
+    flat.ranges[index] = {static_cast<std::uint32_t>(first),
+                          static_cast<std::uint32_t>(mesh.positions.size()),
+                          static_cast<std::uint32_t>(first_triangle),
+                          static_cast<std::uint32_t>(mesh.triangles.size())};
+    flat.instances[index] = {instance.material, static_cast<std::uint32_t>(first_triangle),
+                             NO_TRIANGLE, 0};
+    flat.positions.resize(first + mesh.positions.size());
+    if (attributes.normals) flat.normals.resize(3 * flat.positions.size());
+    flat.triangles.resize(first_triangle + mesh.triangles.size());
+    place_vertices(mesh, instance, first, flat);
+    place_triangles(mesh, instance, index, flat);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         if (attributes.uvs)
             for (int k = 0; k < 2; ++k)
                 flat.texture_coordinates.push_back(mesh.uvs.empty() ? 0.0F : mesh.uvs[i][k]);
@@ -119,23 +157,17 @@ void append_vertices(const Mesh& mesh, const Instance& instance, const Attribute
     }
 }
 
-void append_instance(const Scene& scene, std::uint32_t index, const Attributes& attributes,
-                     FlatScene& flat) {
-    const Instance& instance = scene.instances[index];
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    const auto base = static_cast<std::uint32_t>(flat.positions.size());
-    if (flat.positions.size() + mesh.positions.size() > limits::max_vertices ||
-        flat.triangles.size() + mesh.triangles.size() > limits::max_triangles)
-        throw input_error(scene.source, "the instances together have too many triangles");
-    flat.instances.push_back(
-        {instance.material, static_cast<std::uint32_t>(flat.triangles.size()), NO_TRIANGLE, 0});
-    append_vertices(mesh, instance, attributes, flat);
-    // A mirroring transform turns the winding; the outside stays outside.
-    const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0.0;
-    const bool swap = mirrored != instance.flip_normals;
-    for (const auto& t : mesh.triangles)
-        flat.triangles.push_back(
-            {base + t[0], base + t[swap ? 2 : 1], base + t[swap ? 1 : 2], index});
+void append_instances(const Scene& scene, const Attributes& attributes, FlatScene& flat) {
+    flat.instances.resize(scene.instances.size());
+    flat.ranges.resize(scene.instances.size());
+    for (const bool moving : {false, true}) {
+        if (moving) {
+            flat.first_moving_vertex = static_cast<std::uint32_t>(flat.positions.size());
+            flat.first_moving_triangle = static_cast<std::uint32_t>(flat.triangles.size());
+        }
+        for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+            if (scene.instances[i].may_move == moving) append_instance(scene, i, attributes, flat);
+    }
 }
 
 void append_textures(const Scene& scene, FlatScene& flat) {
@@ -204,12 +236,28 @@ void measure(const Scene& scene, FlatScene& flat) {
     }
     if (flat.surface_area > 0.0)
         flat.mean_reflectance = std::clamp(reflected / flat.surface_area, 0.0, 1.0);
-    double radius = 0.0;
-    double extent = 0.0;
-    for (const shared::float4& p : flat.positions) {
+}
+
+/// Grows `extent` and `radius` to hold vertices.
+void grow(std::span<const shared::float4> vertices, double& extent, double& radius) {
+    for (const shared::float4& p : vertices) {
         const glm::dvec3 q(p.x, p.y, p.z);
         radius = std::max(radius, glm::length(q));
         extent = std::max({extent, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+    }
+}
+
+/// The largest coordinate and distance of all vertices. Where some may move these grow in steps, so
+/// that light paths and offsets, which depend on them, rarely change for that alone.
+void measure_extent(FlatScene& flat) {
+    double extent = flat.resting_extent;
+    double radius = flat.resting_radius;
+    const auto moving = std::span(flat.positions).subspan(flat.first_moving_vertex);
+    grow(moving, extent, radius);
+    constexpr double steps = 8.0;  // of the radius, each time it doubles
+    if (!moving.empty() && radius > 0.0) {
+        extent = std::exp2(std::ceil(std::log2(extent)));
+        radius = std::exp2(std::ceil(steps * std::log2(radius)) / steps);
     }
     flat.radius = static_cast<float>(radius > 0.0 ? radius * 1.001 : 1.0);
     flat.extent = static_cast<float>(extent > 0.0 ? extent : 1.0);
@@ -247,8 +295,7 @@ FlatScene flatten(const Scene& scene) {
     FlatScene flat;
     flat.units = kernel_units(scene);
     const Attributes attributes = attributes_of(scene);
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-        append_instance(scene, i, attributes, flat);
+    append_instances(scene, attributes, flat);
     if (attributes.uvs) append_textures(scene, flat);
     for (const Material& material : scene.materials)
         flat.materials.push_back(material_record(material, attributes.uvs));
@@ -257,10 +304,36 @@ FlatScene flatten(const Scene& scene) {
                     (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
                     (attributes.one_sided ? FEATURE_ONE_SIDED : 0U);
     measure(scene, flat);
+    grow(std::span(flat.positions).first(flat.first_moving_vertex), flat.resting_extent,
+         flat.resting_radius);
+    measure_extent(flat);
     build_light_table(scene, flat);
     flat.media = flatten_media(scene, flat.units);
     if (flat.media.present()) put_lights_in_media(flat);
     return flat;
+}
+
+void update_flat(const Scene& scene, FlatScene& flat) {
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = scene.instances[i];
+        flat.instances[i].light = NO_TRIANGLE;
+        if (!instance.may_move) continue;
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        place_vertices(mesh, instance, flat.ranges[i].first_vertex, flat);
+        place_triangles(mesh, instance, i, flat);
+    }
+    const bool textures = !flat.texture_coordinates.empty();
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+        flat.materials[m] = material_record(scene.materials[m], textures);
+    measure_extent(flat);
+    flat.lights.clear();
+    flat.emissive.clear();
+    flat.area_lights = 0;
+    flat.environment = glm::vec3(0.0F);
+    flat.features &= ~(FEATURE_AREA_LIGHTS | FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS |
+                       FEATURE_ENVIRONMENT);
+    build_light_table(scene, flat);
+    if (flat.media.present()) put_lights_in_media(flat);
 }
 
 }  // namespace weft

@@ -22,6 +22,14 @@ struct KernelUnits {
     [[nodiscard]] glm::dvec3 point(const glm::dvec3& p) const { return (p - centre) * scale; }
 };
 
+/// Where the vertices and triangles of an instance lie among those of all.
+struct InstanceRange {
+    std::uint32_t first_vertex = 0;
+    std::uint32_t vertices = 0;
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangles = 0;
+};
+
 /// A scene as kernels read it: instances flattened to one list of triangles, with one table of
 /// lights. All in kernel units.
 struct FlatScene {
@@ -38,15 +46,26 @@ struct FlatScene {
     std::vector<shared::LightRecord> lights;  ///< area, point and spot, directional, environment
     std::vector<shared::EmissiveTriangle> emissive;
 
+    /// By instance. What belongs to those that may move follows all else.
+    std::vector<InstanceRange> ranges;
+    std::uint32_t first_moving_vertex = 0;    ///< positions.size() where nothing may move
+    std::uint32_t first_moving_triangle = 0;  ///< likewise
+
+    /// By instance, then by light without area, then of the environment: the power with which each
+    /// first shone. Light paths choose by it, so that a light that is dimmed changes no path.
+    std::vector<double> first_powers;
+
     FlatMedia media;
 
     std::uint32_t area_lights = 0;
     std::uint32_t punctual_lights = 0;  ///< point and spot
     std::uint32_t directional_lights = 0;
     glm::vec3 environment{0.0F};
-    std::uint32_t features = 0;  ///< FEATURE_* that the scene calls for
-    float extent = 1.0F;         ///< largest |coordinate| of geometry and lights
-    float radius = 1.0F;         ///< of the bounding sphere about the centre
+    std::uint32_t features = 0;   ///< FEATURE_* that the scene calls for
+    float extent = 1.0F;          ///< largest |coordinate| of geometry and lights, or above that
+    float radius = 1.0F;          ///< of a bounding sphere about the centre
+    double resting_extent = 0.0;  ///< largest |coordinate| of geometry that cannot move
+    double resting_radius = 0.0;  ///< and its largest distance from the centre
     double surface_area = 0.0;
     double mean_reflectance = 0.0;  ///< area-weighted luminance of the albedo, [0, 1]
     double smallest_light_area = 0.0;
@@ -55,7 +74,13 @@ struct FlatScene {
 /// Flattens a validated scene. Throws Error (exit code 2) where instances make too many triangles.
 [[nodiscard]] FlatScene flatten(const Scene& scene);
 
-/// Fills the light table from the flattened geometry; part of `flatten`.
+/// Brings a scene that was flattened to what `scene`, the same at another time, is now: the places
+/// of instances that may move, materials and lights. Counts of vertices and triangles stay, and so
+/// do the kernel units, statistics of surfaces, textures and media.
+void update_flat(const Scene& scene, FlatScene& flat);
+
+/// Fills the light table from the flattened geometry; part of `flatten` and
+/// `update_flat`.
 void build_light_table(const Scene& scene, FlatScene& flat);
 
 /// Area in kernel units squared.

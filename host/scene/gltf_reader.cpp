@@ -74,13 +74,11 @@ class GltfReader {
                          "instancing by attributes is not simulated, one instance is rendered "
                          "instead");
         if (!usable_transform(node, report_)) return;
-        if (node.motion.moves() && (mesh || has_light))
-            report_.once(node.value.place(),
-                         "animations of meshes and lights are not simulated, their pose at rest is "
-                         "rendered instead");
         if (mesh) add_instances(node, *mesh);
-        if (auto light = read_gltf_light(root_, node, report_))
+        if (auto light = read_gltf_light(root_, node, report_)) {
+            light->motion = node.motion;
             scene_.lights.push_back(*std::move(light));
+        }
         if (auto camera = read_gltf_camera(root_, node, scene_.cameras.size(), report_)) {
             if (node.motion.moves()) camera->motion = node.motion;
             scene_.cameras.push_back(*std::move(camera));
@@ -99,6 +97,10 @@ class GltfReader {
                                    std::to_string(limits::max_instances) + " placed meshes");
         for (const Part& part : parts) {
             if (part.medium >= 0) {
+                if (node.motion.moves())
+                    report_.once(node.value.place(),
+                                 "animations of media are not simulated, their pose at rest is "
+                                 "rendered instead");
                 scene_.medium_boundaries.push_back({part.mesh, node.to_world, part.medium, -1});
                 continue;
             }
@@ -107,6 +109,8 @@ class GltfReader {
             instance.mesh = part.mesh;
             instance.material = part.material;
             instance.to_world = node.to_world;
+            instance.motion = node.motion;
+            instance.may_move = node.motion.moves();
             scene_.instances.push_back(std::move(instance));
         }
     }

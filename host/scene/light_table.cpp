@@ -42,21 +42,31 @@ struct Collector {
     std::vector<shared::LightRecord> lights{};
     std::vector<double> powers{};
 
-    /// Returns the light's index, or NO_TRIANGLE where it is too dark or bright to be chosen.
-    std::uint32_t add(const shared::LightRecord& light, double power) {
-        if (!(power > 0.0) || !std::isfinite(power)) return NO_TRIANGLE;
+    /// Adds light number `source` of all that might shine. Returns its index, or NO_TRIANGLE where
+    /// it is too dark or bright to be chosen.
+    std::uint32_t add(const shared::LightRecord& light, double power, std::size_t source) {
+        double& at_first = flat.first_powers[source];
+        if (!(at_first > 0.0) && power > 0.0 && std::isfinite(power)) at_first = power;
+        if (!(at_first > 0.0)) return NO_TRIANGLE;
         lights.push_back(light);
-        powers.push_back(power);
+        powers.push_back(at_first);
         return static_cast<std::uint32_t>(lights.size() - 1);
     }
 
-    void add_area_light(std::uint32_t instance, std::uint32_t end) {
+    /// Whether a light has ever shone: it keeps its place in the table when it goes out.
+    [[nodiscard]] bool has_shone(std::size_t source) const {
+        return flat.first_powers[source] > 0.0;
+    }
+
+    void add_area_light(std::uint32_t instance) {
         const Material& material = scene.materials[flat.instances[instance].material];
-        if (!(luminance(material.emission) > 0.0)) return;
+        if (!(luminance(material.emission) > 0.0) && !has_shone(instance)) return;
         std::vector<shared::EmissiveTriangle> entries;
         std::vector<double> areas;
         double total = 0.0;
-        for (std::uint32_t t = flat.instances[instance].first_triangle; t < end; ++t) {
+        const InstanceRange& range = flat.ranges[instance];
+        for (std::uint32_t i = 0; i < range.triangles; ++i) {
+            const std::uint32_t t = range.first_triangle + i;
             const double area = triangle_area(flat, flat.triangles[t]);
             if (!(area > 0.0)) continue;
             entries.push_back({t, 0.0F, 0.0F, 0});
@@ -78,10 +88,11 @@ struct Collector {
             flat.smallest_light_area = total;
         ++flat.area_lights;
         flat.instances[instance].light = add(
-            light, pi * luminance(material.emission) * total * (light.both_sides != 0 ? 2.0 : 1.0));
+            light, pi * luminance(material.emission) * total * (light.both_sides != 0 ? 2.0 : 1.0),
+            instance);
     }
 
-    void add_punctual(const PunctualLight& source) {
+    void add_punctual(const PunctualLight& source, std::size_t number) {
         shared::LightRecord light{};
         const glm::vec3 p(flat.units.point(source.position));
         const glm::vec3 axis(source.direction);
@@ -93,8 +104,10 @@ struct Collector {
             light.kind = EMITTER_DIRECTIONAL;
             light.power = rgb(source.intensity, 1.0);
             ++flat.directional_lights;
-            add(light, luminance(source.intensity) * pi * static_cast<double>(flat.radius) *
-                           static_cast<double>(flat.radius));
+            add(light,
+                luminance(source.intensity) * pi * static_cast<double>(flat.radius) *
+                    static_cast<double>(flat.radius),
+                number);
             return;
         }
         const double square = flat.units.scale * flat.units.scale;
@@ -106,7 +119,7 @@ struct Collector {
         ++flat.punctual_lights;
         const double angle =
             spot ? 2.0 * pi * (1.0 - static_cast<double>(source.cos_outer)) : 4 * pi;
-        add(light, luminance(source.intensity) * square * angle);
+        add(light, luminance(source.intensity) * square * angle, number);
     }
 };
 
@@ -121,31 +134,37 @@ std::vector<double> choice_weights(std::span<const double> powers) {
     return weights;
 }
 
-bool shines(const PunctualLight& light) {
-    return luminance(light.intensity) > 0.0;
+/// Adds those of the lights without area that are, or are not, infinitely far away.
+void add_punctual_lights(Collector& collector, bool directional) {
+    const Scene& scene = collector.scene;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const PunctualLight& light = scene.lights[i];
+        const std::size_t source = scene.instances.size() + i;
+        if ((light.type == LightType::directional) == directional &&
+            (luminance(light.intensity) > 0.0 || collector.has_shone(source)))
+            collector.add_punctual(light, source);
+    }
 }
 
 }  // namespace
 
 void build_light_table(const Scene& scene, FlatScene& flat) {
+    const std::size_t environment = scene.instances.size() + scene.lights.size();
+    flat.first_powers.resize(environment + 1, 0.0);
     Collector collector{scene, flat};
-    for (std::uint32_t i = 0; i < flat.instances.size(); ++i)
-        collector.add_area_light(i, i + 1 < flat.instances.size()
-                                        ? flat.instances[i + 1].first_triangle
-                                        : static_cast<std::uint32_t>(flat.triangles.size()));
-    for (const PunctualLight& light : scene.lights)
-        if (light.type != LightType::directional && shines(light)) collector.add_punctual(light);
-    for (const PunctualLight& light : scene.lights)
-        if (light.type == LightType::directional && shines(light)) collector.add_punctual(light);
+    for (std::uint32_t i = 0; i < flat.instances.size(); ++i) collector.add_area_light(i);
+    add_punctual_lights(collector, false);
+    add_punctual_lights(collector, true);
     if (scene.environment && luminance(scene.environment->radiance) > 0.0) {
         flat.environment = scene.environment->radiance;
         shared::LightRecord light{};
         light.kind = EMITTER_ENVIRONMENT;
         light.axis = {0.0F, 0.0F, 1.0F, 0.0F};
         light.power = rgb(scene.environment->radiance, 1.0);
-        collector.add(light, luminance(scene.environment->radiance) * 4.0 * pi * pi *
-                                 static_cast<double>(flat.radius) *
-                                 static_cast<double>(flat.radius));
+        collector.add(light,
+                      luminance(scene.environment->radiance) * 4.0 * pi * pi *
+                          static_cast<double>(flat.radius) * static_cast<double>(flat.radius),
+                      environment);
         flat.features |= FEATURE_ENVIRONMENT;
     }
     flat.lights = std::move(collector.lights);

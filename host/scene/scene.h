@@ -57,6 +57,9 @@ struct Instance {
     std::uint32_t material = 0;
     glm::dmat4 to_world{1.0};
     bool flip_normals = false;  ///< the file asks for reversed orientation
+    bool may_move = false;      ///< over the frames to be made; see pose_scene and SceneEdits
+    bool present = true;        ///< else its triangles are there without extent
+    Attachment motion{};        ///< what carries it over time, if anything does
 };
 
 enum class LightType : std::uint32_t { point, spot, directional };
@@ -70,6 +73,7 @@ struct PunctualLight {
     glm::vec3 intensity{1.0F};  ///< W/sr; for `directional` irradiance W/m^2 on a facing surface
     float cos_inner = 1.0F;     ///< spot: full intensity inside this cone
     float cos_outer = 0.0F;     ///< spot: dark outside this cone
+    Attachment motion{};  ///< what carries it over time, if anything does; it shines along -z there
 };
 
 /// Light from infinitely far away, the same from every direction.

@@ -62,6 +62,18 @@ class Validator {
         if (scene_.film) check(*scene_.film);
     }
 
+    void run_pose(const std::string& when) const {
+        for (const Material& material : scene_.materials) check(material);
+        for (const Instance& instance : scene_.instances) {
+            if (!instance.may_move) continue;
+            const std::string object = "instance " + quote(instance.name) + when;
+            check_transform(instance.to_world, object);
+            const Mesh& mesh = scene_.meshes[instance.mesh];
+            if (!mesh.positions.empty()) check_extent(box_of(mesh), instance.to_world, object);
+        }
+        for (const PunctualLight& light : scene_.lights) check(light);
+    }
+
     void check(const Camera& camera, const std::string& when) const {
         const std::string object = "camera " + quote(camera.name) + when;
         check_transform(camera.to_world, object);
@@ -113,12 +125,16 @@ class Validator {
         for (const auto& triangle : mesh.triangles)
             for (const std::uint32_t corner : triangle)
                 require(corner < count, object, "has a triangle with a vertex that does not exist");
+        boxes_.push_back(box_of(mesh));
+    }
+
+    static Box box_of(const Mesh& mesh) {
         Box box;
         for (const glm::vec3& position : mesh.positions) {
             box.low = glm::min(box.low, glm::dvec3(position));
             box.high = glm::max(box.high, glm::dvec3(position));
         }
-        boxes_.push_back(box);
+        return box;
     }
 
     void check_transform(const glm::dmat4& to_world, const std::string& object) const {
@@ -200,9 +216,16 @@ class Validator {
             require(node.parent >= -1 && node.parent < static_cast<int>(i), "moving node",
                     "refers to a parent that does not come before it");
         }
+        const auto check_motion = [&](const Attachment& motion, const std::string& object) {
+            require(motion.node < static_cast<int>(animation.nodes.size()), object,
+                    "moves with a node that does not exist");
+        };
         for (const Camera& camera : scene_.cameras)
-            require(camera.motion.node < static_cast<int>(animation.nodes.size()),
-                    "camera " + quote(camera.name), "moves with a node that does not exist");
+            check_motion(camera.motion, "camera " + quote(camera.name));
+        for (const Instance& instance : scene_.instances)
+            check_motion(instance.motion, "instance " + quote(instance.name));
+        for (const PunctualLight& light : scene_.lights)
+            check_motion(light.motion, "light " + quote(light.name));
     }
 
     void check_grid(const Medium& medium, const std::string& object) const {
@@ -262,6 +285,10 @@ class Validator {
 
 void validate_scene(const Scene& scene) {
     Validator(scene).run();
+}
+
+void validate_pose(const Scene& scene, const std::string& when) {
+    Validator(scene).run_pose(" " + when);
 }
 
 void validate_camera(const Scene& scene, const Camera& camera, const std::string& when) {

@@ -86,7 +86,11 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.media_light = scene.scattering && scene.media_light && lights > 0;
     plan.direct = scene.direct;
     plan.indirect = scene.indirect;
-    plan.cached = algorithm == Algorithm::ic || settings.cached;
+    plan.temporal = algorithm == Algorithm::tic || (settings.cached && settings.temporal);
+    plan.cached = plan.temporal || algorithm == Algorithm::ic || settings.cached;
+    plan.cache_masks = settings.cache_masks;
+    plan.cache_audit = settings.cache_audit;
+    plan.cache_records = settings.cache_records;
     plan.cache_error = settings.cache_error;
     if (scene.direct || plan.media_light) {
         const bool all_lights =
@@ -105,7 +109,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
         plan_vpls(plan, settings, scene.mean_reflectance);
     plan.adaptive = algorithm == Algorithm::ais;
     if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
-    if (plan.cached) plan.cache_roulette = std::max(0.0, settings.roulette);
+    // Records that outlast their frame must not depend on what others see.
+    if (plan.cached && !plan.temporal) plan.cache_roulette = std::max(0.0, settings.roulette);
     plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,

@@ -14,7 +14,7 @@
 
 namespace weft {
 
-enum class Algorithm : std::uint8_t { ais, amax, igi, ir, ic, path };
+enum class Algorithm : std::uint8_t { ais, amax, igi, ir, ic, tic, path };
 
 /// What renders where no algorithm is named.
 inline constexpr Algorithm default_algorithm = Algorithm::ais;
@@ -39,7 +39,15 @@ struct SamplingSettings {
     /// Of ais and ic: VPLs that would add less than this share of what a pixel's VPLs add on
     /// average are traced by chance, and then count for more.
     double roulette = 2.0;
-    bool cached = false;  ///< indirect light from irradiance records, as ic always has it
+    bool cached = false;    ///< indirect light from irradiance records, as ic always has it
+    bool temporal = false;  ///< which outlast their frame, as those of tic always do
+    /// Of those: each keeps which VPLs it sees, so that only connections that something has moved
+    /// through are traced again; else all of a record's.
+    bool cache_masks = true;
+    /// Of those: most records that are kept from one frame to the next.
+    std::uint32_t cache_records = 1U << 18;
+    /// Of those: after every change all are computed anew as well, and compared (CacheStats).
+    bool cache_audit = false;
     /// Of those: relative error of irradiance at the mean distance that a record serves.
     double cache_error = 0.1;
     bool compensation = false;  ///< trace what bounds and bounces leave out
@@ -85,6 +93,7 @@ struct FramePlan {
     bool direct = false;            ///< surfaces gather the light of lights
     bool indirect = false;          ///< and of VPLs
     bool cached = false;            ///< that through irradiance records
+    bool temporal = false;          ///< which outlast their frame, and so do VPLs
     bool media = false;             ///< light goes through participating media
     bool media_light = false;       ///< what they scatter to the camera is gathered, too
     std::uint32_t media_steps = 1;  ///< places on a view ray for each light without area
@@ -103,7 +112,10 @@ struct FramePlan {
     double luminance_scale = 100.0;
     double roulette = 0.0;  ///< of VPLs; 0: all are traced
     double cache_error = 0.0;
-    double cache_roulette = 0.0;  ///< as roulette, of records
+    bool cache_masks = false;         ///< as the settings have them
+    bool cache_audit = false;         ///< likewise
+    std::uint32_t cache_records = 0;  ///< likewise
+    double cache_roulette = 0.0;      ///< as roulette, of records
 
     double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
     double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound

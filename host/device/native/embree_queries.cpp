@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "device/native/embree.h"
+#include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
 #include "device/shared_types.h"
 
@@ -17,6 +18,7 @@ struct CandidateList {
 #else
     RTCRayQueryContext context;
 #endif
+    const EmbreeScene* scene;
     unsigned int* triangles;
     unsigned int capacity;
     unsigned int count;
@@ -28,7 +30,9 @@ void collect(const RTCFilterFunctionNArguments* arguments) {
     for (unsigned int i = 0; i < arguments->N; ++i) {
         if (arguments->valid[i] == 0) continue;
         if (list->count < list->capacity)
-            list->triangles[list->count++] = RTCHitN_primID(arguments->hit, arguments->N, i);
+            list->triangles[list->count++] =
+                list->scene->triangle_of(RTCHitN_geomID(arguments->hit, arguments->N, i),
+                                         RTCHitN_primID(arguments->hit, arguments->N, i));
         arguments->valid[i] = 0;
     }
 }
@@ -135,14 +139,20 @@ void trace_packet(RTCScene scene, const float* origin, const float* directions, 
     for (int i = 0; i < Width; ++i) lanes[i] = valid[i] != 0 && rays.tfar[i] < 0.0F ? -1 : 0;
 }
 
+/// What NativeScene::embree is.
+const EmbreeScene& scene_of(const void* scene) {
+    return *static_cast<const EmbreeScene*>(scene);
+}
+
 }  // namespace
 
 EmbreeHit embree_closest(void* scene, const float* origin, const float* direction, float t_max) {
     RTCRayHit query = make_query(origin, direction, t_max);
-    intersect(static_cast<RTCScene>(scene), &query);
+    intersect(scene_of(scene).handle(), &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return {std::numeric_limits<unsigned int>::max(), t_max, 0.0F, 0.0F};
-    return {query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+    return {scene_of(scene).triangle_of(query.hit.geomID, query.hit.primID), query.ray.tfar,
+            query.hit.u, query.hit.v};
 }
 
 unsigned int embree_candidates(void* scene, const float* origin, const float* direction,
@@ -151,21 +161,22 @@ unsigned int embree_candidates(void* scene, const float* origin, const float* di
     RTCRayHit query = make_query(origin, direction, t_to);
     query.ray.tnear = t_from;
     CandidateList list{};
+    list.scene = &scene_of(scene);
     list.triangles = triangles;
     list.capacity = capacity;
-    collect_candidates(static_cast<RTCScene>(scene), &query, &list);
+    collect_candidates(list.scene->handle(), &query, &list);
     return list.count;
 }
 
 bool embree_any(void* scene, const float* origin, const float* direction, float t_max) {
     RTCRay ray = make_ray(origin, direction, t_max);
-    occluded(static_cast<RTCScene>(scene), &ray);
+    occluded(scene_of(scene).handle(), &ray);
     return ray.tfar < 0.0F;
 }
 
 void embree_any_packet(void* scene, const float* origin, const float* directions, int* lanes,
                        int width) {
-    const auto handle = static_cast<RTCScene>(scene);
+    RTCScene handle = scene_of(scene).handle();
     if (width == 16) {
         trace_packet<RTCRay16, 16>(handle, origin, directions, lanes);
     } else if (width == 8) {

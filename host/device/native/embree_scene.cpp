@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "base/limits.h"
 
 namespace weft {
 namespace {
@@ -20,38 +23,69 @@ void throw_embree_error(RTCDevice device, const char* action) {
 }  // namespace
 
 EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads, int flags) {
+    const std::size_t count = geometry.triangles.size();
+    const std::size_t first_moving = std::min(geometry.first_moving, count);
+    if (count > limits::max_triangles)
+        throw Error(ExitCode::bad_input,
+                    fmt::format("the scene has {} triangles, expected at most {}", count,
+                                limits::max_triangles));
+    first_moving_ = static_cast<unsigned int>(first_moving);
+    moves_ = first_moving < count;
     const std::string config = threads > 0 ? fmt::format("threads={}", threads) : std::string();
     device_ = rtcNewDevice(config.c_str());
     if (device_ == nullptr) throw_embree_error(nullptr, "start");
     scene_ = rtcNewScene(device_);
-    rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-    if (!geometry.triangles.empty()) {
-        RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   geometry.positions.data(), 0, sizeof(shared::float4),
-                                   geometry.positions.size());
-        rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                   geometry.triangles.data(), 0, sizeof(shared::Triangle),
-                                   geometry.triangles.size());
-        rtcCommitGeometry(mesh);
-        rtcAttachGeometryByID(scene_, mesh, 0);
-        rtcReleaseGeometry(mesh);
-    }
+    // Low quality is what Embree calls a tree of trees, one a mesh: only then does a commit leave
+    // the meshes alone that have not changed. Each of them has a quality of its own.
+    rtcSetSceneFlags(scene_,
+                     static_cast<RTCSceneFlags>(flags | (moves_ ? RTC_SCENE_FLAG_DYNAMIC : 0)));
+    rtcSetSceneBuildQuality(scene_, moves_ ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
+    attach(geometry, 0, first_moving, resting_mesh);
+    attach(geometry, first_moving, count, moving_mesh);
     rtcCommitScene(scene_);
-    const RTCError code = rtcGetDeviceError(device_);
-    if (code != RTC_ERROR_NONE) {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-        throw Error(
-            code == RTC_ERROR_OUT_OF_MEMORY ? ExitCode::out_of_memory : ExitCode::device,
-            fmt::format("Embree could not build the scene (error {})", static_cast<int>(code)));
+    try {
+        throw_embree_error(device_, "build the scene");
+    } catch (...) {
+        release();
+        throw;
     }
 }
 
 EmbreeScene::~EmbreeScene() {
+    release();
+}
+
+void EmbreeScene::release() noexcept {
     rtcReleaseScene(scene_);
     rtcReleaseDevice(device_);
+}
+
+void EmbreeScene::attach(const TracedGeometry& geometry, std::size_t first, std::size_t end,
+                         unsigned int mesh) {
+    if (first == end) return;
+    RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               geometry.positions.data(), 0, sizeof(shared::float4),
+                               geometry.positions.size());
+    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               geometry.triangles.data() + first, 0, sizeof(shared::Triangle),
+                               end - first);
+    if (moves_)
+        rtcSetGeometryBuildQuality(
+            triangles, mesh == moving_mesh ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
+    rtcCommitGeometry(triangles);
+    rtcAttachGeometryByID(scene_, triangles, mesh);
+    rtcReleaseGeometry(triangles);
+}
+
+void EmbreeScene::update() {
+    if (!moves_) return;
+    RTCGeometry triangles = rtcGetGeometry(scene_, moving_mesh);
+    rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0);
+    rtcCommitGeometry(triangles);
+    rtcCommitScene(scene_);
+    throw_embree_error(device_, "update the scene");
 }
 
 std::string embree_version() {

@@ -3,6 +3,7 @@
 #ifndef WEFT_DEVICE_NATIVE_EMBREE_SCENE_H
 #define WEFT_DEVICE_NATIVE_EMBREE_SCENE_H
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -21,9 +22,9 @@ inline const int embree_render_flags =
     RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
-/// An Embree scene of one triangle mesh whose primitive ids are the triangle ids, of the highest
-/// build quality. Queries for pictures are never COHERENT: a ray's result must not depend on its
-/// packet.
+/// Triangles as an Embree scene: one mesh of the highest build quality, and, where some may move, a
+/// mesh of those, which can be updated alone. Queries for pictures are never COHERENT: a ray's
+/// result must not depend on its packet.
 class EmbreeScene {
   public:
     /// Uses the geometry's memory; it must outlive this object. `threads` is 0 for all.
@@ -33,11 +34,29 @@ class EmbreeScene {
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
+    /// Brings the moving triangles up to date with the geometry's memory. Throws as the
+    /// constructor.
+    void update();
+
     [[nodiscard]] RTCScene handle() const noexcept { return scene_; }
+    /// The triangle that a hit of the scene is on.
+    [[nodiscard]] unsigned int triangle_of(unsigned int mesh,
+                                           unsigned int primitive) const noexcept {
+        return mesh == moving_mesh ? first_moving_ + primitive : primitive;
+    }
 
   private:
+    static constexpr unsigned int resting_mesh = 0;
+    static constexpr unsigned int moving_mesh = 1;
+
+    void attach(const TracedGeometry& geometry, std::size_t first, std::size_t end,
+                unsigned int mesh);
+    void release() noexcept;
+
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
+    unsigned int first_moving_ = 0;
+    bool moves_ = false;
 };
 
 /// "3.13.5", as the library that is loaded says.

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "base/large_memory.h"
 #include "base/stopwatch.h"
+#include "bvh/moving_bvh.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
 #include "device/native/native_variants.h"
@@ -45,15 +46,28 @@ class NativeTracedScene : public TracedScene {
   public:
     TracedGeometry geometry;
     std::unique_ptr<EmbreeScene> embree;
-    mutable NativeScene view;  ///< kernels take pointers to what they only read
-    WideBvh bvh;
+    mutable NativeScene view;      ///< kernels take pointers to what they only read
+    std::optional<MovingBvh> own;  ///< where there is no Embree
 
     void build_own_bvh() {
         BvhSettings settings;
         settings.padding = geometry.box_padding;
-        bvh = build_bvh(geometry.positions, geometry.triangles, settings);
-        view.bvh_nodes = bvh.nodes.data();
-        view.bvh_leaves = bvh.leaves.data();
+        own.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings);
+        view_own_bvh();
+    }
+    void update() {
+        if (embree) {
+            embree->update();
+        } else {
+            own->update(geometry.positions, geometry.triangles, geometry.box_padding);
+            view_own_bvh();
+        }
+    }
+
+  private:
+    void view_own_bvh() {
+        view.bvh_nodes = own->bvh().nodes.data();
+        view.bvh_leaves = own->bvh().leaves.data();
     }
 };
 
@@ -109,15 +123,25 @@ class NativeExecutor : public Executor {
         arena_.execute([&] {
             if (traversal_ == NativeTraversal::embree) {
                 scene->embree = std::make_unique<EmbreeScene>(geometry, threads_);
-                scene->view.embree = scene->embree->handle();
+                scene->view.embree = scene->embree.get();
             } else {
                 scene->build_own_bvh();
             }
         });
         scene_ms_ = watch.total();
         bvh_.reset();
-        if (traversal_ == NativeTraversal::own_bvh) bvh_ = stats_of(scene->bvh);
+        if (scene->own) bvh_ = stats_of(scene->own->bvh());
         return scene;
+    }
+
+    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override {
+        const Stopwatch watch;
+        auto& updated = dynamic_cast<NativeTracedScene&>(scene);
+        check_update(updated.geometry, geometry);
+        updated.geometry = geometry;
+        arena_.execute([&] { updated.update(); });
+        scene_ms_ += watch.total();
+        if (updated.own) bvh_ = stats_of(updated.own->bvh());
     }
 
     void build(std::span<const KernelId> kernels, std::uint32_t) override {

@@ -12,7 +12,7 @@ struct NativeScene {
     const void* bvh_leaves = nullptr;  ///< float, see LEAF_ROWS
     const void* positions = nullptr;   ///< float4 a vertex
     const void* triangles = nullptr;   ///< Triangle, by id
-    void* embree = nullptr;            ///< RTCScene; null: rays use the kernels' own BVH
+    void* embree = nullptr;            ///< EmbreeScene; null: rays use the kernels' own BVH
 };
 
 /// Closest hit as Embree found it; `triangle` is 0xFFFFFFFF for a miss.

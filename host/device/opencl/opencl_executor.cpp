@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/large_memory.h"
 #include "base/stopwatch.h"
+#include "bvh/moving_bvh.h"
 #include "device/opencl/opencl_program.h"
 #include "device/opencl/program_source.h"
 
@@ -59,12 +60,28 @@ class OpenClBuffer : public Buffer {
 
 class OpenClTracedScene : public TracedScene {
   public:
+    TracedGeometry geometry;
+    std::optional<MovingBvh> bvh;  ///< kept where something may move
     std::unique_ptr<Buffer> nodes;
     std::unique_ptr<Buffer> leaves;
+    bool resting_on_device = false;  ///< they hold what updates of the BVH leave alone
 };
 
 const cl::Buffer& memory_of(const Buffer& buffer) {
     return dynamic_cast<const OpenClBuffer&>(buffer).memory();
+}
+
+template <class T>
+std::span<const std::byte> bytes_of(const LargeVector<T>& values) noexcept {
+    return std::as_bytes(std::span(values));
+}
+
+/// Bytes of the nodes, or leaves, that updates leave alone but for the root.
+std::size_t resting_node_bytes(const MovingBvh& bvh) noexcept {
+    return bvh.resting_nodes() * sizeof(shared::BvhNode);
+}
+std::size_t resting_leaf_bytes(const MovingBvh& bvh) noexcept {
+    return bvh.resting_floats() * sizeof(float);
 }
 
 std::uint32_t default_lanes(const DeviceInfo& device) {
@@ -108,6 +125,7 @@ class OpenClExecutor : public Executor {
     void with_mapped(Buffer& buffer, Access access,
                      const std::function<void(std::span<std::byte>)>& use) override;
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
+    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override;
     void build(std::span<const KernelId> kernels, std::uint32_t features) override;
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
     double take_milliseconds() override;
@@ -125,6 +143,12 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::uint32_t chunk_of(KernelId kernel) const {
         return kernel_chunk(kernel) * (info_.is_cpu ? 1 : gpu_chunk_factor);
     }
+    void upload_bvh(OpenClTracedScene& scene);
+    [[nodiscard]] std::unique_ptr<Buffer> upload_with_room(std::span<const std::byte> bytes,
+                                                           std::size_t resting,
+                                                           std::string_view what);
+    void write_part(Buffer& buffer, std::span<const std::byte> bytes, std::size_t from);
+
     /// A launch that may still run, and where its time is to be added.
     struct InFlight {
         cl::Event event;
@@ -175,15 +199,73 @@ void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
 std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& geometry) {
     const Stopwatch watch;
     auto scene = std::make_unique<OpenClTracedScene>();
+    scene->geometry = geometry;
     BvhSettings settings;
     settings.padding = geometry.box_padding;
-    WideBvh bvh;
-    arena_.execute([&] { bvh = build_bvh(geometry.positions, geometry.triangles, settings); });
-    scene->nodes = upload<shared::BvhNode>(*this, bvh.nodes, "BVH nodes");
-    scene->leaves = upload<float>(*this, bvh.leaves, "BVH leaves");
+    arena_.execute([&] {
+        scene->bvh.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings);
+    });
+    upload_bvh(*scene);
+    if (!scene->bvh->moves()) scene->bvh.reset();
     scene_ms_ = watch.total();
-    bvh_ = stats_of(bvh);
     return scene;
+}
+
+void OpenClExecutor::update_scene(TracedScene& scene, const TracedGeometry& geometry) {
+    const Stopwatch watch;
+    auto& updated = dynamic_cast<OpenClTracedScene&>(scene);
+    check_update(updated.geometry, geometry);
+    if (!updated.bvh) return;
+    arena_.execute([&] {
+        if (updated.bvh->update(geometry.positions, geometry.triangles, geometry.box_padding))
+            updated.resting_on_device = false;
+    });
+    const auto nodes = bytes_of(updated.bvh->bvh().nodes);
+    const auto leaves = bytes_of(updated.bvh->bvh().leaves);
+    try {
+        if (!updated.resting_on_device || nodes.size() > updated.nodes->bytes() ||
+            leaves.size() > updated.leaves->bytes()) {
+            queue_.finish();  // launches under way read memory that the old buffers own
+            upload_bvh(updated);
+        } else {
+            write_part(*updated.nodes, nodes.first(sizeof(shared::BvhNode)), 0);
+            write_part(*updated.nodes, nodes, resting_node_bytes(*updated.bvh));
+            write_part(*updated.leaves, leaves, resting_leaf_bytes(*updated.bvh));
+        }
+    } catch (const cl::Error& error) {
+        rethrow(error, "updating the BVH");
+    }
+    bvh_ = stats_of(updated.bvh->bvh());
+    scene_ms_ += watch.total();
+}
+
+void OpenClExecutor::upload_bvh(OpenClTracedScene& scene) {
+    const WideBvh& bvh = scene.bvh->bvh();
+    auto nodes = upload_with_room(bytes_of(bvh.nodes), resting_node_bytes(*scene.bvh), "BVH nodes");
+    scene.leaves =
+        upload_with_room(bytes_of(bvh.leaves), resting_leaf_bytes(*scene.bvh), "BVH leaves");
+    scene.nodes = std::move(nodes);
+    scene.resting_on_device = true;
+    bvh_ = stats_of(bvh);
+}
+
+/// A buffer that holds `bytes`, with room for twice as many behind the first `resting` of them.
+std::unique_ptr<Buffer> OpenClExecutor::upload_with_room(std::span<const std::byte> bytes,
+                                                         std::size_t resting,
+                                                         std::string_view what) {
+    const std::size_t wanted = bytes.size() + (bytes.size() - resting);
+    const auto most = static_cast<std::size_t>(info_.max_allocation);
+    auto buffer = allocate(std::max(bytes.size(), std::min(wanted, most)), what);
+    write_buffer(*this, *buffer, bytes);
+    return buffer;
+}
+
+/// Writes `bytes` from `from` on, after all that was launched before.
+void OpenClExecutor::write_part(Buffer& buffer, std::span<const std::byte> bytes,
+                                std::size_t from) {
+    if (from < bytes.size())
+        queue_.enqueueWriteBuffer(memory_of(buffer), CL_TRUE, from, bytes.size() - from,
+                                  bytes.data() + from);
 }
 
 void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t features) {

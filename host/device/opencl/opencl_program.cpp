@@ -14,7 +14,7 @@
 namespace weft {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::uint32_t>, 14> feature_names{{
+constexpr std::array<std::pair<std::string_view, std::uint32_t>, 15> feature_names{{
     {"FEATURE_TEXTURES", FEATURE_TEXTURES},
     {"FEATURE_VERTEX_COLOURS", FEATURE_VERTEX_COLOURS},
     {"FEATURE_SMOOTH_NORMALS", FEATURE_SMOOTH_NORMALS},
@@ -29,6 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::uint32_t>, 14> feature_nam
     {"FEATURE_AIRLIGHT", FEATURE_AIRLIGHT},
     {"FEATURE_EMISSIVE_MEDIA", FEATURE_EMISSIVE_MEDIA},
     {"FEATURE_CONVEX_MEDIA", FEATURE_CONVEX_MEDIA},
+    {"FEATURE_TEMPORAL", FEATURE_TEMPORAL},
 }};
 
 /// The features that `source` asks about, beyond their definitions.

@@ -1,0 +1,71 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BVH_MOVING_BVH_H
+#define WEFT_BVH_MOVING_BVH_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "bvh/box.h"
+#include "bvh/wide_bvh.h"
+
+namespace weft {
+
+/// A BVH over triangles of which those from `first_moving` on may move. Below a root of its own lie
+/// a tree over those that rest, as build_bvh makes it, and behind that one over those that move,
+/// without spatial splits. Where none may move it is the tree of build_bvh alone. It depends on
+/// the triangles as they are alone, not on where they were.
+class MovingBvh {
+  public:
+    /// Throws as build_bvh.
+    MovingBvh(std::span<const shared::float4> positions,
+              std::span<const shared::Triangle> triangles, std::size_t first_moving,
+              const BvhSettings& settings);
+
+    /// Makes the root and the moving part anew after the moving triangles have changed; their
+    /// number has not. Another padding than before needs a resting part anew, too; returns whether
+    /// that was so. Throws as build_bvh, or Error (exit code 3) where the number has changed; it
+    /// stays what it was then.
+    bool update(std::span<const shared::float4> positions,
+                std::span<const shared::Triangle> triangles, float padding);
+
+    [[nodiscard]] bool moves() const noexcept { return first_moving_ < triangle_count_; }
+    [[nodiscard]] const WideBvh& bvh() const noexcept { return bvh_; }
+
+    /// Nodes before the moving part's: all but the root stay what they are at updates.
+    [[nodiscard]] std::size_t resting_nodes() const noexcept { return resting_nodes_; }
+    /// Floats of the leaves before the moving part's, which stay.
+    [[nodiscard]] std::size_t resting_floats() const noexcept { return resting_floats_; }
+
+  private:
+    // What the root has to know of a tree below it.
+    struct Part {
+        std::uint32_t root = BVH_EMPTY;
+        Box box{};
+        std::uint32_t depth = 0;
+        std::uint32_t stack_need = 1;
+        bool has_spatial_splits = false;
+        double sah_cost = 0.0;
+        double build_ms = 0.0;
+    };
+
+    void add_resting(WideBvh tree);
+    void replace_moving(const WideBvh& tree);
+    [[nodiscard]] WideBvh build_moving(std::span<const shared::float4> positions,
+                                       std::span<const shared::Triangle> triangles) const;
+    [[nodiscard]] static Part part_of(const WideBvh& tree, std::size_t first_node);
+    void join(const Part& moving) noexcept;
+
+    std::size_t first_moving_;
+    std::size_t triangle_count_;
+    BvhSettings settings_;
+    Part resting_;
+    std::size_t resting_nodes_ = 0;
+    std::size_t resting_floats_ = 0;
+    WideBvh bvh_;
+};
+
+}  // namespace weft
+
+#endif

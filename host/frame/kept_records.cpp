@@ -1,0 +1,221 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/kept_records.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "components/component.h"
+#include "frame/view_media.h"
+#include "kernels/cache.h"
+
+namespace weft {
+namespace {
+
+/// Slots without a record, of all, beyond which the others are moved together.
+constexpr double most_waste = 0.25;
+
+std::uint32_t vpls_of(const FramePlan& plan) {
+    return plan.sets * plan.vpls_per_set;
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+}  // namespace
+
+void place_records(FrameContext& frame, const char* component, const RecordPool& pool,
+                   std::uint32_t first, Buffer& pixel_slot) {
+    const std::uint32_t slots_before = std::exchange(frame.params.slots, pool.room());
+    frame.run(KernelId::receivers, "receivers", component, false,
+              with_gbuffer(frame.buffers.gbuffer, {&pool.slot_pixel(), view_inside(frame.buffers),
+                                                   &pool.receivers(), &pixel_slot}),
+              pool.slots() - first, 0, first);
+    frame.params.slots = slots_before;
+}
+
+void gather_records(FrameContext& frame, const char* component, const char* stage,
+                    const RecordPool& pool, std::uint32_t first, const SceneMotion* motion) {
+    const shared::Params before = frame.params;
+    frame.params.slots = pool.room();
+    frame.params.list_first = 0;
+    frame.params.list_length = vpls_of(frame.plan);
+    frame.params.roulette = static_cast<float>(frame.plan.cache_roulette);
+    frame.params.cache_words = pool.words();
+    frame.params.moved_boxes = motion != nullptr ? motion->box_count() : 0;
+    std::vector<Buffer*> arguments = with_media(frame.buffers, {});
+    for (Buffer* const buffer :
+         with_gbuffer(frame.buffers.gbuffer,
+                      {&pool.receivers(), &pool.slot_pixel(), frame.buffers.vpls.get(),
+                       motion != nullptr ? &motion->boxes() : frame.buffers.nothing.get(),
+                       &pool.packet_states(), &pool.doubts(), &pool.seen(), &pool.planes(),
+                       frame.buffers.counters.get()}))
+        arguments.push_back(buffer);
+    const std::uint32_t lanes = frame.executor.lanes();
+    frame.run(KernelId::cache_records, stage, component, true, arguments,
+              (pool.slots() - first) / lanes,
+              gather_items_per_launch(frame.executor, frame.params.list_length), first / lanes);
+    frame.params = before;
+}
+
+KeptRecords::KeptRecords(Executor& executor, const FramePlan& plan, RecordPool& pool)
+    : plan_(plan), pool_(pool), motion_(executor), paths_(executor, plan), store_(executor) {}
+
+void KeptRecords::refresh(FrameContext& frame, const char* component) {
+    stats_ = {};
+    ++frame_;
+    const bool begins = frame.begins != FrameContext::Begins::nothing;
+    const Stopwatch watch;
+    if (begins) motion_.observe(frame.executor, frame.scene);
+    frame.add_host_stage("changes", component, watch.total());
+    // After an early end the pool may hold records that were not finished.
+    if (slots_.size() != pool_.slots()) usable_ = false;
+    if (frame.begins == FrameContext::Begins::sequence || !usable_ || (begins && motion_.all()))
+        start_over(frame, component);
+    else if (begins && motion_.any())
+        follow_changes(frame, component);
+    if (frame.ended_early()) usable_ = false;
+    if (!usable_) return;
+    if (store_is_old_) fill_store(frame.executor);
+    stats_.kept = store_.count();
+    stats_.bytes = pool_.bytes_per_record() * pool_.room();
+}
+
+void KeptRecords::start_over(FrameContext& frame, const char* component) {
+    pool_.clear();
+    slots_.clear();
+    store_is_old_ = true;
+    paths_.walk(frame, component, motion_, false);
+    usable_ = true;
+}
+
+void KeptRecords::follow_changes(FrameContext& frame, const char* component) {
+    drop_moved();
+    compact();
+    paths_.walk(frame, component, motion_, true);
+    update_records(frame, component);
+    if (plan_.cache_audit && !frame.ended_early()) audit(frame, component);
+}
+
+void KeptRecords::update_records(FrameContext& frame, const char* component) {
+    if (pool_.slots() == 0) return;
+    const shared::Params before = frame.params;
+    frame.params.slots = pool_.room();
+    frame.params.list_length = vpls_of(plan_);
+    frame.params.cache_words = pool_.words();
+    frame.params.moved_boxes = motion_.box_count();
+    frame.other_scene = &motion_.traced();
+    const std::uint32_t lanes = frame.executor.lanes();
+    frame.run(
+        KernelId::cache_doubts, "record doubts", component, true,
+        {&pool_.receivers(), &pool_.planes(), frame.buffers.vpls.get(), &paths_.changes(),
+         &motion_.boxes(), &pool_.doubts(), &pool_.packet_states(), frame.buffers.counters.get()},
+        pool_.slots() / lanes, gather_items_per_launch(frame.executor, frame.params.list_length));
+    frame.other_scene = nullptr;
+    frame.params = before;
+    gather_records(frame, component, "record updates", pool_, 0, &motion_);
+    if (frame.ended_early()) return;
+    store_is_old_ = true;
+    const std::vector<std::uint32_t> states = pool_.states();
+    for (std::uint32_t slot = 0; slot < pool_.slots(); ++slot)
+        stats_.updated += slots_[slot].live && states[slot / lanes] != CACHE_KEEP ? 1 : 0;
+}
+
+void KeptRecords::drop_moved() {
+    std::vector<std::uint32_t> gone;
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+        if (slots_[slot].live && motion_.moved_instances()[slots_[slot].instance]) {
+            slots_[slot].live = false;
+            gone.push_back(slot);
+        }
+    if (gone.empty()) return;
+    stats_.dropped += static_cast<std::uint32_t>(gone.size());
+    pool_.invalidate(gone);
+    store_is_old_ = true;
+}
+
+void KeptRecords::compact() {
+    std::vector<std::uint32_t> live;
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+        if (slots_[slot].live) live.push_back(slot);
+    if (static_cast<double>(slots_.size() - live.size()) <=
+        most_waste * static_cast<double>(slots_.size()))
+        return;
+    pool_.keep(live);
+    std::vector<Slot> kept;
+    kept.reserve(pool_.slots());
+    for (const std::uint32_t slot : live) kept.push_back(slots_[slot]);
+    kept.resize(pool_.slots());
+    slots_ = std::move(kept);
+    store_is_old_ = true;
+}
+
+void KeptRecords::fill_store(Executor& executor) {
+    RecordPool::Contents contents = pool_.read(0);
+    store_.set(executor, contents.records);
+    store_slots_ = std::move(contents.slots);
+    store_is_old_ = false;
+}
+
+void KeptRecords::add(FrameContext& frame, const RecordPool::Contents& made,
+                      std::span<const std::uint32_t> pixels, std::uint32_t first) {
+    slots_.resize(pool_.slots());
+    frame.executor.with_mapped(
+        *frame.buffers.gbuffer[gbuffer_ids], Access::read, [&](std::span<std::byte> bytes) {
+            const std::span ids(reinterpret_cast<const std::uint32_t*>(bytes.data()),
+                                bytes.size() / sizeof(std::uint32_t));
+            for (const std::uint32_t slot : made.slots) {
+                const std::uint32_t triangle = ids[std::size_t{2} * pixels[slot - first]];
+                slots_[slot] = {frame.scene.triangles[triangle].instance, frame_, true};
+            }
+        });
+    stats_.made += static_cast<std::uint32_t>(made.slots.size());
+    store_is_old_ = true;
+}
+
+void KeptRecords::evict(FrameContext& frame) {
+    const std::vector<std::uint32_t> used = store_.read_used(frame.executor);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i] != 0) slots_[store_slots_[i]].last_used = frame_;
+    std::vector<std::uint32_t> live;
+    for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
+        if (slots_[slot].live) live.push_back(slot);
+    if (live.size() <= plan_.cache_records) return;
+    const std::size_t surplus = live.size() - plan_.cache_records;
+    std::stable_sort(live.begin(), live.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return slots_[a].last_used < slots_[b].last_used;
+    });
+    live.resize(surplus);
+    for (const std::uint32_t slot : live) slots_[slot].live = false;
+    pool_.invalidate(live);
+    stats_.evicted = static_cast<std::uint32_t>(live.size());
+    store_is_old_ = true;
+    compact();
+}
+
+void KeptRecords::audit(FrameContext& frame, const char* component) {
+    const std::uint32_t updated = stats_.updated;
+    const RecordPool::Contents followed = pool_.read(0);
+    const auto vpls = read_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, vpls_of(plan_));
+    motion_.doubt_everything(frame.executor);
+    paths_.walk(frame, component, motion_, false);
+    paths_.doubt_all(frame.executor);
+    update_records(frame, component);
+    if (frame.ended_early()) return;
+    const RecordPool::Contents anew = pool_.read(0);
+    const auto vpls_anew =
+        read_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, vpls_of(plan_));
+    for (std::size_t i = 0; i < vpls.size(); ++i)
+        stats_.differing += same_bits(vpls[i], vpls_anew[i]) ? 0 : 1;
+    for (std::size_t i = 0; i < anew.records.size(); ++i)
+        stats_.differing += same_bits(followed.records[i], anew.records[i]) ? 0 : 1;
+    stats_.updated = updated;
+    motion_.forget();
+}
+
+}  // namespace weft

@@ -1,0 +1,22 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_POSE_SCENE_H
+#define WEFT_SCENE_POSE_SCENE_H
+
+#include "scene/scene.h"
+
+namespace weft {
+
+/// Whether any instance or light is carried by a node that moves.
+[[nodiscard]] bool is_animated(const Scene& scene);
+
+/// Lets nothing of the scene move but cameras: all is as it is at rest.
+void hold_still(Scene& scene);
+
+/// Makes `posed`, a copy of the scene `rest`, what that is at `time`, seconds: its instances,
+/// lights and materials, before any edits. Transforms may be unusable: see validate_pose.
+void pose_scene(const Scene& rest, double time, Scene& posed);
+
+}  // namespace weft
+
+#endif

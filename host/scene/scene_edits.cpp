@@ -1,0 +1,378 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scene_edits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/limits.h"
+#include "base/quote.h"
+#include "scene/gltf_json.h"
+#include "scene/mesh_edit.h"
+
+namespace weft {
+namespace {
+
+using Json = nlohmann::json;
+using Keys = std::initializer_list<const char*>;
+using Names = std::map<std::string, std::vector<std::uint32_t>>;
+
+/// Parses text of any origin: what is too deep or too much ends the parser before the tree is made.
+Json parse_edits(const std::string& path, std::string_view text) {
+    std::size_t values = 0;
+    const auto watch = [&](int depth, Json::parse_event_t event, const Json&) {
+        const bool opens =
+            event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        if (opens && depth >= limits::max_nesting)
+            throw input_error(path, "JSON is nested deeper than " +
+                                        std::to_string(limits::max_nesting) + " levels");
+        if (opens || event == Json::parse_event_t::value) ++values;
+        if (values > limits::max_json_values)
+            throw input_error(path, "JSON holds more than " +
+                                        std::to_string(limits::max_json_values) + " values");
+        return true;
+    };
+    try {
+        return Json::parse(text.begin(), text.end(), watch);
+    } catch (const Json::parse_error& error) {
+        const std::string_view before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
+        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+        throw input_error(path + ":" + std::to_string(line), "JSON syntax error");
+    } catch (const Json::exception&) {
+        throw input_error(path, "JSON holds a number that is too large for a double");
+    }
+}
+
+std::string list_of(Keys keys) {
+    std::string list;
+    for (const char* key : keys) list += (list.empty() ? "'" : ", '") + std::string(key) + "'";
+    return list;
+}
+
+/// Refuses keys of `json`, which `value` stands for, that are not in `known`.
+void check_keys(const GltfValue& value, const Json& json, Keys known) {
+    for (const auto& [key, ignored] : json.items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw value.error("has the unknown key " + quote(key) + ", expected " + list_of(known));
+}
+
+/// The one key of `keys` that an object has.
+std::string only_key(const GltfValue& value, Keys keys) {
+    std::string found;
+    for (const char* key : keys) {
+        if (!value.find(key)) continue;
+        if (!found.empty())
+            throw value.error("has both '" + found + "' and '" + key + "', expected one of them");
+        found = key;
+    }
+    if (found.empty()) throw value.error("has none of " + list_of(keys) + ", expected one of them");
+    return found;
+}
+
+glm::dvec3 vector_of(const GltfValue& value, const char* key) {
+    (void)value.at(key);
+    const std::array<double, 3> v = value.numbers_or<3>(key, {});
+    return {v[0], v[1], v[2]};
+}
+
+double factor_of(const GltfValue& value) {
+    const double factor = value.as_number();
+    if (factor < 0.0) throw value.error("is negative, expected a factor from 0 on");
+    return factor;
+}
+
+std::optional<glm::vec3> colour_of(const GltfValue& value, const char* key, double largest,
+                                   const char* expected) {
+    const std::optional<GltfValue> member = value.find(key);
+    if (!member) return std::nullopt;
+    const glm::dvec3 colour = vector_of(value, key);
+    for (int i = 0; i < 3; ++i)
+        if (!(colour[i] >= 0.0 && colour[i] <= largest))
+            throw member->element(static_cast<std::size_t>(i)).error(expected);
+    return glm::vec3(colour);
+}
+
+std::uint32_t frame_of(const GltfValue& value) {
+    constexpr std::uint64_t largest = (std::uint64_t{1} << 31) - 1;
+    const std::uint64_t frame = value.as_integer();
+    if (frame > largest)
+        throw value.error("is " + std::to_string(frame) + ", expected a frame up to " +
+                          std::to_string(largest));
+    return static_cast<std::uint32_t>(frame);
+}
+
+ObjectTurn read_turn(const GltfValue& value, const Json& json) {
+    ObjectTurn turn;
+    turn.axis = vector_of(value, "axis");
+    check_keys(value, json, {"axis", "degrees", "about"});
+    turn.angle = value.at("degrees").as_number() * (std::numbers::pi / 180.0);
+    if (value.find("about")) turn.about = vector_of(value, "about");
+    // By the largest part first, lest squares overflow or vanish.
+    const glm::dvec3 size = glm::abs(turn.axis);
+    const double largest = std::max({size.x, size.y, size.z});
+    if (!(largest > 0.0)) throw value.at("axis").error("is of length 0, expected a direction");
+    turn.axis = glm::normalize(turn.axis / largest);
+    return turn;
+}
+
+ObjectScale read_scale(const GltfValue& value, const Json& json) {
+    const GltfValue scale = value.at("scale");
+    const glm::dvec3 factor =
+        json.at("scale").is_array() ? vector_of(value, "scale") : glm::dvec3(scale.as_number());
+    if (!(factor.x > 0.0 && factor.y > 0.0 && factor.z > 0.0))
+        throw scale.error("has a factor that is 0 or negative, expected factors above 0");
+    return {factor};
+}
+
+glm::dmat4 read_placement(const GltfValue& value) {
+    const std::array<double, 3> t = value.numbers_or<3>("translation", {0.0, 0.0, 0.0});
+    const std::array<double, 4> r = value.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
+    const std::array<double, 3> s = value.numbers_or<3>("scale", {1.0, 1.0, 1.0});
+    const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    if (!(std::abs(length - 1.0) < 0.1))
+        throw value.at("rotation")
+            .error("is a quaternion of length " + std::to_string(length) + ", expected 1");
+    const glm::dmat4 to_world = matrix_of({glm::dvec3(t[0], t[1], t[2]),
+                                           unit_quaternion(glm::dvec4(r[0], r[1], r[2], r[3])),
+                                           {s[0], s[1], s[2]}});
+    if (const char* flaw = transform_flaw(to_world))
+        throw value.error(std::string("gives ") + flaw);
+    return to_world;
+}
+
+template <typename Things>
+Names names_of(const Things& things) {
+    Names names;
+    for (std::size_t i = 0; i < things.size(); ++i)
+        if (!things[i].name.empty()) names[things[i].name].push_back(static_cast<std::uint32_t>(i));
+    return names;
+}
+
+const std::vector<std::uint32_t>& look_up(const Names& names, const GltfValue& name,
+                                          const char* kind) {
+    const auto found = names.find(name.as_string());
+    if (found == names.end())
+        throw name.error(std::string("is ") + quote(name.as_string()) + ", but no " + kind +
+                         " has that name");
+    return found->second;
+}
+
+/// The only light or material of a name.
+std::uint32_t look_up_one(const Names& names, const GltfValue& name, const char* kind) {
+    const std::vector<std::uint32_t>& found = look_up(names, name, kind);
+    if (found.size() > 1)
+        throw name.error(std::string("is ") + quote(name.as_string()) + ", but " +
+                         std::to_string(found.size()) + " " + kind +
+                         "s have that name, expected one");
+    return found.front();
+}
+
+/// Turns a file into a timeline and the instances that it adds, in the order of time: what is added
+/// has a name from then on, and what is removed has none.
+class EditReader {
+  public:
+    explicit EditReader(const Scene& scene)
+        : scene_(scene),
+          objects_(names_of(scene.instances)),
+          lights_(names_of(scene.lights)),
+          materials_(names_of(scene.materials)) {
+        for (const Instance& placed : scene.instances) count(placed);
+    }
+
+    EditTimeline timeline;
+    std::vector<Instance> added;
+
+    void read(const GltfValue& root, const Json& json) {
+        const GltfValue list = root.at("edits");
+        check_keys(root, json, {"edits"});
+        const std::size_t count = list.size();
+        if (count > limits::max_scene_edits)
+            throw list.error("has " + std::to_string(count) + " elements, expected at most " +
+                             std::to_string(limits::max_scene_edits));
+        std::vector<std::pair<std::uint32_t, std::size_t>> order;
+        for (std::size_t i = 0; i < count; ++i)
+            order.emplace_back(frame_of(list.element(i).at("frame")), i);
+        std::sort(order.begin(), order.end());
+        for (const auto& [frame, index] : order)
+            timeline.edits.push_back(read_edit(list.element(index), json.at("edits")[index]));
+    }
+
+  private:
+    SceneEdit read_edit(const GltfValue& value, const Json& json) {
+        const std::string target = only_key(value, {"object", "light", "material"});
+        SceneEdit edit;
+        edit.place = value.place();
+        edit.frame = frame_of(value.at("frame"));
+        edit.until = edit.frame;
+        if (const std::optional<GltfValue> until = value.find("until")) {
+            edit.until = frame_of(*until);
+            if (edit.until <= edit.frame)
+                throw until->error("is " + std::to_string(edit.until) +
+                                   ", expected a frame after " + std::to_string(edit.frame));
+        }
+        if (target == "object") read_object_edit(value, json, edit);
+        if (target == "light") read_light_edit(value, json, edit);
+        if (target == "material") read_material_edit(value, json, edit);
+        return edit;
+    }
+
+    void read_object_edit(const GltfValue& value, const Json& json, SceneEdit& edit) {
+        check_keys(value, json,
+                   {"frame", "until", "object", "move", "rotate", "scale", "remove", "add"});
+        const std::string kind = only_key(value, {"move", "rotate", "scale", "remove", "add"});
+        const GltfValue name = value.at("object");
+        const GltfValue change = value.at(kind.c_str());
+        edit.place = change.place();
+        const std::vector<std::uint32_t>& instances = look_up(objects_, name, "object");
+        if (instances.size() > limits::max_edit_targets - targets_)
+            throw value.error("brings the file above the limit of " +
+                              std::to_string(limits::max_edit_targets) +
+                              " changes of placed meshes");
+        targets_ += instances.size();
+        edit.targets = instances;
+        const auto removed = removed_.find(name.as_string());
+        // What is gone may still be copied.
+        if (kind != "add" && removed != removed_.end())
+            throw name.error("is " + quote(name.as_string()) + ", which is removed at frame " +
+                             std::to_string(removed->second));
+        if ((kind == "remove" || kind == "add") && edit.until != edit.frame)
+            throw value.at("until").error("has no meaning, '" + kind + "' happens at once");
+        if (kind == "move") edit.change = ObjectMove{vector_of(value, "move")};
+        if (kind == "rotate") edit.change = read_turn(change, json.at(kind));
+        if (kind == "scale") edit.change = read_scale(value, json);
+        if (kind == "remove") {
+            if (!change.as_bool()) throw change.error("is false, expected true");
+            edit.change = ObjectPresence{false};
+            removed_[name.as_string()] = edit.frame;
+        }
+        if (kind == "add") {
+            edit.change = ObjectPresence{true};
+            edit.targets = add_object(change, json.at(kind), edit.targets);
+        }
+    }
+
+    /// Copies instances under a new name, and returns where the copies will be.
+    std::vector<std::uint32_t> add_object(const GltfValue& value, const Json& json,
+                                          const std::vector<std::uint32_t>& originals) {
+        const GltfValue name = value.at("name");
+        check_keys(value, json, {"name", "translation", "rotation", "scale", "material"});
+        const std::string& text = name.as_string();
+        if (text.empty() || text.size() > limits::max_name_bytes)
+            throw name.error("has " + std::to_string(text.size()) + " bytes, expected 1 to " +
+                             std::to_string(limits::max_name_bytes));
+        if (objects_.contains(text))
+            throw name.error("is " + quote(text) + ", which an object is called already");
+        const glm::dmat4 to_world = read_placement(value);
+        const std::optional<GltfValue> material = value.find("material");
+        std::vector<std::uint32_t> copies;
+        const Instance first = instance(originals.front());
+        for (const std::uint32_t index : originals) {
+            Instance copy = instance(index);
+            // The parts of one node; where other nodes have that name, their copies would coincide.
+            if (copy.to_world != first.to_world || copy.motion.node != first.motion.node) continue;
+            copy.name = text;
+            if (material) copy.material = look_up_one(materials_, *material, "material");
+            copy.to_world = to_world;
+            copy.motion = {};
+            copy.may_move = true;
+            copy.present = false;
+            count_copy(value, copy);
+            copies.push_back(static_cast<std::uint32_t>(scene_.instances.size() + added.size()));
+            added.push_back(std::move(copy));
+        }
+        objects_[text] = copies;
+        return copies;
+    }
+
+    void count_copy(const GltfValue& value, const Instance& copy) {
+        const auto check = [&](std::size_t count, std::size_t most, const char* what) {
+            if (count > most)
+                throw value.error("brings the scene above the limit of " + std::to_string(most) +
+                                  " " + what);
+        };
+        count(copy);
+        check(scene_.instances.size() + scene_.medium_boundaries.size() + added.size() + 1,
+              limits::max_instances, "placed meshes");
+        check(triangles_, limits::max_triangles, "triangles");
+        check(vertices_, limits::max_vertices, "placed vertices");
+        if (!is_within_limits(scene_.meshes[copy.mesh], copy.to_world))
+            throw value.error("is placed too far from the origin");
+    }
+
+    void read_light_edit(const GltfValue& value, const Json& json, SceneEdit& edit) const {
+        check_keys(value, json, {"frame", "until", "light", "intensity", "move"});
+        const std::uint32_t light = look_up_one(lights_, value.at("light"), "light");
+        LightChange change;
+        const std::optional<GltfValue> factor = value.find("intensity");
+        const std::optional<GltfValue> move = value.find("move");
+        if (!factor && !move) throw value.error("lacks a change, expected 'intensity' or 'move'");
+        if (factor) change.factor = factor_of(*factor);
+        if (move) change.move = vector_of(value, "move");
+        if (move && scene_.lights[light].type == LightType::directional)
+            throw move->error("moves a directional light, which is nowhere");
+        edit.targets = {light};
+        edit.change = change;
+    }
+
+    void read_material_edit(const GltfValue& value, const Json& json, SceneEdit& edit) const {
+        check_keys(value, json,
+                   {"frame", "until", "material", "albedo", "emission", "emission_factor"});
+        edit.targets = {look_up_one(materials_, value.at("material"), "material")};
+        MaterialChange change;
+        change.albedo = colour_of(value, "albedo", 1.0, "is outside [0, 1]");
+        change.emission = colour_of(value, "emission", std::numeric_limits<float>::max(),
+                                    "is negative or not finite as a float");
+        const std::optional<GltfValue> factor = value.find("emission_factor");
+        if (factor) change.emission_factor = factor_of(*factor);
+        if (!change.albedo && !change.emission && !factor)
+            throw value.error("lacks a change, expected 'albedo', 'emission' or 'emission_factor'");
+        edit.change = change;
+    }
+
+    [[nodiscard]] const Instance& instance(std::uint32_t index) const {
+        const std::size_t count = scene_.instances.size();
+        return index < count ? scene_.instances[index] : added[index - count];
+    }
+
+    void count(const Instance& placed) {
+        const Mesh& mesh = scene_.meshes[placed.mesh];
+        triangles_ += mesh.triangles.size();
+        vertices_ += mesh.positions.size();
+    }
+
+    const Scene& scene_;
+    Names objects_, lights_, materials_;
+    std::map<std::string, std::uint32_t> removed_;  ///< name, frame
+    std::size_t targets_ = 0;
+    std::size_t triangles_ = 0;  ///< placed, as `vertices_`
+    std::size_t vertices_ = 0;
+};
+
+}  // namespace
+
+EditTimeline read_scene_edits(const std::filesystem::path& file, Scene& scene) {
+    const std::vector<std::byte> bytes = read_file(file, limits::max_text_file_bytes);
+    const std::string path = file.string();
+    const Json json =
+        parse_edits(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    EditReader reader(scene);
+    reader.read({json, path + "#"}, json);
+    scene.instances.insert(scene.instances.end(), reader.added.begin(), reader.added.end());
+    for (const SceneEdit& edit : reader.timeline.edits)
+        if (edit.is_of_object())
+            for (const std::uint32_t index : edit.targets) scene.instances[index].may_move = true;
+    return std::move(reader.timeline);
+}
+
+}  // namespace weft
