@@ -189,7 +189,8 @@ TEST_F(ProgramFrames, AStillCameraGivesEqualFramesAndAWarning) {
     const ProgramResult result =
         run_program(command("still0.gltf", "out.png", {"--backend", "embree", "--frames", "0:2"}));
     EXPECT_EQ(result.exit_code, 0);
-    EXPECT_NE(result.err.find("camera 'camera' is not animated, all frames are the same"),
+    EXPECT_NE(result.err.find(
+                  "neither the scene nor camera 'camera' is animated, all frames are the same"),
               std::string::npos)
         << result.err;
     EXPECT_TRUE(text_of_file(at("out.0000.png")) == text_of_file(at("out.0001.png")));

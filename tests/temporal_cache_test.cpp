@@ -65,6 +65,8 @@ void follow_random_edits(Backend backend, const MovingRoom& start, RenderSetting
     std::mt19937 random(seed);
     std::size_t updated = 0;
     std::size_t kept = 0;
+    std::uint64_t traced = 0;
+    std::uint64_t affected = 0;
     for (int edit = 0; edit < edits; ++edit) {
         const std::string what = follower.room.edit(random);
         const FrameStats& stats = follower.next();
@@ -74,10 +76,18 @@ void follow_random_edits(Backend backend, const MovingRoom& start, RenderSetting
             << "edit " << edit << " of seed " << seed << ": " << what;
         updated += stats.cache->updated;
         kept += stats.cache->kept;
+        if (!settings.sampling.cache_masks) continue;
+        traced += stats.cache->traced;
+        affected += stats.cache->affected;
     }
-    // Both happen: records that are computed again, and some that are not.
+    // What is traced again is what is affected, but for rays that pass an edge within rounding.
+    EXPECT_NEAR(static_cast<double>(traced), static_cast<double>(affected),
+                0.01 * static_cast<double>(affected));
     EXPECT_GT(updated, 0U);
-    EXPECT_GT(kept, updated);
+    // A quarter of the edits changes no light path: what it leaves alone is not computed again.
+    if (edits > 100) {
+        EXPECT_GT(kept, updated);
+    }
 }
 
 TEST(TemporalCache, RecordsAreThoseComputedAnewAfterAnyEdits) {

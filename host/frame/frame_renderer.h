@@ -37,9 +37,11 @@ struct CacheStats {
     std::uint32_t evicted = 0;  ///< beyond SamplingSettings::cache_records
     std::uint32_t made = 0;
     std::uint64_t bytes = 0;  ///< of device memory, for all records there is room for
-    /// With SamplingSettings::cache_audit: records and VPLs that differ in any bit from those
-    /// computed anew.
-    std::uint32_t differing = 0;
+    // With SamplingSettings::cache_audit and masks, after a change:
+    std::uint32_t differing = 0;  ///< records and VPLs that differ in any bit if computed anew
+    std::uint64_t traced = 0;     ///< connections of kept records that were traced again
+    /// Those that meet anything that has moved, or whose VPL is elsewhere, counted one by one.
+    std::uint64_t affected = 0;
 };
 
 /// What one frame took.

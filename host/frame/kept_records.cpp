@@ -3,12 +3,12 @@
 #include "frame/kept_records.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <utility>
 
 #include "base/stopwatch.h"
 #include "components/component.h"
+#include "frame/record_audit.h"
 #include "frame/view_media.h"
 #include "kernels/cache.h"
 
@@ -200,8 +200,12 @@ void KeptRecords::evict(FrameContext& frame) {
 
 void KeptRecords::audit(FrameContext& frame, const char* component) {
     const std::uint32_t updated = stats_.updated;
+    stats_.traced = pool_.count_doubts();
     const RecordPool::Contents followed = pool_.read(0);
     const auto vpls = read_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, vpls_of(plan_));
+    const auto changes =
+        read_buffer<std::uint32_t>(frame.executor, paths_.changes(), vpls_of(plan_));
+    stats_.affected = affected_connections(followed.records, vpls, changes, motion_.triangles());
     motion_.doubt_everything(frame.executor);
     paths_.walk(frame, component, motion_, false);
     paths_.doubt_all(frame.executor);

@@ -3,6 +3,7 @@
 #include "frame/record_pool.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "frame/frame_context.h"
@@ -104,6 +105,19 @@ void RecordPool::set_states(std::uint32_t state) {
 
 std::vector<std::uint32_t> RecordPool::states() {
     return read_buffer<std::uint32_t>(executor_, *states_, packets(slots_));
+}
+
+std::uint64_t RecordPool::count_doubts() {
+    const auto words =
+        read_buffer<std::uint32_t>(executor_, *doubts_, std::size_t{packets(slots_)} * words_);
+    const std::vector<std::uint32_t> of_packets = states();
+    std::uint64_t count = 0;
+    for (std::size_t packet = 0; packet < of_packets.size(); ++packet) {
+        if (of_packets[packet] == CACHE_KEEP) continue;
+        for (std::size_t word = 0; word < words_; ++word)
+            count += static_cast<std::uint64_t>(std::popcount(words[packet * words_ + word]));
+    }
+    return count;
 }
 
 std::vector<float> RecordPool::read_planes() {

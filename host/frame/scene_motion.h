@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device/executor.h"
+#include "frame/record_audit.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
@@ -34,6 +35,7 @@ class SceneMotion {
 
     /// Triangles of those instances, both where they were and where they are.
     [[nodiscard]] const TracedScene& traced() const { return *traced_; }
+    [[nodiscard]] TriangleSoup triangles() const { return {positions_, triangles_}; }
     /// Boxes about each of them at both places (kernels/moved.h), and how many there are.
     [[nodiscard]] Buffer& boxes() const { return *boxes_; }
     [[nodiscard]] std::uint32_t box_count() const { return box_count_; }

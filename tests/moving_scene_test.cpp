@@ -1,0 +1,204 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "frame/path_renderer.h"
+#include "moving_room.h"
+#include "render_fixture.h"
+#include "scene/moving_scene.h"
+#include "scene/pose_scene.h"
+
+namespace weft {
+namespace {
+
+using test::Backend;
+
+/// A node that moves along x by 0.1 a second.
+MovingNode sliding_node(Scene& scene) {
+    KeyTrack track;
+    track.times = {0.0F, 10.0F};
+    track.values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F};
+    scene.animation.tracks.push_back(track);
+    MovingNode node;
+    node.translation = static_cast<int>(scene.animation.tracks.size() - 1);
+    return node;
+}
+
+/// The room of a block and a lamp: the block slides.
+Scene sliding_room() {
+    test::MovingRoom room = test::moving_room(0);
+    Scene scene = std::move(room.scene);
+    scene.animation.nodes.push_back(sliding_node(scene));
+    Instance& block = scene.instances[room.things.front()];
+    block.motion = {0, block.to_world};
+    return scene;
+}
+
+RenderSettings igi_settings() {
+    return test::small_settings(Algorithm::igi, 48, 36);
+}
+
+/// The picture of a frame after those that lead to it.
+Image frame_after(std::vector<std::uint32_t> frames, Backend backend) {
+    MovingScene moving(sliding_room(), {}, 1.0);
+    moving.set_frame(frames.front());
+    Renderer renderer(test::shared_executor(backend), moving.flat(), test::room_camera(),
+                      igi_settings());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (i > 0) {
+            moving.set_frame(frames[i]);
+            renderer.update_scene();
+            renderer.move_camera(test::room_camera());
+        }
+        EXPECT_TRUE(renderer.render_frame({}));
+    }
+    return renderer.image();
+}
+
+TEST(MovingScene, APictureDoesNotDependOnTheFramesBefore) {
+    for (const Backend backend : test::backends()) {
+        const Image alone = frame_after({4}, backend);
+        EXPECT_EQ(test::differing_values(alone, frame_after({0, 1, 4}, backend)), 0U)
+            << test::backend_name(backend);
+        EXPECT_EQ(test::differing_values(alone, frame_after({7, 4}, backend)), 0U)
+            << test::backend_name(backend);
+        EXPECT_GT(test::differing_values(alone, frame_after({5}, backend)), 0U);
+    }
+}
+
+TEST(MovingScene, ThingsAreWhereTheirNodesAre) {
+    // As if the scene had been modelled that way: triangles only have other numbers.
+    Scene modelled = sliding_room();
+    hold_still(modelled);
+    for (Instance& instance : modelled.instances)
+        if (instance.mesh + 1 == modelled.meshes.size()) instance.to_world[3].x += 0.4;
+    const test::Rendering expected =
+        test::render(Backend::own_bvh, modelled, test::room_camera(), igi_settings());
+    const Image image = frame_after({0, 4}, Backend::own_bvh);
+    for (const char* const layer : {"direct", "indirect", "albedo", "depth"})
+        EXPECT_LT(test::relative_mse(expected.layer(layer), image.find(layer)->values), 1e-8)
+            << layer;
+}
+
+TEST(MovingScene, PathTracingFollowsAsWell) {
+    const auto render = [](std::uint32_t first) {
+        MovingScene moving(sliding_room(), {}, 1.0);
+        moving.set_frame(first);
+        PathSettings settings;
+        settings.width = 24;
+        settings.height = 18;
+        settings.samples = {0, 2};
+        PathRenderer renderer(test::shared_executor(Backend::own_bvh), moving.flat(),
+                              test::room_camera(), settings, {});
+        if (first != 4) {
+            moving.set_frame(4);
+            renderer.update_scene();
+            renderer.set_camera(test::room_camera());
+        }
+        while (renderer.render_frame({})) {
+        }
+        return renderer.image();
+    };
+    EXPECT_EQ(test::differing_values(render(4), render(0)), 0U);
+}
+
+TEST(MovingScene, ASceneThatRestsPaysNothing) {
+    Scene still = sliding_room();
+    hold_still(still);
+    MovingScene moving(still, {}, 30.0);
+    EXPECT_FALSE(moving.moves());
+    EXPECT_EQ(moving.flat().first_moving_triangle, moving.flat().triangles.size());
+    moving.set_frame(10);
+    const FlatScene flat = flatten(still);
+    EXPECT_EQ(moving.flat().extent, flat.extent);
+    EXPECT_EQ(moving.flat().radius, flat.radius);
+}
+
+TEST(MovingScene, UnusableTransformsAreRefusedAndTheFrameBeforeStaysValid) {
+    struct Case {
+        const char* text;
+        std::vector<float> scales;  ///< of the node at 0 s and 2 s
+    };
+    const Case cases[] = {{"inverted", {1, 1, 1, 0, 0, 0}},
+                          {"inverted", {1, 1, 1, 1, 0, 1}},
+                          {"finite", {1, 1, 1, 3e38F, 3e38F, 3e38F}},
+                          {"too far", {1, 1, 1, 1e20F, 1, 1}}};
+    for (const Case& wrong : cases) {
+        Scene scene = sliding_room();
+        KeyTrack track;
+        track.times = {0.0F, 2.0F};
+        track.values = wrong.scales;
+        scene.animation.tracks.push_back(track);
+        scene.animation.nodes[0].scale = 1;
+        // Squares of numbers that are too large for doubles.
+        if (std::string(wrong.text) == "finite")
+            for (int i = 0; i < 8; ++i) {
+                MovingNode node = scene.animation.nodes[0];
+                node.parent = i;
+                scene.animation.nodes.push_back(node);
+                scene.instances.back().motion.node = i + 1;
+            }
+        MovingScene moving(scene, {}, 1.0);
+        moving.set_frame(1);
+        const FlatScene before = moving.flat();
+        try {
+            moving.set_frame(2);
+            ADD_FAILURE() << wrong.text;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input);
+            EXPECT_NE(std::string(error.what()).find("in frame 2"), std::string::npos)
+                << error.what();
+        }
+        for (std::size_t i = 0; i < before.positions.size(); ++i) {
+            EXPECT_EQ(before.positions[i].x, moving.flat().positions[i].x);
+            EXPECT_EQ(before.positions[i].y, moving.flat().positions[i].y);
+        }
+        Renderer renderer(test::shared_executor(Backend::own_bvh), moving.flat(),
+                          test::room_camera(), igi_settings());
+        EXPECT_TRUE(renderer.render_frame({}));
+    }
+}
+
+TEST(MovingScene, LightsMoveWithTheirNodes) {
+    Scene scene = test::moving_room(1).scene;
+    scene.animation.nodes.push_back(sliding_node(scene));
+    scene.lights[0].motion = {0, glm::dmat4(1.0)};
+    Scene posed = scene;
+    pose_scene(scene, 5.0, posed);
+    EXPECT_NEAR(posed.lights[0].position.x, 0.5, 1e-12);
+    EXPECT_NEAR(posed.lights[0].direction.z, -1.0, 1e-12);
+    EXPECT_TRUE(is_animated(scene));
+}
+
+TEST(MovingScene, LightsMayGoOutAndComeOn) {
+    // A lamp that is dark at first: the renderer builds what it calls for when it shines.
+    test::MovingRoom room = test::moving_room(0);
+    const Scene lit = room.scene;
+    for (Material& material : room.scene.materials) material.emission = glm::vec3(0.0F);
+    room.flat = flatten(room.scene);
+    Renderer renderer(test::shared_executor(Backend::own_bvh), room.flat, test::room_camera(),
+                      igi_settings());
+    EXPECT_TRUE(renderer.render_frame({}));
+    EXPECT_EQ(test::mean_of(renderer.image().find("direct")->values), 0.0);
+    for (const bool shines : {true, false, true}) {
+        update_flat(lit, room.flat);
+        Scene scene = lit;
+        if (!shines)
+            for (Material& material : scene.materials) material.emission = glm::vec3(0.0F);
+        update_flat(scene, room.flat);
+        renderer.update_scene();
+        renderer.move_camera(test::room_camera());
+        EXPECT_TRUE(renderer.render_frame({}));
+        EXPECT_EQ(test::mean_of(renderer.image().find("direct")->values) > 0.0, shines);
+        EXPECT_EQ(test::mean_of(renderer.image().find("indirect")->values) > 0.0, shines);
+    }
+}
+
+}  // namespace
+}  // namespace weft
