@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +11,7 @@
 
 #include "base/limits.h"
 #include "frame/camera_params.h"
+#include "scene/pose_scene.h"
 #include "tests/gltf_builder.h"
 
 namespace weft {
@@ -166,14 +168,13 @@ TEST(GltfAnimation, WarnsOfWhatIsNotPlayed) {
     film.add_channel(0, "weights", 0);
     film.animation()["channels"].push_back({{"sampler", 0}, {"target", {{"path", "scale"}}}});
     const Scene scene = film.read();
-    EXPECT_EQ(film.diagnostics.warnings().size(), 5U);
+    EXPECT_EQ(film.diagnostics.warnings().size(), 4U);
     EXPECT_TRUE(
         film.warned("#/animations/0/channels/1/target: a property of a node is animated "
                     "twice, the later channel is ignored"));
     EXPECT_TRUE(film.warned("#/animations/0/channels/3/target: an animation of weights is not"));
     EXPECT_TRUE(film.warned("#/animations/0/channels/4/target: an animation of pointer is not"));
     EXPECT_TRUE(film.warned("#/animations/0/channels/6/target: a channel without a node"));
-    EXPECT_TRUE(film.warned("#/nodes/0: animations of meshes and lights are not simulated"));
     EXPECT_EQ(scene.instances.at(0).to_world, glm::dmat4(1.0));
     EXPECT_EQ(scene.animation.tracks.size(), 3U);
     const MovingNode& node = scene.animation.nodes.at(0);
@@ -181,13 +182,22 @@ TEST(GltfAnimation, WarnsOfWhatIsNotPlayed) {
               glm::dvec3(1, 0, 0));
 }
 
-TEST(GltfAnimation, MeshesBelowAnAnimatedNodeAreNamed) {
+TEST(GltfAnimation, MovesMeshesBelowAnAnimatedNode) {
     Film film;
     film.json["nodes"][1]["children"] = {2, 0};
     film.json["scenes"][0]["nodes"] = {1};
-    film.animate(1, "translation", {0}, {1, 0, 0});
-    film.read();
-    EXPECT_TRUE(film.warned("#/nodes/0: animations of meshes and lights are not simulated"));
+    film.animate(1, "translation", {0, 2}, {1, 0, 0, 5, 0, 0});
+    const Scene scene = film.read();
+    EXPECT_TRUE(scene.instances.at(0).may_move);
+    EXPECT_TRUE(is_animated(scene));
+    Scene posed = scene;
+    for (const double time : {0.0, 1.0, 3.0}) {
+        pose_scene(scene, time, posed);
+        expect_near(glm::dvec3(posed.instances.at(0).to_world[3]),
+                    {1.0 + 2.0 * std::min(time, 2.0), 0, 0});
+    }
+    hold_still(posed);
+    EXPECT_FALSE(is_animated(posed));
 }
 
 /// The error after one value of a good animation is replaced.

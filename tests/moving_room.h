@@ -107,7 +107,7 @@ inline MovingRoom moving_room(unsigned which) {
         builder.scene.instances.back().may_move = true;
     };
     const Mesh screen = quad_mesh({-0.5F, -0.5F, 0.0F}, {1, 0, 0}, {0, 1, 0});
-    Mesh ball = icosphere(2, false);
+    Mesh ball = icosphere(1, false);
     ball.normals = ball.positions;
     if (which != 1) builder.add(quad_mesh({-0.3F, 0.99F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}), lamp);
     if (which != 0) add_moving(ball, white, 0.3, {-0.4, -0.6, 0.1});

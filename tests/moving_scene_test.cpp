@@ -132,6 +132,7 @@ TEST(MovingScene, UnusableTransformsAreRefusedAndTheFrameBeforeStaysValid) {
     for (const Case& wrong : cases) {
         Scene scene = sliding_room();
         KeyTrack track;
+        track.interpolation = Interpolation::step;
         track.times = {0.0F, 2.0F};
         track.values = wrong.scales;
         scene.animation.tracks.push_back(track);

@@ -4,48 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include "parse_options.h"
 
 namespace weft {
 namespace {
 
-ParsedCommand parse(std::initializer_list<const char*> arguments) {
-    std::vector<const char*> argv = {"weft"};
-    argv.insert(argv.end(), arguments);
-    return parse_command_line(static_cast<int>(argv.size()), argv.data());
-}
-
-RenderOptions render(std::initializer_list<const char*> arguments) {
-    std::vector<const char*> argv = {"weft", "render", "scenes/box.gltf"};
-    argv.insert(argv.end(), arguments);
-    return std::get<RenderOptions>(parse_command_line(static_cast<int>(argv.size()), argv.data()));
-}
-
-template <typename Function>
-std::string failure(const Function& function) {
-    try {
-        static_cast<void>(function());
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::usage);
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-        return error.what();
-    }
-    return "no failure";
-}
-
-/// The message of a command line that must be refused.
-std::string refusal(std::initializer_list<const char*> arguments) {
-    return failure([&] { return parse(arguments); });
-}
-
-std::string render_refusal(std::initializer_list<const char*> arguments) {
-    return failure([&] { return render(arguments); });
-}
+using test::parse;
+using test::refusal;
+using test::render;
+using test::render_refusal;
 
 TEST(Options, RenderDefaults) {
     const RenderOptions options = render({});
@@ -136,10 +107,12 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
                              "--vpl-compensation",
                              "--quality",
                              "--frame-time",
+                             "--edits",
+                             "--cache-records",
+                             "--cache-masks",
                              "--overlays"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
-    for (const char* name : {"--preset", "tic"})
-        EXPECT_EQ(help.find(name), std::string::npos) << name;
+    EXPECT_EQ(help.find("--preset"), std::string::npos);
     EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
 }
 
@@ -241,8 +214,9 @@ TEST(Options, ComponentsThatHaveToBeAskedForAreNotOfPathTracing) {
 TEST(Options, RefusesBadListsAndNames) {
     for (const char* text : {"direct,direct", ",", "direct,", "fog", "Direct"})
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
-    EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
-              "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, ic, path");
+    EXPECT_EQ(
+        render_refusal({"--algorithm", "photons"}),
+        "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, ic, tic, path");
     EXPECT_EQ(render_refusal({"--backend", "cuda"}),
               "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
     EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);
@@ -251,65 +225,6 @@ TEST(Options, RefusesBadListsAndNames) {
     EXPECT_EQ(render_refusal({"-o", "folder/"}).find("--output: "), 0u);
     EXPECT_EQ(render_refusal({"--stats", "./box.exr"}).find("--stats: "), 0u);
     EXPECT_EQ(render_refusal({"--stats", "scenes/./box.gltf"}).find("--stats: "), 0u);
-}
-
-TEST(Options, PathTracing) {
-    const RenderOptions options =
-        render({"--algorithm=path", "--samples", "8:24", "--target-error", "0.01", "--resume",
-                "sums.exr", "--pixel-filter", "centre", "-o", "a.exr"});
-    EXPECT_EQ(options.algorithm, Algorithm::path);
-    EXPECT_EQ(*options.samples, (SampleRange{8, 24}));
-    EXPECT_EQ(*options.target_error, 0.01);
-    EXPECT_EQ(*options.resume, "sums.exr");
-    EXPECT_TRUE(options.through_centres);
-    EXPECT_FALSE(render({"--algorithm", "path"}).through_centres);
-    for (const char* text : {"8", "8:", ":8", "8:8", "9:8", "-1:8", "0:16777217", "1:2:3", "a:b"})
-        EXPECT_EQ(render_refusal({"--algorithm", "path", "--samples", text}).find("--samples: "),
-                  0u)
-            << text;
-    for (const char* text : {"0", "-1", "2", "nan", "1%"})
-        EXPECT_EQ(render_refusal({"--algorithm", "path", "--target-error", text})
-                      .find("--target-error: "),
-                  0u)
-            << text;
-    // Only path tracing knows these; samples are counted once, and kept where they fit.
-    EXPECT_EQ(render_refusal({"--samples", "0:8"}).find("--samples: is for path"), 0u);
-    EXPECT_EQ(render_refusal({"--resume", "a.exr"}).find("--resume: is for path"), 0u);
-    EXPECT_NE(render_refusal({"--algorithm=path", "--samples", "0:8", "--spp", "8"}), "no failure");
-    EXPECT_NE(render_refusal({"--algorithm=path", "--samples", "0:8", "-o", "a.png"}),
-              "no failure");
-    EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "a.png"}), "no failure");
-    EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "./box.exr"}), "no failure");
-}
-
-TEST(Options, IndirectLightMayComeFromRecords) {
-    EXPECT_FALSE(render({}).caches_indirect());
-    EXPECT_TRUE(render({"--algorithm", "ic"}).caches_indirect());
-    EXPECT_TRUE(render({"--indirect", "ic"}).caches_indirect());
-    EXPECT_FALSE(render({"--algorithm", "amax", "--indirect", "vpl"}).caches_indirect());
-    for (const char* const name : {"igi", "ir", "ic", "path"})
-        EXPECT_EQ(render_refusal({"--algorithm", name, "--indirect", "ic"}),
-                  "--indirect: is for adaptive sampling, expected --algorithm ais or amax");
-    EXPECT_EQ(render_refusal({"--indirect", "cache"}),
-              "--indirect: 'cache' is not valid, expected one of vpl, ic");
-    EXPECT_EQ(options_json(render({}))["indirect"], "vpl");
-    EXPECT_EQ(options_json(render({"--indirect", "ic"}))["indirect"], "ic");
-}
-
-TEST(Options, CompensationIsForVirtualLights) {
-    EXPECT_FALSE(render({}).compensation);
-    EXPECT_TRUE(render({"--vpl-compensation"}).compensation);
-    EXPECT_TRUE(render({"--algorithm", "ir", "--vpl-compensation"}).compensation);
-    EXPECT_NE(render_refusal({"--vpl-compensation", "--algorithm", "ic"}).find("records"),
-              std::string::npos);
-    EXPECT_NE(render_refusal({"--vpl-compensation", "--indirect", "ic"}).find("records"),
-              std::string::npos);
-    EXPECT_EQ(
-        render_refusal({"--vpl-compensation", "--algorithm", "path"}).find("--vpl-compensation: "),
-        0u);
-    EXPECT_NE(render_refusal({"--vpl-compensation=yes"}), "no failure");
-    EXPECT_EQ(options_json(render({}))["vpl_compensation"], false);
-    EXPECT_EQ(options_json(render({"--vpl-compensation"}))["vpl_compensation"], true);
 }
 
 TEST(Options, Merge) {

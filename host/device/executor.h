@@ -71,6 +71,7 @@ struct TracedGeometry {
     float box_padding = 0.0F;  ///< see BvhSettings::padding
     /// Triangles from here on may move: see Executor::update_scene. By default none does.
     std::size_t first_moving = std::numeric_limits<std::size_t>::max();
+    bool passing = false;  ///< built quickly, and not what Executor::bvh and scene_ms tell of
 };
 
 /// One kernel over [first_item, first_item + items). The executor cuts it into short launches and

@@ -136,8 +136,10 @@ void SceneMotion::add_moved(const FlatScene& scene, const Snapshot& at, std::uin
 
 void SceneMotion::upload(Executor& executor) {
     traced_.reset();
-    traced_ = executor.make_scene(
-        {positions_, triangles_, std::max(before_.extent, 0.0F) * tree_padding});
+    traced_ = executor.make_scene({.positions = positions_,
+                                   .triangles = triangles_,
+                                   .box_padding = std::max(before_.extent, 0.0F) * tree_padding,
+                                   .passing = true});
     boxes_ = weft::upload<shared::float4>(executor, corners_, "boxes of what has moved");
     box_count_ = static_cast<std::uint32_t>(corners_.size() / 2);
 }

@@ -52,6 +52,7 @@ class NativeTracedScene : public TracedScene {
     void build_own_bvh() {
         BvhSettings settings;
         settings.padding = geometry.box_padding;
+        settings.spatial_splits = !geometry.passing;
         own.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings);
         view_own_bvh();
     }
@@ -128,6 +129,7 @@ class NativeExecutor : public Executor {
                 scene->build_own_bvh();
             }
         });
+        if (geometry.passing) return scene;
         scene_ms_ = watch.total();
         bvh_.reset();
         if (scene->own) bvh_ = stats_of(scene->own->bvh());

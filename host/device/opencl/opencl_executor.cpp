@@ -202,12 +202,17 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     scene->geometry = geometry;
     BvhSettings settings;
     settings.padding = geometry.box_padding;
+    settings.spatial_splits = !geometry.passing;
+    const std::optional<BvhStats> before = bvh_;
     arena_.execute([&] {
         scene->bvh.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings);
     });
     upload_bvh(*scene);
     if (!scene->bvh->moves()) scene->bvh.reset();
-    scene_ms_ = watch.total();
+    if (geometry.passing)
+        bvh_ = before;
+    else
+        scene_ms_ = watch.total();
     return scene;
 }
 
