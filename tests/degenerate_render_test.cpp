@@ -17,7 +17,7 @@ using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
 
-constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic};
+constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic, Algorithm::tic};
 
 Camera plain_camera() {
     return test::look_at({0.3, 0.2, 3.0}, {0.0, 0.0, 0.0}, 0.8);

@@ -35,13 +35,17 @@ struct MovingRoom {
             return glm::vec3(r, g, value());
         };
         Instance& thing = scene.instances[things[pick(things.size())]];
-        switch (pick(8)) {
+        switch (pick(9)) {
             case 0: {
                 const double x = uniform(random);
                 const double y = uniform(random);
                 thing.to_world[3] = glm::dvec4(0.7 * x, 0.7 * y, 0.7 * uniform(random), 1.0);
                 return "move";
             }
+            case 8:
+                // Half of it is in the floor, where records are.
+                thing.to_world[3].y = -1.0;
+                return "touch the floor";
             case 1:
                 thing.to_world[3] += glm::dvec4(0.02 * uniform(random), 0.0, 0.0, 0.0);
                 return "nudge";
@@ -116,6 +120,7 @@ inline MovingRoom moving_room(unsigned which) {
     if (which == 2)
         add_moving(quad_mesh({0, 0, 0}, {0, 0, 0.5F}, {0.5F, 0, 0}), lamp, 0.6, {-0.8, 0.8, 0.0});
     room.scene = builder.scene;
+    room.scene.materials[lamp].emits_both_sides = which == 2;
     room.flat = flatten(room.scene);
     return room;
 }

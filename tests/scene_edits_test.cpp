@@ -201,8 +201,11 @@ TEST(SceneEdits, ReadTheExampleOfTheirPage) {
     const std::size_t text = start + fence.size();
     Diagnostics ignored;
     Scene box = read_gltf(folder + "/scenes/cornell-box.gltf", ignored);
-    const EditTimeline timeline = read_text(page.substr(text, page.find("```", text) - text), box);
-    EXPECT_EQ(timeline.edits.size(), 6U);
+    const std::string example = page.substr(text, page.find("```", text) - text);
+    std::ifstream shipped(folder + "/scenes/cornell-box-edits.json");
+    EXPECT_EQ(example, std::string(std::istreambuf_iterator<char>(shipped), {}));
+    const EditTimeline timeline = read_text(example, box);
+    EXPECT_EQ(timeline.edits.size(), 7U);
     for (std::uint32_t frame = 0; frame < 30; ++frame) {
         Scene scene = box;
         EXPECT_NO_THROW(apply_edits(timeline, frame, scene)) << frame;
