@@ -147,18 +147,6 @@ void print(const std::string& text) {
     std::fflush(stdout);
 }
 
-std::unique_ptr<Executor> open_backend(const Settings& settings) {
-    if (settings.backend == "embree")
-        return make_native_executor(NativeTraversal::embree, settings.threads);
-    if (settings.backend == "native")
-        return make_native_executor(NativeTraversal::own_bvh, settings.threads);
-    auto opencl = open_opencl(settings.device, settings.threads);
-    if (!opencl)
-        throw Error(ExitCode::device,
-                    "no OpenCL device was found, expected one or another backend");
-    return opencl;
-}
-
 struct Source {
     BenchScene scene;
     bool shipped = false;
@@ -277,7 +265,7 @@ void run(const Settings& settings) {
         limit.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(settings.threads));
     const nlohmann::json published = read_published(settings.published);
-    const auto executor = open_backend(settings);
+    const auto executor = open_backend(settings.backend, settings.device, settings.threads);
     const auto path_executor = make_native_executor(NativeTraversal::own_bvh, settings.threads);
     const FrameRun frames = settings.frames();
     nlohmann::json json{{"benchmark", "adaptive"},

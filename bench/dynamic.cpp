@@ -79,16 +79,6 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
     return settings;
 }
 
-std::unique_ptr<Executor> open_backend(const Settings& settings) {
-    if (settings.backend == "embree")
-        return make_native_executor(NativeTraversal::embree, settings.threads);
-    if (settings.backend == "native")
-        return make_native_executor(NativeTraversal::own_bvh, settings.threads);
-    auto opencl = open_opencl("", settings.threads);
-    if (!opencl) throw Error(ExitCode::device, "no OpenCL device was found");
-    return opencl;
-}
-
 /// What is compared.
 struct Method {
     const char* name;
@@ -254,7 +244,7 @@ void run(const Settings& settings) {
     if (settings.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(settings.threads));
-    const auto executor = open_backend(settings);
+    const auto executor = open_backend(settings.backend, "", settings.threads);
     nlohmann::json json{{"benchmark", "dynamic"},
                         {"quick", settings.quick},
                         {"size", settings.edge()},

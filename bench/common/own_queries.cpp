@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/error.h"
 #include "device/native/native_executor.h"
 #if WEFT_HAS_OPENCL
 #include "device/opencl/opencl_executor.h"
@@ -105,5 +106,16 @@ std::unique_ptr<Executor> open_opencl(const std::string&, int) {
     return nullptr;
 }
 #endif
+
+std::unique_ptr<Executor> open_backend(const std::string& backend, const std::string& device,
+                                       int threads) {
+    if (backend == "embree") return make_native_executor(NativeTraversal::embree, threads);
+    if (backend == "native") return make_native_executor(NativeTraversal::own_bvh, threads);
+    auto opencl = open_opencl(device, threads);
+    if (!opencl)
+        throw Error(ExitCode::device,
+                    "no OpenCL device was found, expected one or another backend");
+    return opencl;
+}
 
 }  // namespace weft::bench

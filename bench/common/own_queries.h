@@ -44,6 +44,11 @@ class OwnQueries {
 /// `threads` is 0 for all; to be called before any other use of OpenCL.
 [[nodiscard]] std::unique_ptr<Executor> open_opencl(const std::string& wanted, int threads);
 
+/// `opencl`, on a device as above, `embree` or `native`. Throws Error (exit code 3) where there is
+/// no device.
+[[nodiscard]] std::unique_ptr<Executor> open_backend(const std::string& backend,
+                                                     const std::string& device, int threads);
+
 }  // namespace weft::bench
 
 #endif

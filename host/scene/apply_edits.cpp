@@ -11,6 +11,7 @@
 #include "base/limits.h"
 #include "scene/mesh_edit.h"
 #include "scene/scene_edits.h"
+#include "scene/transform.h"
 
 namespace weft {
 namespace {
@@ -107,17 +108,10 @@ struct Change {
 }  // namespace
 
 const char* transform_flaw(const glm::dmat4& to_world) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(to_world[column][row])) return "a transform that is not finite";
-    // Compared with the volume that columns of these lengths would span at right angles, so that
-    // the size of the scene does not matter.
-    constexpr double flat = 1e-14;
-    const glm::dmat3 linear(to_world);
-    const double determinant = std::abs(glm::determinant(linear));
-    const double volume = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
-    if (!std::isfinite(determinant)) return "a transform that is not finite";
-    if (!(determinant > flat * volume) || !std::isfinite(1.0 / determinant))
+    const double determinant = glm::determinant(glm::dmat3(to_world));
+    if (!is_finite(to_world) || !std::isfinite(determinant))
+        return "a transform that is not finite";
+    if (is_singular(to_world) || !std::isfinite(1.0 / determinant))
         return "a transform that cannot be inverted";
     return nullptr;
 }

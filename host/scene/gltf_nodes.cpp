@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "scene/transform.h"
 
 namespace weft {
 namespace {
@@ -85,20 +86,8 @@ std::vector<std::size_t> find_roots(const GltfValue& root, const std::vector<std
     return roots;
 }
 
-Pose read_pose(const GltfValue& node) {
-    const std::array<double, 3> t = node.numbers_or<3>("translation", {0.0, 0.0, 0.0});
-    const std::array<double, 4> r = node.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
-    const std::array<double, 3> s = node.numbers_or<3>("scale", {1.0, 1.0, 1.0});
-    const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    if (!(std::abs(length - 1.0) < 0.1))
-        throw node.at("rotation")
-            .error("is a quaternion of length " + std::to_string(length) + ", expected 1");
-    return {glm::dvec3(t[0], t[1], t[2]), unit_quaternion(glm::dvec4(r[0], r[1], r[2], r[3])),
-            glm::dvec3(s[0], s[1], s[2])};
-}
-
 glm::dmat4 read_local_transform(const GltfValue& node) {
-    if (!node.find("matrix")) return matrix_of(read_pose(node));
+    if (!node.find("matrix")) return matrix_of(read_gltf_pose(node));
     for (const char* key : {"translation", "rotation", "scale"})
         if (node.find(key))
             throw node.error(std::string("has both 'matrix' and '") + key +
@@ -114,7 +103,7 @@ Attachment attach(const GltfValue& node, const glm::dmat4& local, const Attachme
     MovingNode moving;
     moving.parent = parent.node;
     moving.to_parent = parent.to_node;
-    moving.rest = read_pose(node);
+    moving.rest = read_gltf_pose(node);
     moving.translation = channels->translation;
     moving.rotation = channels->rotation;
     moving.scale = channels->scale;
@@ -123,6 +112,18 @@ Attachment attach(const GltfValue& node, const glm::dmat4& local, const Attachme
 }
 
 }  // namespace
+
+Pose read_gltf_pose(const GltfValue& node) {
+    const std::array<double, 3> t = node.numbers_or<3>("translation", {0.0, 0.0, 0.0});
+    const std::array<double, 4> r = node.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
+    const std::array<double, 3> s = node.numbers_or<3>("scale", {1.0, 1.0, 1.0});
+    const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+    if (!(std::abs(length - 1.0) < 0.1))
+        throw node.at("rotation")
+            .error("is a quaternion of length " + std::to_string(length) + ", expected 1");
+    return {glm::dvec3(t[0], t[1], t[2]), unit_quaternion(glm::dvec4(r[0], r[1], r[2], r[3])),
+            glm::dvec3(s[0], s[1], s[2])};
+}
 
 glm::dmat4 read_gltf_matrix(const GltfValue& value) {
     std::array<double, 16> identity{};
@@ -187,16 +188,9 @@ std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
 }
 
 bool usable_transform(const GltfNode& node, GltfReport& report) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(node.to_world[column][row]))
-                throw node.value.error("the transform to world space is not finite");
-    // Compared with the volume that columns of these lengths would span at right angles, so that
-    // the size of the scene does not matter.
-    constexpr double flat = 1e-14;
-    const glm::dmat3 linear(node.to_world);
-    const double volume = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
-    if (std::abs(glm::determinant(linear)) > flat * volume) return true;
+    if (!is_finite(node.to_world))
+        throw node.value.error("the transform to world space is not finite");
+    if (!is_singular(node.to_world)) return true;
     report.count(node.value.place(),
                  "objects are left out because their transform is singular (a scale of zero)", 1);
     return false;

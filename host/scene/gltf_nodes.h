@@ -29,6 +29,10 @@ struct GltfNode {
                                                     const GltfAnimatedNodes& animated,
                                                     Animation& animation, GltfReport& report);
 
+/// Translation, rotation and scale of a node, where they are there. Throws Error (exit code 2)
+/// where the rotation is far from unit length.
+[[nodiscard]] Pose read_gltf_pose(const GltfValue& node);
+
 /// The `matrix` of an object, 16 numbers by columns; else the identity. Throws Error (exit code 2)
 /// where it is not affine.
 [[nodiscard]] glm::dmat4 read_gltf_matrix(const GltfValue& value);

@@ -19,6 +19,7 @@
 #include "base/limits.h"
 #include "base/quote.h"
 #include "scene/gltf_json.h"
+#include "scene/gltf_nodes.h"
 #include "scene/mesh_edit.h"
 
 namespace weft {
@@ -136,16 +137,7 @@ ObjectScale read_scale(const GltfValue& value, const Json& json) {
 }
 
 glm::dmat4 read_placement(const GltfValue& value) {
-    const std::array<double, 3> t = value.numbers_or<3>("translation", {0.0, 0.0, 0.0});
-    const std::array<double, 4> r = value.numbers_or<4>("rotation", {0.0, 0.0, 0.0, 1.0});
-    const std::array<double, 3> s = value.numbers_or<3>("scale", {1.0, 1.0, 1.0});
-    const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    if (!(std::abs(length - 1.0) < 0.1))
-        throw value.at("rotation")
-            .error("is a quaternion of length " + std::to_string(length) + ", expected 1");
-    const glm::dmat4 to_world = matrix_of({glm::dvec3(t[0], t[1], t[2]),
-                                           unit_quaternion(glm::dvec4(r[0], r[1], r[2], r[3])),
-                                           {s[0], s[1], s[2]}});
+    const glm::dmat4 to_world = matrix_of(read_gltf_pose(value));
     if (const char* flaw = transform_flaw(to_world))
         throw value.error(std::string("gives ") + flaw);
     return to_world;
