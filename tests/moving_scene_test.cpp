@@ -72,6 +72,38 @@ TEST(MovingScene, APictureDoesNotDependOnTheFramesBefore) {
     }
 }
 
+/// Indirect light of a room after its surfaces have had these albedos, one in each frame.
+std::vector<float> indirect_after(const std::vector<float>& albedos, Backend backend) {
+    test::MovingRoom room = test::moving_room(0);
+    const auto paint = [&](float albedo) {
+        for (Material& material : room.scene.materials) material.albedo = glm::vec3(albedo);
+    };
+    paint(albedos.front());
+    room.flat = flatten(room.scene);
+    Renderer renderer(test::shared_executor(backend), room.flat, test::room_camera(),
+                      igi_settings());
+    for (std::size_t i = 0; i < albedos.size(); ++i) {
+        if (i > 0) {
+            paint(albedos[i]);
+            update_flat(room.scene, room.flat);
+            renderer.update_scene();
+            renderer.move_camera(test::room_camera());
+        }
+        EXPECT_TRUE(renderer.render_frame({}));
+    }
+    return renderer.image().find("indirect")->values;
+}
+
+TEST(MovingScene, SurfacesThatWereBlackAtFirstReflectLight) {
+    for (const Backend backend : test::backends()) {
+        const std::vector<float> lit = indirect_after({0.0F, 0.6F}, backend);
+        EXPECT_GT(test::mean_of(lit), 0.0);
+        EXPECT_EQ(lit, indirect_after({0.0F, 0.2F, 0.0F, 0.6F}, backend));
+        EXPECT_EQ(test::mean_of(indirect_after({0.6F, 0.0F}, backend)), 0.0);
+        EXPECT_EQ(indirect_after({0.6F}, backend), indirect_after({0.6F, 0.0F, 0.6F}, backend));
+    }
+}
+
 TEST(MovingScene, ThingsAreWhereTheirNodesAre) {
     // As if the scene had been modelled that way: triangles only have other numbers.
     Scene modelled = sliding_room();

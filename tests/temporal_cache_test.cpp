@@ -190,6 +190,26 @@ TEST(TemporalCache, ALightThatGoesOutAndOnAgainIsFollowed) {
     }
 }
 
+TEST(TemporalCache, SurfacesThatGoBlackAndReflectAgainAreFollowed) {
+    RenderSettings settings = settings_of(40, 30);
+    settings.sampling.cache_audit = true;
+    MovingRoom room = test::moving_room(1);
+    const std::vector<Material> reflecting = room.scene.materials;
+    for (Material& material : room.scene.materials) material.albedo = glm::vec3(0.0F);
+    const std::vector<Material> black = room.scene.materials;
+    room.flat = flatten(room.scene);
+    Follower follower(Backend::own_bvh, std::move(room), settings);
+    for (int i = 0; i < 4; ++i) {
+        follower.room.scene.materials = i % 2 == 0 ? reflecting : black;
+        const FrameStats& stats = follower.next();
+        if (i % 2 == 0) {
+            EXPECT_EQ(stats.cache->differing, 0U);
+        }
+        const Image image = follower.renderer.image();
+        EXPECT_EQ(test::mean_of(image.find("indirect")->values) > 0.0, i % 2 == 0);
+    }
+}
+
 TEST(TemporalCache, NoMoreRecordsAreKeptThanAllowed) {
     RenderSettings settings = settings_of(64, 48);
     settings.sampling.cache_records = 100;

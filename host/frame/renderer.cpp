@@ -50,6 +50,15 @@ bool same_lights(const FramePlan& a, const FramePlan& b) {
            a.has_vpls() == b.has_vpls() && a.media_light == b.media_light;
 }
 
+/// What numbers of light paths go by: the reflectance that the scene had at first, so that they are
+/// the same in all frames in which anything reflects light. That of a scene black at first is not
+/// known from there.
+double planned_reflectance(const FlatScene& scene) {
+    constexpr double common = 0.5;
+    if (!(scene.mean_reflectance > 0.0)) return 0.0;
+    return scene.first_mean_reflectance > 0.0 ? scene.first_mean_reflectance : common;
+}
+
 }  // namespace
 
 FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
@@ -64,7 +73,7 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     statistics.direct = settings.direct;
     statistics.indirect = settings.indirect;
     statistics.surface_area = scene.surface_area;
-    statistics.mean_reflectance = scene.mean_reflectance;
+    statistics.mean_reflectance = planned_reflectance(scene);
     FramePlan plan = plan_frames(settings.algorithm, settings.sampling, statistics);
     plan.requested = settings.requested;
     // Frames with points all over the pixel average edges anyway.

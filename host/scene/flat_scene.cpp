@@ -214,28 +214,43 @@ double mean_luminance(const Texture& texture) {
     return texture.rgba.empty() ? 1.0 : 4.0 * sum / static_cast<double>(texture.rgba.size());
 }
 
-void measure(const Scene& scene, FlatScene& flat) {
-    std::vector<double> texture_mean(scene.textures.size(), -1.0);
-    std::vector<double> reflectance;
+std::vector<double> texture_means(const Scene& scene) {
+    std::vector<double> of_textures(scene.textures.size(), -1.0);
+    std::vector<double> means;
     for (const Material& material : scene.materials) {
-        double value = luminance(material.albedo);
-        if (material.albedo_texture >= 0) {
-            double& mean = texture_mean[static_cast<std::size_t>(material.albedo_texture)];
-            if (mean < 0.0)
-                mean = mean_luminance(
-                    scene.textures[static_cast<std::size_t>(material.albedo_texture)]);
-            value *= mean;
-        }
-        reflectance.push_back(value);
+        means.push_back(1.0);
+        if (material.albedo_texture < 0) continue;
+        const auto texture = static_cast<std::size_t>(material.albedo_texture);
+        if (of_textures[texture] < 0.0)
+            of_textures[texture] = mean_luminance(scene.textures[texture]);
+        means.back() = of_textures[texture];
     }
+    return means;
+}
+
+/// Adds the areas of triangles to those of their materials.
+void add_areas(const FlatScene& flat, std::span<const shared::Triangle> triangles,
+               std::vector<double>& areas) {
+    for (const shared::Triangle& triangle : triangles)
+        areas[flat.instances[triangle.instance].material] += triangle_area(flat, triangle);
+}
+
+struct SurfaceMeans {
+    double area = 0.0;
+    double reflectance = 0.0;
+};
+
+SurfaceMeans mean_surfaces(const Scene& scene, const FlatScene& flat) {
+    std::vector<double> areas = flat.resting_areas;
+    add_areas(flat, std::span(flat.triangles).subspan(flat.first_moving_triangle), areas);
+    SurfaceMeans means;
     double reflected = 0.0;
-    for (const shared::Triangle& triangle : flat.triangles) {
-        const double area = triangle_area(flat, triangle);
-        flat.surface_area += area;
-        reflected += area * reflectance[flat.instances[triangle.instance].material];
+    for (std::size_t m = 0; m < areas.size(); ++m) {
+        means.area += areas[m];
+        reflected += areas[m] * luminance(scene.materials[m].albedo) * flat.texture_means[m];
     }
-    if (flat.surface_area > 0.0)
-        flat.mean_reflectance = std::clamp(reflected / flat.surface_area, 0.0, 1.0);
+    if (means.area > 0.0) means.reflectance = std::clamp(reflected / means.area, 0.0, 1.0);
+    return means;
 }
 
 /// Grows `extent` and `radius` to hold vertices.
@@ -303,7 +318,14 @@ FlatScene flatten(const Scene& scene) {
                     (attributes.colours ? FEATURE_VERTEX_COLOURS : 0U) |
                     (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
                     (attributes.one_sided ? FEATURE_ONE_SIDED : 0U);
-    measure(scene, flat);
+    flat.texture_means = texture_means(scene);
+    flat.resting_areas.resize(scene.materials.size());
+    add_areas(flat, std::span(flat.triangles).first(flat.first_moving_triangle),
+              flat.resting_areas);
+    const SurfaceMeans means = mean_surfaces(scene, flat);
+    flat.surface_area = means.area;
+    flat.mean_reflectance = means.reflectance;
+    flat.first_mean_reflectance = means.reflectance;
     grow(std::span(flat.positions).first(flat.first_moving_vertex), flat.resting_extent,
          flat.resting_radius);
     measure_extent(flat);
@@ -325,6 +347,7 @@ void update_flat(const Scene& scene, FlatScene& flat) {
     const bool textures = !flat.texture_coordinates.empty();
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
         flat.materials[m] = material_record(scene.materials[m], textures);
+    flat.mean_reflectance = mean_surfaces(scene, flat).reflectance;
     measure_extent(flat);
     flat.lights.clear();
     flat.emissive.clear();

@@ -61,13 +61,18 @@ struct FlatScene {
     std::uint32_t punctual_lights = 0;  ///< point and spot
     std::uint32_t directional_lights = 0;
     glm::vec3 environment{0.0F};
-    std::uint32_t features = 0;   ///< FEATURE_* that the scene calls for
-    float extent = 1.0F;          ///< largest |coordinate| of geometry and lights, or above that
-    float radius = 1.0F;          ///< of a bounding sphere about the centre
-    double resting_extent = 0.0;  ///< largest |coordinate| of geometry that cannot move
-    double resting_radius = 0.0;  ///< and its largest distance from the centre
-    double surface_area = 0.0;
+    std::uint32_t features = 0;     ///< FEATURE_* that the scene calls for
+    float extent = 1.0F;            ///< largest |coordinate| of geometry and lights, or above that
+    float radius = 1.0F;            ///< of a bounding sphere about the centre
+    double resting_extent = 0.0;    ///< largest |coordinate| of geometry that cannot move
+    double resting_radius = 0.0;    ///< and its largest distance from the centre
+    double surface_area = 0.0;      ///< of the scene as it was flattened
     double mean_reflectance = 0.0;  ///< area-weighted luminance of the albedo, [0, 1]
+    /// The same when the scene was flattened. Numbers of light paths go by it, so that a surface
+    /// that changes its colour changes no path.
+    double first_mean_reflectance = 0.0;
+    std::vector<double> texture_means;  ///< by material, luminance, [0, 1]; 1 without texture
+    std::vector<double> resting_areas;  ///< by material, of geometry that cannot move
     double smallest_light_area = 0.0;
 };
 
@@ -76,7 +81,7 @@ struct FlatScene {
 
 /// Brings a scene that was flattened to what `scene`, the same at another time, is now: the places
 /// of instances that may move, materials and lights. Counts of vertices and triangles stay, and so
-/// do the kernel units, statistics of surfaces, textures and media.
+/// do the kernel units, the surface area, textures and media.
 void update_flat(const Scene& scene, FlatScene& flat);
 
 /// Fills the light table from the flattened geometry; part of `flatten` and
