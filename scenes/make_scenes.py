@@ -13,7 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True  # a check leaves nothing behind in the source tree
 
-from generator import cornell, gallery, shafts, smoke  # noqa: E402 (after the line above, on purpose)
+from generator import cornell, figure, gallery, shafts, smoke  # noqa: E402 (after the line above, on purpose)
 
 
 def difference(path, wanted):
@@ -36,7 +36,8 @@ def main():
                         help="folder to write to or compare with (default: this script's)")
     options = parser.parse_args()
     wrong = 0
-    files = {**cornell.build(), **gallery.build(), **shafts.build(), **smoke.build()}
+    files = {**cornell.build(), **gallery.build(), **shafts.build(), **smoke.build(),
+             **figure.build()}
     for name, content in files.items():
         path = options.out / name
         if not options.check:

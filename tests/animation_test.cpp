@@ -209,5 +209,43 @@ TEST(Animation, WhatIsFixedToTheWorldRests) {
     EXPECT_EQ(to_world_at(animation, attachment, 0.7), attachment.to_node);
 }
 
+TEST(Animation, NumbersAreEachForThemselvesInAnyNumber) {
+    const KeyTrack one{Interpolation::linear, 1, {1, 3}, {2, 4}};
+    EXPECT_EQ(numbers_at(one, 0.0), std::vector<double>{2.0});
+    EXPECT_EQ(numbers_at(one, 1.5), std::vector<double>{2.5});
+    EXPECT_EQ(numbers_at(one, 5.0), std::vector<double>{4.0});
+    const KeyTrack step{Interpolation::step, 5, {0, 1}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}};
+    EXPECT_EQ(numbers_at(step, 0.9), (std::vector<double>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(numbers_at(step, 1.0), (std::vector<double>{6, 7, 8, 9, 10}));
+    // A spline of vectors is that of their numbers.
+    const KeyTrack spline{Interpolation::cubic,
+                          3,
+                          {0, 2},
+                          {9, 9, 9, 1, 2, 3, 0.5F, -1, 2, 1, 0, 3, 4, 0, 1, 9, 9, 9}};
+    for (const double time : {0.0, 0.3, 1.9, 2.0}) {
+        const std::vector<double> numbers = numbers_at(spline, time);
+        ASSERT_EQ(numbers.size(), 3U);
+        EXPECT_EQ(glm::dvec3(numbers[0], numbers[1], numbers[2]), vector_at(spline, time));
+    }
+}
+
+TEST(Animation, AllNodesTogetherAreWhereEachIs) {
+    Animation animation;
+    animation.tracks = {vectors(Interpolation::linear, {0, 1}, {0, 0, 0, 1, 2, 3}),
+                        rotations(Interpolation::linear, {0, 1}, {turn(0.0), turn(1.0)})};
+    animation.nodes.resize(3);
+    animation.nodes[0].translation = 0;
+    animation.nodes[1].parent = 0;
+    animation.nodes[1].rotation = 1;
+    animation.nodes[1].to_parent[3] = {5, 6, 7, 1};
+    animation.nodes[2].parent = 1;
+    animation.nodes[2].translation = 0;
+    const std::vector<glm::dmat4> nodes = nodes_to_world_at(animation, 0.7);
+    ASSERT_EQ(nodes.size(), 3U);
+    for (int node = 0; node < 3; ++node)
+        EXPECT_EQ(nodes[static_cast<std::size_t>(node)],
+                  to_world_at(animation, {node, glm::dmat4(1.0)}, 0.7));
+}
+
 }  // namespace
 }  // namespace weft

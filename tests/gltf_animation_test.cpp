@@ -172,7 +172,9 @@ TEST(GltfAnimation, WarnsOfWhatIsNotPlayed) {
     EXPECT_TRUE(
         film.warned("#/animations/0/channels/1/target: a property of a node is animated "
                     "twice, the later channel is ignored"));
-    EXPECT_TRUE(film.warned("#/animations/0/channels/3/target: an animation of weights is not"));
+    EXPECT_TRUE(
+        film.warned("#/animations/0/channels/3/target: an animation of weights of a node without "
+                    "morph targets is not played"));
     EXPECT_TRUE(film.warned("#/animations/0/channels/4/target: an animation of pointer is not"));
     EXPECT_TRUE(film.warned("#/animations/0/channels/6/target: a channel without a node"));
     EXPECT_EQ(scene.instances.at(0).to_world, glm::dmat4(1.0));

@@ -162,8 +162,8 @@ TEST(GltfHostile, ChecksAccessors) {
     EXPECT_EQ(error_after("/accessors/0/componentType", 5124),
               "#/accessors/0/componentType: is 5124, expected 5120, 5121, 5122, 5123, 5125 or "
               "5126");
-    EXPECT_EQ(error_after("/accessors/0/type", "MAT4"),
-              "#/accessors/0/type: is 'MAT4', expected SCALAR, VEC2, VEC3 or VEC4");
+    EXPECT_EQ(error_after("/accessors/0/type", "MAT3"),
+              "#/accessors/0/type: is 'MAT3', expected SCALAR, VEC2, VEC3, VEC4 or MAT4");
     EXPECT_EQ(error_after("/accessors/0/bufferView", 3),
               "#/accessors/0/bufferView: is 3, but there are only 3 bufferViews");
 }

@@ -332,12 +332,11 @@ TEST(GltfReader, WarnsOfWhatItDoesNotSimulate) {
     GltfBuilder builder = GltfBuilder::triangle();
     builder.json["extensionsUsed"] = {"EXT_unheard_of", "KHR_materials_unlit"};
     builder.json["nodes"][0]["skin"] = 0;
-    builder.primitive()["targets"] = Json::array({Json::object()});
+    builder.json["skins"] = {{{"joints", {0}}}};
     builder.read();
     EXPECT_TRUE(builder.warned("#/extensionsUsed/0: the extension 'EXT_unheard_of' is not"));
-    EXPECT_TRUE(builder.warned("skins are not simulated"));
-    EXPECT_TRUE(builder.warned("morph targets are not simulated"));
-    EXPECT_EQ(builder.diagnostics.warnings().size(), 3U);
+    EXPECT_TRUE(builder.warned("#/nodes/0: a mesh without JOINTS_0 and WEIGHTS_0 has a skin"));
+    EXPECT_EQ(builder.diagnostics.warnings().size(), 2U);
 }
 
 }  // namespace

@@ -29,29 +29,44 @@ Place place_of(const KeyTrack& track, double time) {
     return place;
 }
 
-/// Part `part` of key `key`: of a cubic track 0 and 2 are its tangents, 1 is its value.
-glm::dvec4 part_of(const KeyTrack& track, std::size_t key, std::size_t part) {
+/// Number `i` of part `part` of key `key`: of a cubic track 0 and 2 are its tangents, 1 is its
+/// value.
+double number_of(const KeyTrack& track, std::size_t key, std::size_t part, std::size_t i) {
     const std::size_t parts = track.interpolation == Interpolation::cubic ? 3 : 1;
-    const std::size_t first = (key * parts + part) * track.width;
+    return static_cast<double>(track.values[(key * parts + part) * track.width + i]);
+}
+
+std::size_t value_part(const KeyTrack& track) {
+    return track.interpolation == Interpolation::cubic ? 1 : 0;
+}
+
+glm::dvec4 part_of(const KeyTrack& track, std::size_t key, std::size_t part) {
     glm::dvec4 value(0.0);
     for (std::uint32_t i = 0; i < track.width; ++i)
-        value[static_cast<int>(i)] = static_cast<double>(track.values[first + i]);
+        value[static_cast<int>(i)] = number_of(track, key, part, i);
     return value;
 }
 
 glm::dvec4 value_of(const KeyTrack& track, std::size_t key) {
-    return part_of(track, key, track.interpolation == Interpolation::cubic ? 1 : 0);
+    return part_of(track, key, value_part(track));
+}
+
+/// Value of a cubic Hermite spline from `a`, which it leaves with a slope, to `b`; slopes are those
+/// of a way that takes 1.
+template <typename Value>
+Value hermite(const Value& a, const Value& leaving, const Value& b, const Value& arriving,
+              double t) {
+    const double t2 = t * t;
+    const double t3 = t2 * t;
+    return a * (2.0 * t3 - 3.0 * t2 + 1.0) + leaving * (t3 - 2.0 * t2 + t) +
+           b * (3.0 * t2 - 2.0 * t3) + arriving * (t3 - t2);
 }
 
 glm::dvec4 spline_at(const KeyTrack& track, const Place& place) {
-    const double t = place.share;
-    const double t2 = t * t;
-    const double t3 = t2 * t;
-    const glm::dvec4 leaving = part_of(track, place.first, 2) * place.seconds;
-    const glm::dvec4 arriving = part_of(track, place.first + 1, 0) * place.seconds;
-    return value_of(track, place.first) * (2.0 * t3 - 3.0 * t2 + 1.0) +
-           leaving * (t3 - 2.0 * t2 + t) +
-           value_of(track, place.first + 1) * (3.0 * t2 - 2.0 * t3) + arriving * (t3 - t2);
+    return hermite<glm::dvec4>(value_of(track, place.first),
+                               part_of(track, place.first, 2) * place.seconds,
+                               value_of(track, place.first + 1),
+                               part_of(track, place.first + 1, 0) * place.seconds, place.share);
 }
 
 /// From unit quaternion `a` to `b` at constant speed. The two signs of a quaternion are the same
@@ -110,6 +125,25 @@ glm::dvec4 rotation_at(const KeyTrack& track, double time) {
     return length > least_length && std::isfinite(length) ? unit_quaternion(spline) : from;
 }
 
+std::vector<double> numbers_at(const KeyTrack& track, double time) {
+    const Place place = place_of(track, time);
+    const bool between = place.share > 0.0 && track.interpolation != Interpolation::step;
+    const std::size_t part = value_part(track);
+    std::vector<double> numbers(track.width);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const double from = number_of(track, place.first, part, i);
+        numbers[i] = from;
+        if (!between) continue;
+        const double to = number_of(track, place.first + 1, part, i);
+        numbers[i] =
+            track.interpolation == Interpolation::linear
+                ? from + (to - from) * place.share
+                : hermite(from, number_of(track, place.first, 2, i) * place.seconds, to,
+                          number_of(track, place.first + 1, 0, i) * place.seconds, place.share);
+    }
+    return numbers;
+}
+
 glm::dmat4 local_at(const Animation& animation, const MovingNode& node, double time) {
     const auto track = [&](int index) -> const KeyTrack& {
         return animation.tracks[static_cast<std::size_t>(index)];
@@ -119,6 +153,17 @@ glm::dmat4 local_at(const Animation& animation, const MovingNode& node, double t
     if (node.rotation >= 0) pose.rotation = rotation_at(track(node.rotation), time);
     if (node.scale >= 0) pose.scale = vector_at(track(node.scale), time);
     return matrix_of(pose);
+}
+
+std::vector<glm::dmat4> nodes_to_world_at(const Animation& animation, double time) {
+    std::vector<glm::dmat4> to_world;
+    to_world.reserve(animation.nodes.size());
+    for (const MovingNode& node : animation.nodes) {
+        const glm::dmat4 parent =
+            node.parent < 0 ? glm::dmat4(1.0) : to_world[static_cast<std::size_t>(node.parent)];
+        to_world.push_back(parent * node.to_parent * local_at(animation, node, time));
+    }
+    return to_world;
 }
 
 glm::dmat4 to_world_at(const Animation& animation, const Attachment& attachment, double time) {

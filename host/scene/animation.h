@@ -31,8 +31,9 @@ enum class Interpolation : std::uint8_t {
 /// What one property of a node is over time. Before its first and after its last key it rests.
 struct KeyTrack {
     Interpolation interpolation = Interpolation::linear;
-    std::uint32_t width = 3;    ///< numbers of a value: 3 of a vector, 4 of a quaternion x, y, z, w
-    std::vector<float> times;   ///< seconds, strictly increasing, at least one
+    std::uint32_t width = 3;   ///< numbers of a value: 3 of a vector, 4 of a quaternion x, y, z, w,
+                               ///< any number of weights
+    std::vector<float> times;  ///< seconds, strictly increasing, at least one
     std::vector<float> values;  ///< `width` a key; cubic: in-tangent, value, out-tangent of each
 
     [[nodiscard]] std::size_t keys() const noexcept { return times.size(); }
@@ -43,6 +44,9 @@ struct KeyTrack {
 
 /// Value of a track of rotations at `time`, seconds: a unit quaternion.
 [[nodiscard]] glm::dvec4 rotation_at(const KeyTrack& track, double time);
+
+/// All numbers of the value of a track of any width at `time`, seconds, each for itself.
+[[nodiscard]] std::vector<double> numbers_at(const KeyTrack& track, double time);
 
 /// A node whose local transform changes. To the world it is, from the left, the transform of
 /// `parent` (the moving node above it), that of the resting nodes in between, and its own.
@@ -69,6 +73,9 @@ struct Animation {
 
 /// A moving node's own transform at `time`, seconds.
 [[nodiscard]] glm::dmat4 local_at(const Animation& animation, const MovingNode& node, double time);
+
+/// The transforms to the world of all moving nodes at `time`, seconds.
+[[nodiscard]] std::vector<glm::dmat4> nodes_to_world_at(const Animation& animation, double time);
 
 /// The transform to the world of what is attached, at `time`, seconds.
 [[nodiscard]] glm::dmat4 to_world_at(const Animation& animation, const Attachment& attachment,

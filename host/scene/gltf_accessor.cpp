@@ -53,7 +53,8 @@ std::size_t element_width(const GltfValue& value) {
     if (name == "VEC2") return 2;
     if (name == "VEC3") return 3;
     if (name == "VEC4") return 4;
-    throw value.error("is " + quote(name) + ", expected SCALAR, VEC2, VEC3 or VEC4");
+    if (name == "MAT4") return 16;
+    throw value.error("is " + quote(name) + ", expected SCALAR, VEC2, VEC3, VEC4 or MAT4");
 }
 
 std::uint32_t load_index(GltfComponent type, const std::byte* from) {

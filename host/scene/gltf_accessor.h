@@ -24,15 +24,15 @@ enum class GltfComponent : std::uint32_t {
     float32 = 5126,
 };
 
-/// Random access to a checked glTF accessor of scalars or vectors. After construction every
-/// element below count() can be read without further checks.
+/// Random access to a checked glTF accessor of scalars, vectors or 4x4 matrices. After construction
+/// every element below count() can be read without further checks.
 class GltfAccessor {
   public:
     /// Checks `value`, an element of `/accessors`. Throws Error (exit code 2).
     GltfAccessor(GltfData& data, const GltfValue& value);
 
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// Components of an element: 1 (SCALAR) to 4 (VEC4).
+    /// Components of an element: 1 (SCALAR) to 4 (VEC4), or 16 (MAT4, by columns).
     [[nodiscard]] std::size_t width() const { return width_; }
     [[nodiscard]] GltfComponent component() const { return component_; }
     [[nodiscard]] bool normalized() const { return normalized_; }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "base/limits.h"
 #include "base/quote.h"
+#include "scene/gltf_morph.h"
 
 namespace weft {
 namespace {
@@ -41,10 +43,34 @@ std::vector<float> read_times(const GltfValue& reference, const GltfAccessor& ac
     return times;
 }
 
-bool is_fit_for_values(const GltfAccessor& accessor, std::uint32_t width) {
-    if (accessor.width() != width) return false;
+/// What the values of a track are.
+enum class Kind : std::uint8_t { vector, rotation, weights };
+
+/// What a channel animates.
+struct Property {
+    Kind kind = Kind::vector;
+    std::uint32_t width = 3;  ///< numbers of a value
+};
+
+bool is_fit_for_values(const GltfAccessor& accessor, const Property& property) {
+    if (accessor.width() != (property.kind == Kind::weights ? 1 : property.width)) return false;
     if (accessor.component() == GltfComponent::float32) return true;
-    return width == 4 && accessor.normalized() && accessor.component() != GltfComponent::uint32;
+    return property.kind != Kind::vector && accessor.normalized() &&
+           accessor.component() != GltfComponent::uint32;
+}
+
+const char* misfit(Kind kind) {
+    switch (kind) {
+        case Kind::vector:
+            break;
+        case Kind::rotation:
+            return "chooses an accessor that holds no rotations, expected VEC4 of 5126 or of "
+                   "normalized integers";
+        case Kind::weights:
+            return "chooses an accessor that holds no weights, expected SCALAR of 5126 or of "
+                   "normalized integers";
+    }
+    return "chooses an accessor that holds no vectors, expected VEC3 of 5126";
 }
 
 void check_quaternion(const GltfValue& reference, std::span<const float> value, std::size_t key) {
@@ -57,20 +83,16 @@ void check_quaternion(const GltfValue& reference, std::span<const float> value, 
 }
 
 std::vector<float> read_values(const GltfValue& reference, const GltfAccessor& accessor,
-                               const KeyTrack& track) {
-    const std::uint32_t width = track.width;
-    if (!is_fit_for_values(accessor, width))
-        throw reference.error(width == 4
-                                  ? "chooses an accessor that holds no rotations, expected VEC4 of "
-                                    "5126 or of normalized integers"
-                                  : "chooses an accessor that holds no vectors, expected VEC3 of "
-                                    "5126");
+                               const KeyTrack& track, const Property& property) {
+    if (!is_fit_for_values(accessor, property)) throw reference.error(misfit(property.kind));
     const bool cubic = track.interpolation == Interpolation::cubic;
     const std::size_t parts = cubic ? 3 : 1;
-    if (accessor.count() / parts != track.keys() || accessor.count() % parts != 0)
+    const std::size_t elements = parts * property.width / accessor.width();
+    if (accessor.count() / elements != track.keys() || accessor.count() % elements != 0)
         throw reference.error("chooses " + std::to_string(accessor.count()) + " values, expected " +
-                              std::to_string(parts) + " for each of " +
+                              std::to_string(elements) + " for each of " +
                               std::to_string(track.keys()) + " keys");
+    const std::size_t width = accessor.width();
     std::vector<float> values(accessor.count() * width);
     for (std::size_t i = 0; i < accessor.count(); ++i) {
         const std::span<float> value(&values[i * width], width);
@@ -79,7 +101,8 @@ std::vector<float> read_values(const GltfValue& reference, const GltfAccessor& a
             if (!std::isfinite(x))
                 throw reference.error("value " + std::to_string(i) + " is not finite");
         const bool is_tangent = cubic && i % parts != 1;
-        if (width == 4 && !is_tangent) check_quaternion(reference, value, i / parts);
+        if (property.kind == Kind::rotation && !is_tangent)
+            check_quaternion(reference, value, i / parts);
     }
     return values;
 }
@@ -96,7 +119,7 @@ class AnimationReader {
             const GltfValue animation = root_.at("animations").element(i);
             const GltfValue channels = animation.at("channels");
             const GltfValue samplers = animation.at("samplers");
-            std::map<std::size_t, int> known;
+            std::map<std::size_t, Known> known;
             for (std::size_t c = 0; c < channels.size(); ++c)
                 read_channel(channels.element(c), samplers, known);
         }
@@ -104,17 +127,23 @@ class AnimationReader {
     }
 
   private:
+    /// A track that has been read.
+    struct Known {
+        int track = -1;
+        Property property;
+    };
+
     /// Where the track of a channel belongs, or nothing where the channel is not played.
-    int* find_target(const GltfValue& target, std::uint32_t& width) {
+    int* find_target(const GltfValue& target, Property& property) {
         const GltfValue path = target.at("path");
         const std::string& name = path.as_string();
-        if (name == "weights" || name == "pointer") {
-            report_.once(target.place(), "an animation of " + name +
-                                             " is not played, the value at rest is rendered "
-                                             "instead");
+        if (name == "pointer") {
+            report_.once(target.place(),
+                         "an animation of pointer is not played, the value at rest is rendered "
+                         "instead");
             return nullptr;
         }
-        if (name != "translation" && name != "rotation" && name != "scale")
+        if (name != "translation" && name != "rotation" && name != "scale" && name != "weights")
             throw path.error("is " + quote(name) +
                              ", expected translation, rotation, scale or weights");
         const std::optional<GltfValue> reference = target.find("node");
@@ -122,51 +151,71 @@ class AnimationReader {
             report_.once(target.place(), "a channel without a node is not played");
             return nullptr;
         }
-        const std::size_t node = reference->as_index(root_.size_of("nodes"), "nodes");
-        if (root_.at("nodes").element(node).find("matrix"))
-            throw reference->error("node " + std::to_string(node) +
+        const std::size_t index = reference->as_index(root_.size_of("nodes"), "nodes");
+        const GltfValue node = root_.at("nodes").element(index);
+        if (name == "weights") return find_weights(target, node, index, property);
+        if (node.find("matrix"))
+            throw reference->error("node " + std::to_string(index) +
                                    " has a 'matrix', expected translation, rotation and scale "
                                    "of a node that is animated");
-        GltfChannels& channels = nodes_[node];
-        width = name == "rotation" ? 4 : 3;
+        GltfChannels& channels = nodes_[index];
+        if (name == "rotation") property = {Kind::rotation, 4};
         if (name == "translation") return &channels.translation;
         return name == "rotation" ? &channels.rotation : &channels.scale;
     }
 
+    int* find_weights(const GltfValue& target, const GltfValue& node, std::size_t index,
+                      Property& property) {
+        const std::optional<GltfValue> mesh = node.find("mesh");
+        const std::size_t meshes = root_.size_of("meshes");
+        const std::size_t targets =
+            mesh ? count_gltf_targets(root_.at("meshes").element(mesh->as_index(meshes, "meshes")))
+                 : 0;
+        if (targets == 0) {
+            report_.once(target.place(),
+                         "an animation of weights of a node without morph targets is not played");
+            return nullptr;
+        }
+        property = {Kind::weights, static_cast<std::uint32_t>(targets)};
+        return &nodes_[index].weights;
+    }
+
     void read_channel(const GltfValue& channel, const GltfValue& samplers,
-                      std::map<std::size_t, int>& known) {
+                      std::map<std::size_t, Known>& known) {
         const GltfValue reference = channel.at("sampler");
         const std::size_t sampler = reference.as_index(samplers.size(), "samplers");
         const GltfValue target = channel.at("target");
-        std::uint32_t width = 3;
-        int* const slot = find_target(target, width);
+        Property property;
+        int* const slot = find_target(target, property);
         if (slot == nullptr) return;
-        const auto [entry, is_new] = known.try_emplace(sampler, 0);
-        if (is_new) entry->second = read_track(samplers.element(sampler), width);
-        const KeyTrack& track = tracks_[static_cast<std::size_t>(entry->second)];
-        if (track.width != width)
+        const auto [entry, is_new] = known.try_emplace(sampler);
+        Known& track = entry->second;
+        if (is_new) track = {read_track(samplers.element(sampler), property), property};
+        if (track.property.kind != property.kind || track.property.width != property.width)
             throw reference.error("sampler " + std::to_string(sampler) +
                                   " has values for another kind of property as well");
         if (*slot < 0)
-            *slot = entry->second;
+            *slot = track.track;
         else
             report_.once(target.place(),
                          "a property of a node is animated twice, the later channel is ignored");
     }
 
-    int read_track(const GltfValue& sampler, std::uint32_t width) {
+    int read_track(const GltfValue& sampler, const Property& property) {
         KeyTrack track;
         track.interpolation = read_interpolation(sampler);
-        track.width = width;
+        track.width = property.width;
         const GltfValue input = sampler.at("input");
         const GltfAccessor& times = data_.accessor(input);
-        if (times.count() > limits::max_animation_keys - keys_)
+        // Each weight counts, or one accessor of many could be copied by many samplers.
+        const std::size_t values = property.kind == Kind::weights ? property.width : 1;
+        if (times.count() > (limits::max_animation_keys - keys_) / values)
             throw input.error("brings the file above the limit of " +
                               std::to_string(limits::max_animation_keys) + " animation keys");
-        keys_ += times.count();
+        keys_ += times.count() * values;
         track.times = read_times(input, times);
         const GltfValue output = sampler.at("output");
-        track.values = read_values(output, data_.accessor(output), track);
+        track.values = read_values(output, data_.accessor(output), track, property);
         tracks_.push_back(std::move(track));
         return static_cast<int>(tracks_.size() - 1);
     }

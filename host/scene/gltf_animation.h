@@ -14,9 +14,14 @@
 
 namespace weft {
 
-/// Which tracks move a node: indices into Animation::tracks, or -1.
+/// Which tracks change a node: indices into Animation::tracks, or -1.
 struct GltfChannels {
     int translation = -1, rotation = -1, scale = -1;
+    int weights = -1;  ///< of the morph targets of its mesh
+
+    [[nodiscard]] bool move_node() const noexcept {
+        return translation >= 0 || rotation >= 0 || scale >= 0;
+    }
 };
 
 /// The animated nodes by their index in the file.

@@ -10,6 +10,9 @@
 #include <string>
 
 #include "base/limits.h"
+#include "scene/gltf_attribute.h"
+#include "scene/gltf_influences.h"
+#include "scene/gltf_morph.h"
 #include "scene/gltf_triangles.h"
 
 namespace weft {
@@ -19,35 +22,10 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The accessor of an attribute, checked to be of `min_width` to `max_width` components and as
-/// long as the positions.
-const GltfAccessor* attribute(GltfData& data, const GltfValue& attributes, const char* name,
-                              std::size_t vertex_count, std::size_t min_width,
-                              std::size_t max_width) {
-    const std::optional<GltfValue> reference = attributes.find(name);
-    if (!reference) return nullptr;
-    const GltfAccessor& accessor = data.accessor(*reference);
-    if (accessor.width() < min_width || accessor.width() > max_width)
-        throw reference->error("has " + std::to_string(accessor.width()) +
-                               " components, expected " + std::to_string(min_width) +
-                               (max_width > min_width ? " or " + std::to_string(max_width) : ""));
-    if (accessor.count() != vertex_count)
-        throw reference->error("has " + std::to_string(accessor.count()) +
-                               " elements, expected as many as POSITION, " +
-                               std::to_string(vertex_count));
-    return &accessor;
-}
-
-glm::vec3 read_vector(const GltfAccessor& accessor, std::size_t index) {
-    std::array<float, 4> values{};
-    accessor.read(index, values);
-    return {values[0], values[1], values[2]};
-}
-
 std::size_t drop_nonfinite(const GltfAccessor& positions, GltfTriangles& triangles) {
     return std::erase_if(triangles, [&](const auto& triangle) {
         return !std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
-            return is_finite(read_vector(positions, corner));
+            return is_finite(read_gltf_vector(positions, corner));
         });
     });
 }
@@ -76,7 +54,7 @@ void read_normals(const GltfAccessor& accessor, const std::vector<std::uint32_t>
     mesh.normals.resize(vertices.size());
     std::vector<std::size_t> broken;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::dvec3 unit = direction_of(glm::dvec3(read_vector(accessor, vertices[i])));
+        const glm::dvec3 unit = direction_of(glm::dvec3(read_gltf_vector(accessor, vertices[i])));
         mesh.normals[i] = glm::vec3(unit);
         if (unit == glm::dvec3{0.0}) broken.push_back(i);
     }
@@ -98,7 +76,7 @@ void read_uvs(const GltfAccessor& accessor, const glm::dmat3& transform,
     mesh.uvs.resize(vertices.size());
     std::size_t broken = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::vec3 raw = read_vector(accessor, vertices[i]);
+        const glm::vec3 raw = read_gltf_vector(accessor, vertices[i]);
         const glm::vec2 uv(transform * glm::dvec3(raw.x, raw.y, 1.0));
         const bool good = std::isfinite(uv.x) && std::isfinite(uv.y);
         mesh.uvs[i] = good ? uv : glm::vec2{0.0F};
@@ -112,7 +90,7 @@ void read_colours(const GltfAccessor& accessor, const std::vector<std::uint32_t>
     mesh.colours.resize(vertices.size());
     std::size_t clamped = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::vec3 raw = read_vector(accessor, vertices[i]);
+        const glm::vec3 raw = read_gltf_vector(accessor, vertices[i]);
         // fmax and fmin also turn NaN into a number.
         for (int c = 0; c < 3; ++c) mesh.colours[i][c] = std::fmin(std::fmax(raw[c], 0.0F), 1.0F);
         clamped += mesh.colours[i] == raw ? 0 : 1;
@@ -124,14 +102,16 @@ void read_attributes(GltfData& data, const GltfValue& attributes, const GltfSurf
                      std::size_t vertex_count, const std::vector<std::uint32_t>& vertices,
                      GltfReport& report, Mesh& mesh) {
     const std::string& place = attributes.place();
-    if (const GltfAccessor* normals = attribute(data, attributes, "NORMAL", vertex_count, 3, 3))
+    if (const GltfAccessor* normals =
+            find_gltf_attribute(data, attributes, "NORMAL", vertex_count, 3, 3))
         read_normals(*normals, vertices, report, place, mesh);
-    if (const GltfAccessor* colours = attribute(data, attributes, "COLOR_0", vertex_count, 3, 4))
+    if (const GltfAccessor* colours =
+            find_gltf_attribute(data, attributes, "COLOR_0", vertex_count, 3, 4))
         read_colours(*colours, vertices, report, place, mesh);
     if (!surface.textured) return;
     const std::string uv_name = "TEXCOORD_" + std::to_string(surface.uv_set);
     if (const GltfAccessor* uvs =
-            attribute(data, attributes, uv_name.c_str(), vertex_count, 2, 2)) {
+            find_gltf_attribute(data, attributes, uv_name, vertex_count, 2, 2)) {
         read_uvs(*uvs, surface.uv_transform, vertices, report, place, mesh);
         return;
     }
@@ -141,11 +121,27 @@ void read_attributes(GltfData& data, const GltfValue& attributes, const GltfSurf
     mesh.uvs.assign(vertices.size(), glm::vec2{0.0F});
 }
 
+/// What a mesh of these vertices is deformed from.
+MeshShape read_shape(GltfData& data, const GltfValue& primitive, std::size_t vertex_count,
+                     const std::vector<std::uint32_t>& vertices, const GltfForms& forms,
+                     const Mesh& mesh, GltfReport& report, GltfCounts& read) {
+    MeshShape shape;
+    shape.positions = mesh.positions;
+    shape.normals = mesh.normals;
+    if (forms.morphed)
+        shape.targets = read_gltf_targets(data, primitive, vertex_count, vertices,
+                                          !mesh.normals.empty(), report, read.deltas);
+    if (forms.skinned)
+        shape.influences =
+            read_gltf_influences(data, primitive.at("attributes"), vertex_count, vertices, report);
+    return shape;
+}
+
 }  // namespace
 
-std::optional<Mesh> read_gltf_primitive(GltfData& data, const GltfValue& primitive,
-                                        const GltfSurface& surface, GltfReport& report,
-                                        std::size_t& triangles_read) {
+std::optional<GltfPrimitive> read_gltf_primitive(GltfData& data, const GltfValue& primitive,
+                                                 const GltfSurface& surface, const GltfForms& forms,
+                                                 GltfReport& report, GltfCounts& read) {
     const std::uint64_t mode = primitive.integer_or("mode", 4);
     if (mode > 6)
         throw primitive.at("mode").error("is " + std::to_string(mode) + ", expected 0 to 6");
@@ -159,28 +155,28 @@ std::optional<Mesh> read_gltf_primitive(GltfData& data, const GltfValue& primiti
         report.once(primitive.place(), "primitive without POSITION is left out");
         return std::nullopt;
     }
-    if (primitive.find("targets"))
-        report.once(primitive.place(),
-                    "morph targets are not simulated, the undeformed mesh is rendered instead");
-    const GltfAccessor& positions = *attribute(
+    const GltfAccessor& positions = *find_gltf_attribute(
         data, attributes, "POSITION", data.accessor(attributes.at("POSITION")).count(), 3, 3);
     const std::size_t vertex_count = positions.count();
     GltfTriangles triangles =
-        read_gltf_triangles(data, primitive, mode, vertex_count, triangles_read);
+        read_gltf_triangles(data, primitive, mode, vertex_count, read.triangles);
     report.count(primitive.place(), "triangles use vertices that are not finite and are left out",
                  drop_nonfinite(positions, triangles));
     if (triangles.empty()) {
         report.once(primitive.place(), "primitive without triangles is left out");
         return std::nullopt;
     }
-    Mesh mesh;
+    GltfPrimitive made;
+    Mesh& mesh = made.mesh;
     const std::vector<std::uint32_t> vertices = compact_vertices(triangles, vertex_count);
     mesh.triangles = std::move(triangles);
     mesh.positions.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices)
-        mesh.positions.push_back(read_vector(positions, vertex));
+        mesh.positions.push_back(read_gltf_vector(positions, vertex));
     read_attributes(data, attributes, surface, vertex_count, vertices, report, mesh);
-    return mesh;
+    if (forms.skinned || forms.morphed)
+        made.shape = read_shape(data, primitive, vertex_count, vertices, forms, mesh, report, read);
+    return made;
 }
 
 }  // namespace weft

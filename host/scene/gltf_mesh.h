@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "scene/deformation.h"
 #include "scene/gltf_data.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_report.h"
@@ -13,14 +14,31 @@
 
 namespace weft {
 
+/// A primitive of a glTF mesh.
+struct GltfPrimitive {
+    Mesh mesh;
+    std::optional<MeshShape> shape{};  ///< what it is deformed from, where that was asked for
+};
+
+/// Which deformations of a primitive are of interest.
+struct GltfForms {
+    bool skinned = false;
+    bool morphed = false;
+};
+
+/// What has been read of a file, against its limits.
+struct GltfCounts {
+    std::size_t triangles = 0;
+    std::size_t deltas = 0;  ///< displacements by morph targets
+};
+
 /// Reads one primitive of a glTF mesh: only the vertices its triangles use, in their order in the
-/// file. Nothing is returned (with a warning) for primitives without triangles. `triangles_read`
-/// counts the triangles of the whole file against `limits::max_triangles`. Throws Error (exit
+/// file. Nothing is returned (with a warning) for primitives without triangles. `read` grows with
+/// what is read, up to `limits::max_triangles` and `limits::max_morph_deltas`. Throws Error (exit
 /// code 2).
-[[nodiscard]] std::optional<Mesh> read_gltf_primitive(GltfData& data, const GltfValue& primitive,
-                                                      const GltfSurface& surface,
-                                                      GltfReport& report,
-                                                      std::size_t& triangles_read);
+[[nodiscard]] std::optional<GltfPrimitive> read_gltf_primitive(
+    GltfData& data, const GltfValue& primitive, const GltfSurface& surface, const GltfForms& forms,
+    GltfReport& report, GltfCounts& read);
 
 }  // namespace weft
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,7 +14,7 @@
 namespace weft {
 namespace {
 
-constexpr std::size_t no_parent = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_parent = GltfNode::none;
 
 /// Parent of every node. With at most one parent each, the nodes form trees and perhaps rings;
 /// a ring is a part that no root leads to.
@@ -98,15 +97,15 @@ glm::dmat4 read_local_transform(const GltfValue& node) {
 /// What carries the children of a node that `parent` carries. An animated one is a moving node of
 /// its own.
 Attachment attach(const GltfValue& node, const glm::dmat4& local, const Attachment& parent,
-                  const GltfChannels* channels, Animation& animation) {
-    if (channels == nullptr) return {parent.node, parent.to_node * local};
+                  const GltfChannels& channels, Animation& animation) {
+    if (!channels.move_node()) return {parent.node, parent.to_node * local};
     MovingNode moving;
     moving.parent = parent.node;
     moving.to_parent = parent.to_node;
     moving.rest = read_gltf_pose(node);
-    moving.translation = channels->translation;
-    moving.rotation = channels->rotation;
-    moving.scale = channels->scale;
+    moving.translation = channels.translation;
+    moving.rotation = channels.rotation;
+    moving.scale = channels.scale;
     animation.nodes.push_back(moving);
     return {static_cast<int>(animation.nodes.size() - 1), glm::dmat4(1.0)};
 }
@@ -157,41 +156,42 @@ std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
 
     struct Pending {
         std::size_t node;
+        std::size_t parent;  // among those that are done
         int depth;
-        glm::dmat4 parent_to_world;
-        Attachment parent_motion;
     };
     std::vector<Pending> stack;
     for (auto node = roots.rbegin(); node != roots.rend(); ++node)
-        stack.push_back({*node, 1, glm::dmat4(1.0), {}});
+        stack.push_back({*node, GltfNode::none, 1});
     std::vector<GltfNode> nodes;
     while (!stack.empty()) {
         const Pending next = stack.back();
         stack.pop_back();
-        GltfNode node{root.at("nodes").element(next.node), {}, glm::dmat4(1.0), {}};
+        GltfNode node{root.at("nodes").element(next.node), next.node, next.parent};
         if (next.depth > limits::max_nesting)
             throw node.value.error("node is nested deeper than " +
                                    std::to_string(limits::max_nesting) + " levels");
         node.name = node.value.name_or("");
+        const bool is_root = next.parent == GltfNode::none;
         const glm::dmat4 local = read_local_transform(node.value);
-        node.to_world = next.parent_to_world * local;
-        const auto channels = animated.find(next.node);
-        node.motion = attach(node.value, local, next.parent_motion,
-                             channels == animated.end() ? nullptr : &channels->second, animation);
+        node.to_world = (is_root ? glm::dmat4(1.0) : nodes[next.parent].to_world) * local;
+        const auto found = animated.find(next.node);
+        const GltfChannels channels = found == animated.end() ? GltfChannels{} : found->second;
+        node.motion = attach(node.value, local, is_root ? Attachment{} : nodes[next.parent].motion,
+                             channels, animation);
+        node.weights_track = channels.weights;
         const std::optional<GltfValue> children = node.value.find("children");
         for (std::size_t c = children ? children->size() : 0; c > 0; --c)
-            stack.push_back({children->element(c - 1).as_index(count, "nodes"), next.depth + 1,
-                             node.to_world, node.motion});
+            stack.push_back(
+                {children->element(c - 1).as_index(count, "nodes"), nodes.size(), next.depth + 1});
         nodes.push_back(std::move(node));
     }
     return nodes;
 }
 
-bool usable_transform(const GltfNode& node, GltfReport& report) {
-    if (!is_finite(node.to_world))
-        throw node.value.error("the transform to world space is not finite");
-    if (!is_singular(node.to_world)) return true;
-    report.count(node.value.place(),
+bool usable_transform(const glm::dmat4& to_world, const GltfValue& node, GltfReport& report) {
+    if (!is_finite(to_world)) throw node.error("the transform to world space is not finite");
+    if (!is_singular(to_world)) return true;
+    report.count(node.place(),
                  "objects are left out because their transform is singular (a scale of zero)", 1);
     return false;
 }

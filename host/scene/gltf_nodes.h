@@ -3,7 +3,9 @@
 #ifndef WEFT_SCENE_GLTF_NODES_H
 #define WEFT_SCENE_GLTF_NODES_H
 
+#include <cstddef>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,10 +17,15 @@ namespace weft {
 
 /// A node of the scene that is rendered.
 struct GltfNode {
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
     GltfValue value;
-    std::string name;          ///< empty where the file gives none
-    glm::dmat4 to_world{1.0};  ///< at rest
-    Attachment motion{};       ///< to itself or the nearest animated node above it
+    std::size_t number = 0;     ///< in the file
+    std::size_t parent = none;  ///< among the nodes that are rendered, or `none`
+    std::string name{};         ///< empty where the file gives none
+    glm::dmat4 to_world{1.0};   ///< at rest
+    Attachment motion{};        ///< to itself or the nearest animated node above it
+    int weights_track = -1;     ///< of its morph targets: index into Animation::tracks, or -1
 };
 
 /// The nodes of the default scene (or the first, or all root nodes where there are no scenes),
@@ -37,9 +44,10 @@ struct GltfNode {
 /// where it is not affine.
 [[nodiscard]] glm::dmat4 read_gltf_matrix(const GltfValue& value);
 
-/// Whether things can be placed with `to_world`: throws Error (exit code 2) where it is not
-/// finite; warns and returns false where it flattens space, as exporters do to hide objects.
-[[nodiscard]] bool usable_transform(const GltfNode& node, GltfReport& report);
+/// Whether things of `node` can be placed with `to_world`: throws Error (exit code 2) where that is
+/// not finite; warns and returns false where it flattens space, as exporters do to hide objects.
+[[nodiscard]] bool usable_transform(const glm::dmat4& to_world, const GltfValue& node,
+                                    GltfReport& report);
 
 }  // namespace weft
 

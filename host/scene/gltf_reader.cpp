@@ -15,12 +15,14 @@
 #include "scene/gltf_data.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_extensions.h"
+#include "scene/gltf_influences.h"
 #include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_medium.h"
-#include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
+#include "scene/gltf_parts.h"
 #include "scene/gltf_report.h"
+#include "scene/gltf_skin.h"
 #include "scene/gltf_textures.h"
 
 namespace weft {
@@ -36,7 +38,9 @@ class GltfReader {
           data_(document),
           textures_(document, data_, report_, scene_.textures),
           densities_(document.path, scene_.grids, diagnostics),
-          materials_(document, textures_, report_, densities_, scene_.materials, scene_.media) {}
+          materials_(document, textures_, report_, densities_, scene_.materials, scene_.media),
+          skins_(document, data_, nodes_),
+          parts_(document, data_, materials_, report_, scene_) {}
 
     GltfReader(const GltfReader&) = delete;
     GltfReader& operator=(const GltfReader&) = delete;
@@ -47,8 +51,8 @@ class GltfReader {
         Animation& animation = scene_.animation;
         const GltfAnimatedNodes animated =
             read_gltf_animations(document_, data_, report_, animation.tracks);
-        for (const GltfNode& node : read_gltf_nodes(document_, animated, animation, report_))
-            add_node(node);
+        nodes_ = read_gltf_nodes(document_, animated, animation, report_);
+        for (const GltfNode& node : nodes_) add_node(node);
         if (std::optional<Medium> fog = read_gltf_outer_medium(root_, densities_)) {
             scene_.outer_medium = static_cast<int>(scene_.media.size());
             scene_.media.push_back(*std::move(fog));
@@ -58,23 +62,18 @@ class GltfReader {
     }
 
   private:
-    /// A primitive that has become a mesh of the scene.
-    struct Part {
-        std::uint32_t mesh;
-        std::uint32_t material;
-        int medium;  ///< where not -1, it is a boundary of that
-    };
-
     void add_node(const GltfNode& node) {
         const std::optional<GltfValue> mesh = node.value.find("mesh");
         const bool has_light = node.value.extension("KHR_lights_punctual").has_value();
-        if (!mesh && !has_light && !node.value.find("camera")) return;
+        const bool has_camera = node.value.find("camera").has_value();
+        if (!mesh && !has_light && !has_camera) return;
         if (node.value.extension("EXT_mesh_gpu_instancing"))
             report_.once(node.value.place(),
                          "instancing by attributes is not simulated, one instance is rendered "
                          "instead");
-        if (!usable_transform(node, report_)) return;
-        if (mesh) add_instances(node, *mesh);
+        if (mesh) add_mesh(node, *mesh);
+        if ((!has_light && !has_camera) || !usable_transform(node.to_world, node.value, report_))
+            return;
         if (auto light = read_gltf_light(root_, node, report_)) {
             light->motion = node.motion;
             scene_.lights.push_back(*std::move(light));
@@ -85,54 +84,53 @@ class GltfReader {
         }
     }
 
-    void add_instances(const GltfNode& node, const GltfValue& reference) {
-        if (node.value.find("skin"))
-            report_.once(node.value.place(),
-                         "skins are not simulated, the mesh is rendered unskinned instead");
-        const std::size_t index = reference.as_index(root_.size_of("meshes"), "meshes");
-        const std::vector<Part>& parts = mesh_parts(index);
+    /// The skin that a node applies to its mesh, or null.
+    const GltfSkin* skin_of(const GltfNode& node, const GltfValue& mesh) {
+        const std::optional<GltfValue> skin = node.value.find("skin");
+        if (!skin) return nullptr;
+        const std::size_t index = mesh.as_index(root_.size_of("meshes"), "meshes");
+        const GltfSkin& found = skins_.skin(*skin);
+        const auto [skinnable, is_new] = skinnable_.try_emplace(index, false);
+        if (is_new) skinnable->second = is_skinnable(root_.at("meshes").element(index));
+        if (skinnable->second) return &found;
+        report_.once(node.value.place(),
+                     "a mesh without JOINTS_0 and WEIGHTS_0 has a skin, it is rendered unskinned "
+                     "instead");
+        return nullptr;
+    }
+
+    /// A mesh that joints carry stands where its skeleton does, not where its node does.
+    void add_mesh(const GltfNode& node, const GltfValue& reference) {
+        const GltfSkin* const skin = skin_of(node, reference);
+        const glm::dmat4& to_world = skin != nullptr ? skin->to_world : node.to_world;
+        if (!usable_transform(to_world, node.value, report_)) return;
+        const Attachment& motion = skin != nullptr ? skin->motion : node.motion;
+        const std::vector<GltfPart>& parts = parts_.of(node, reference, skin);
         if (parts.size() >
             limits::max_instances - scene_.instances.size() - scene_.medium_boundaries.size())
             throw node.value.error("brings the file above the limit of " +
                                    std::to_string(limits::max_instances) + " placed meshes");
-        for (const Part& part : parts) {
+        for (const GltfPart& part : parts) {
+            const bool moves = motion.moves() || part.deforms;
             if (part.medium >= 0) {
-                if (node.motion.moves())
+                if (moves)
                     report_.once(node.value.place(),
                                  "animations of media are not simulated, their pose at rest is "
                                  "rendered instead");
-                scene_.medium_boundaries.push_back({part.mesh, node.to_world, part.medium, -1});
+                scene_.medium_boundaries.push_back({part.mesh, to_world, part.medium, -1});
                 continue;
             }
             Instance instance;
             instance.name = node.name.empty() ? scene_.meshes[part.mesh].name : node.name;
             instance.mesh = part.mesh;
             instance.material = part.material;
-            instance.to_world = node.to_world;
-            instance.motion = node.motion;
-            instance.may_move = node.motion.moves();
+            instance.to_world = to_world;
+            instance.flip_normals = part.mirrored;
+            instance.motion = motion;
+            instance.may_move = moves;
+            instance.deformation = part.deformation;
             scene_.instances.push_back(std::move(instance));
         }
-    }
-
-    const std::vector<Part>& mesh_parts(std::size_t index) {
-        if (const auto known = parts_.find(index); known != parts_.end()) return known->second;
-        const GltfValue value = root_.at("meshes").element(index);
-        const GltfValue primitives = value.at("primitives");
-        const std::string name = value.name_or("mesh " + std::to_string(index));
-        std::vector<Part> parts;
-        for (std::size_t i = 0; i < primitives.size(); ++i) {
-            const GltfValue primitive = primitives.element(i);
-            const GltfSurface& surface = materials_.surface(primitive.find("material"));
-            std::optional<Mesh> mesh =
-                read_gltf_primitive(data_, primitive, surface, report_, triangles_read_);
-            if (!mesh) continue;
-            mesh->name = primitives.size() == 1 ? name : name + " part " + std::to_string(i);
-            parts.push_back({static_cast<std::uint32_t>(scene_.meshes.size()), surface.material,
-                             surface.medium});
-            scene_.meshes.push_back(*std::move(mesh));
-        }
-        return parts_[index] = std::move(parts);
     }
 
     const GltfDocument& document_;
@@ -143,8 +141,10 @@ class GltfReader {
     GltfTextures textures_;
     GltfDensities densities_;
     GltfMaterials materials_;
-    std::size_t triangles_read_ = 0;
-    std::map<std::size_t, std::vector<Part>> parts_;
+    std::vector<GltfNode> nodes_;
+    GltfSkins skins_;
+    GltfParts parts_;
+    std::map<std::size_t, bool> skinnable_;  ///< by mesh of the file
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ using GltfTriangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// The triangles of a primitive in modes TRIANGLES (4), TRIANGLE_STRIP (5) and TRIANGLE_FAN (6),
 /// with every index below `vertex_count`. Triangles that name a vertex twice, as strips do, are
-/// left out. `triangles_read` as in `read_gltf_primitive`.
+/// left out. `triangles_read` counts those of the whole file against `limits::max_triangles`.
 [[nodiscard]] GltfTriangles read_gltf_triangles(GltfData& data, const GltfValue& primitive,
                                                 std::uint64_t mode, std::size_t vertex_count,
                                                 std::size_t& triangles_read);

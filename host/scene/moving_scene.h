@@ -23,8 +23,8 @@ class MovingScene {
     /// Throws Error as set_frame does, and changes nothing.
     void check_frame(std::uint32_t frame);
     /// Brings the scene to a frame. Throws Error (exit code 2) that names the frame where a
-    /// transform is singular or not finite then, or a number of a light or material unusable; the
-    /// scene stays what it was.
+    /// transform is singular or not finite then, a vertex not finite or too far away, or a number
+    /// of a light or material unusable; the scene stays what it was.
     void set_frame(std::uint32_t frame);
 
     [[nodiscard]] const Scene& at_rest() const { return rest_; }

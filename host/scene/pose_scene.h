@@ -7,14 +7,15 @@
 
 namespace weft {
 
-/// Whether any instance or light is carried by a node that moves.
+/// Whether any instance is deformed, or it or a light is carried by a node that moves.
 [[nodiscard]] bool is_animated(const Scene& scene);
 
 /// Lets nothing of the scene move but cameras: all is as it is at rest.
 void hold_still(Scene& scene);
 
-/// Makes `posed`, a copy of the scene `rest`, what that is at `time`, seconds: its instances,
-/// lights and materials, before any edits. Transforms may be unusable: see validate_pose.
+/// Makes `posed`, a copy of the scene `rest`, what that is at `time`, seconds: its instances, the
+/// meshes that are deformed, lights and materials, before any edits. Transforms and vertices may be
+/// unusable: see validate_pose.
 void pose_scene(const Scene& rest, double time, Scene& posed);
 
 }  // namespace weft

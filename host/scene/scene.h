@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/animation.h"
+#include "scene/deformation.h"
 #include "scene/density_grid.h"
 
 namespace weft {
@@ -56,10 +57,11 @@ struct Instance {
     std::uint32_t mesh = 0;
     std::uint32_t material = 0;
     glm::dmat4 to_world{1.0};
-    bool flip_normals = false;  ///< the file asks for reversed orientation
+    bool flip_normals = false;  ///< the file asks for reversed orientation, or joints mirror it
     bool may_move = false;      ///< over the frames to be made; see pose_scene and SceneEdits
     bool present = true;        ///< else its triangles are there without extent
     Attachment motion{};        ///< what carries it over time, if anything does
+    int deformation = -1;       ///< index into Scene::deformations, which makes its mesh, or -1
 };
 
 enum class LightType : std::uint32_t { point, spot, directional };
@@ -134,6 +136,8 @@ struct Scene {
     std::optional<Environment> environment;
     std::vector<Camera> cameras;
     Animation animation;
+    std::vector<Skin> skins;                ///< those that move vertices over time
+    std::vector<Deformation> deformations;  ///< of meshes, which here are as they are at rest
     std::vector<DensityGrid> grids;
     std::vector<Medium> media;
     std::vector<MediumBoundary> medium_boundaries;

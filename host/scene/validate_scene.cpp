@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "scene/validate_deformation.h"
 
 namespace weft {
 namespace {
@@ -56,6 +57,7 @@ class Validator {
         for (const PunctualLight& light : scene_.lights) check(light);
         for (const Camera& camera : scene_.cameras) check(camera, "");
         check(scene_.animation);
+        validate_deformations(scene_);
         check_media();
         require(!scene_.environment || not_negative(scene_.environment->radiance), "environment",
                 "has a radiance that is negative or not finite");
@@ -69,6 +71,9 @@ class Validator {
             const std::string object = "instance " + quote(instance.name) + when;
             check_transform(instance.to_world, object);
             const Mesh& mesh = scene_.meshes[instance.mesh];
+            // Comparisons, of which the box is made, pass over what is no number.
+            if (instance.deformation >= 0)
+                require(all_finite(mesh.positions), object, "has a vertex that is not finite");
             if (!mesh.positions.empty()) check_extent(box_of(mesh), instance.to_world, object);
         }
         for (const PunctualLight& light : scene_.lights) check(light);
@@ -203,9 +208,12 @@ class Validator {
             return track >= -1 &&
                    (track < 0 || static_cast<std::size_t>(track) < animation.tracks.size());
         };
+        const auto fits = [&](int track, std::uint32_t width) {
+            return track < 0 || animation.tracks[static_cast<std::size_t>(track)].width == width;
+        };
         for (const KeyTrack& track : animation.tracks) {
             const std::size_t parts = track.interpolation == Interpolation::cubic ? 3 : 1;
-            require(track.keys() > 0 && track.width >= 3 && track.width <= 4 &&
+            require(track.keys() > 0 && track.width > 0 &&
                         track.values.size() == track.keys() * parts * track.width,
                     "animation track", "has the wrong number of values");
         }
@@ -213,6 +221,8 @@ class Validator {
             const MovingNode& node = animation.nodes[i];
             require(exists(node.translation) && exists(node.rotation) && exists(node.scale),
                     "moving node", "refers to a track that does not exist");
+            require(fits(node.translation, 3) && fits(node.rotation, 4) && fits(node.scale, 3),
+                    "moving node", "refers to a track of another kind");
             require(node.parent >= -1 && node.parent < static_cast<int>(i), "moving node",
                     "refers to a parent that does not come before it");
         }

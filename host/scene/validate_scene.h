@@ -18,8 +18,8 @@ void validate_scene(const Scene& scene);
 void validate_camera(const Scene& scene, const Camera& camera, const std::string& when);
 
 /// Checks what may differ from the scene at rest at some other time, which `when` names: the places
-/// of instances that may move, lights and materials. The scene at rest has been validated. Throws
-/// Error (exit code 2).
+/// of instances that may move, the vertices of those that are deformed, lights and materials. The
+/// scene at rest has been validated. Throws Error (exit code 2).
 void validate_pose(const Scene& scene, const std::string& when);
 
 }  // namespace weft

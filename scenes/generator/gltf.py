@@ -45,13 +45,15 @@ class Document:
 
     def _accessor(self, data, target, component, kind, count, extra):
         self.binary += bytes(-len(self.binary) % 4)
-        view = self._add("bufferViews", {"buffer": 0, "byteOffset": len(self.binary),
-                                         "byteLength": len(data), "target": target})
+        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(data)}
+        if target:
+            view["target"] = target
+        view = self._add("bufferViews", view)
         self.binary += data
         return self._add("accessors", {"bufferView": view, "componentType": component,
                                        "count": count, "type": kind, **extra})
 
-    def _floats(self, rows, kind, bounds=False):
+    def _floats(self, rows, kind, bounds=False, target=ARRAY_BUFFER):
         flat = [c for row in rows for c in row]
         data = struct.pack(f"<{len(flat)}f", *flat)
         extra = {}
@@ -59,7 +61,11 @@ class Document:
             stored = list(struct.iter_unpack(f"<{len(rows[0])}f", data))
             extra = {"min": [min(column) for column in zip(*stored)],
                      "max": [max(column) for column in zip(*stored)]}
-        return self._accessor(data, ARRAY_BUFFER, FLOAT, kind, len(rows), extra)
+        return self._accessor(data, target, FLOAT, kind, len(rows), extra)
+
+    def _bytes(self, rows, extra):
+        data = bytes(c for row in rows for c in row)
+        return self._accessor(data, ARRAY_BUFFER, UNSIGNED_BYTE, "VEC4", len(rows), extra)
 
     def _indices(self, triangles, vertices):
         flat = [i for triangle in triangles for i in triangle]
@@ -82,8 +88,48 @@ class Document:
         return {"attributes": attributes, "material": material,
                 "indices": self._indices(mesh.triangles, len(mesh.positions))}
 
+    def carry(self, primitive, influences):
+        """Lets joints carry a primitive: for each vertex up to four (joint of the skin, weight)."""
+        joints, weights = [], []
+        for listed in influences:
+            listed = [*listed, *[(0, 0.0)] * (4 - len(listed))]
+            bits = [round(255 * weight) for _, weight in listed]
+            bits[bits.index(max(bits))] += 255 - sum(bits)
+            joints.append([joint if b else 0 for (joint, _), b in zip(listed, bits)])
+            weights.append(bits)
+        primitive["attributes"]["JOINTS_0"] = self._bytes(joints, {})
+        primitive["attributes"]["WEIGHTS_0"] = self._bytes(weights, {"normalized": True})
+
+    def morph(self, primitive, positions, normals):
+        """Adds a morph target: what it adds to each position and normal."""
+        primitive.setdefault("targets", []).append({
+            "POSITION": self._floats(positions, "VEC3", bounds=True),
+            "NORMAL": self._floats(normals, "VEC3")})
+
     def add_mesh(self, name, primitives):
         return self._add("meshes", {"name": name, "primitives": primitives})
+
+    def add_skin(self, name, joints, places):
+        """A skin of nodes; `places` says where each is, unturned, where it binds vertices."""
+        matrices = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -p[0], -p[1], -p[2], 1) for p in places]
+        return self._add("skins", {"name": name, "joints": list(joints), "inverseBindMatrices":
+                                   self._floats(matrices, "MAT4", target=None)})
+
+    def add_animation(self, name, channels):
+        """`channels` lists (node, path, times, values, interpolation); one value is a tuple, and
+        of weights all those of a key follow each other."""
+        animation = {"name": name, "channels": [], "samplers": []}
+        inputs = {}
+        for node, path, times, values, interpolation in channels:
+            if times not in inputs:
+                inputs[times] = self._floats([(t,) for t in times], "SCALAR", True, None)
+            kind = {"rotation": "VEC4", "weights": "SCALAR"}.get(path, "VEC3")
+            animation["channels"].append({"sampler": len(animation["samplers"]),
+                                          "target": {"node": node, "path": path}})
+            animation["samplers"].append({
+                "input": inputs[times], "output": self._floats(values, kind, target=None),
+                "interpolation": interpolation})
+        return self._add("animations", animation)
 
     def add_material(self, name, albedo, texture=None, double_sided=False, radiance=None):
         """A Lambertian material; `radiance` (W/(m^2 sr), linear Rec.709) makes it a light."""
@@ -130,6 +176,11 @@ class Document:
     def add_node(self, name, **fields):
         node = self._add("nodes", {"name": name, **fields})
         self.json["scenes"][0]["nodes"].append(node)
+        return node
+
+    def add_child(self, name, parent, **fields):
+        node = self._add("nodes", {"name": name, **fields})
+        self.json["nodes"][parent].setdefault("children", []).append(node)
         return node
 
     def add_camera(self, name, eye, target, yfov):

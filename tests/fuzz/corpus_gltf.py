@@ -9,7 +9,7 @@ from corpus_pictures import jpeg, png
 
 BYTE, UBYTE, SHORT, USHORT, UINT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
 FORMATS = {BYTE: "b", UBYTE: "B", SHORT: "h", USHORT: "H", UINT: "I", FLOAT: "f"}
-WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 CORNERS = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]
 
 
@@ -187,6 +187,57 @@ def animation():
     return b
 
 
+def skin():
+    b = Builder()
+    b.mesh(attributes={
+        "POSITION": b.accessor(CORNERS, FLOAT, "VEC3"),
+        "NORMAL": b.accessor([0, 0, 1] * 4, FLOAT, "VEC3"),
+        "JOINTS_0": b.accessor([0, 1, 0, 0] * 4, UBYTE, "VEC4"),
+        "WEIGHTS_0": b.accessor([0.5, 0.5, 0, 0, 1, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 0, 0], FLOAT,
+                                "VEC4"),
+        "JOINTS_1": b.accessor([1, 0, 0, 0] * 4, USHORT, "VEC4"),
+        "WEIGHTS_1": b.accessor([255, 0, 0, 0] * 4, UBYTE, "VEC4", normalized=True)})
+    b.json["nodes"][0].update(skin=0, name="mesh")
+    b.node(children=[2], translation=[0, 1, 0])
+    b.json["nodes"] += [{"children": [3]}, {"translation": [0, 0.5, 0]}]
+    matrices = b.accessor([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] * 2, FLOAT, "MAT4")
+    b.json["skins"] = [{"joints": [2, 3], "inverseBindMatrices": matrices, "skeleton": 2}]
+    times = b.accessor([0, 1], FLOAT, "SCALAR")
+    turns = b.accessor([0, 0, 0, 1, 0, 0, 0.6, 0.8], FLOAT, "VEC4")
+    sizes = b.accessor([1, 1, 1, 2, -1, 1], FLOAT, "VEC3")
+    b.json["animations"] = [
+        {"samplers": [{"input": times, "output": turns}, {"input": times, "output": sizes}],
+         "channels": [{"sampler": 0, "target": {"node": 3, "path": "rotation"}},
+                      {"sampler": 1, "target": {"node": 1, "path": "scale"}}]}]
+    return b
+
+
+def morph():
+    b = Builder()
+    indices = b.view(struct.pack("<H", 2))
+    values = b.view(struct.pack("<3b", 0, 0, 127))
+    b.json["accessors"].append(
+        {"componentType": BYTE, "normalized": True, "type": "VEC3", "count": 4,
+         "sparse": {"count": 1, "indices": {"bufferView": indices, "componentType": USHORT},
+                    "values": {"bufferView": values}}})
+    moved = b.accessor([0, 0, 1] * 4, FLOAT, "VEC3")
+    b.mesh(attributes={"POSITION": b.accessor(CORNERS, FLOAT, "VEC3"),
+                       "NORMAL": b.accessor([0, 0, 1] * 4, FLOAT, "VEC3")},
+           targets=[{"POSITION": 0, "NORMAL": moved}, {"POSITION": moved}])
+    b.json["meshes"][0]["weights"] = [0.5, 0]
+    b.node(mesh=0, weights=[-1, 2])
+    b.node(mesh=0)
+    times = b.accessor([0, 2], FLOAT, "SCALAR")
+    weights = b.accessor([0, 1, 1, 0], FLOAT, "SCALAR")
+    spline = b.accessor([0, 0, 0, 255, 0, 9] * 2, UBYTE, "SCALAR", normalized=True)
+    b.json["animations"] = [
+        {"samplers": [{"input": times, "output": weights, "interpolation": "STEP"},
+                      {"input": times, "output": spline, "interpolation": "CUBICSPLINE"}],
+         "channels": [{"sampler": 0, "target": {"node": 0, "path": "weights"}},
+                      {"sampler": 1, "target": {"node": 1, "path": "weights"}}]}]
+    return b
+
+
 def materials():
     b = Builder()
     names = ["unlit", "transmission", "volume", "clearcoat", "sheen", "specular", "ior",
@@ -233,10 +284,11 @@ def files():
             "nodes": [{"children": [1]}, {"children": [2]}, {"children": [1]}]}
     made = {"attributes": attributes(), "quantized": quantized(), "sparse": sparse(),
             "modes": modes(), "nodes": nodes(), "animation": animation(),
+            "skin": skin(), "morph": morph(),
             "materials": materials(), "media": media(),
             "outside": outside()}
     out = {name + ".gltf": builder.gltf() for name, builder in made.items()}
-    binary = ("attributes", "sparse", "nodes", "animation")
+    binary = ("attributes", "sparse", "nodes", "animation", "skin", "morph")
     out.update({name + ".glb": made[name].glb() for name in binary})
     out["outside.gltf"] = json.dumps(made["outside"].json)
     out["badring.gltf"] = json.dumps(ring, indent=1)

@@ -26,8 +26,10 @@
 #include "scene/image_file.h"
 #include "scene/load_scene.h"
 #include "scene/majorant_grid.h"
+#include "scene/moving_scene.h"
 #include "scene/nanovdb_reader.h"
 #include "scene/ply_reader.h"
+#include "scene/pose_scene.h"
 #include "scene/validate_scene.h"
 #include "scene/vol_reader.h"
 #include "tests/temporary_folder.h"
@@ -103,6 +105,18 @@ bool is_finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// What a rendering over frames does with what moves.
+void use_poses(const Scene& scene) {
+    if (!is_animated(scene)) return;
+    MovingScene moving(scene, {}, 2.0);
+    for (const std::uint32_t frame : {0U, 1U, 3U, 1000U}) {
+        moving.set_frame(frame);
+        for (const shared::float4& p : moving.flat().positions)
+            require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z),
+                    "a moving position that is not finite");
+    }
+}
+
 /// What a rendering does with a scene before the first kernel runs.
 void use_scene(const Scene& scene) {
     const FlatScene flat = flatten(scene);
@@ -117,6 +131,7 @@ void use_scene(const Scene& scene) {
     for (const shared::LightRecord& light : flat.lights)
         require(std::isfinite(light.probability) && light.probability >= 0.0F,
                 "a light with an impossible probability");
+    use_poses(scene);
     constexpr std::size_t few = 1000;
     if (flat.triangles.size() > few) return;
     const BvhSettings settings;
