@@ -9,26 +9,28 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <numeric>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "base/limits.h"
-#include "base/stopwatch.h"
 #include "bench/common/bench_scenes.h"
+#include "bench/common/dynamic_methods.h"
+#include "bench/common/dynamic_report.h"
+#include "bench/common/dynamic_run.h"
 #include "bench/common/dynamic_sequences.h"
+#include "bench/common/growing_report.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
-#include "bench/common/picture_errors.h"
+#include "bench/common/reference_pictures.h"
+#include "bench/common/shared_scene.h"
+#include "bench/common/static_light.h"
 #include "device/native/native_executor.h"
 #include "frame/camera_params.h"
-#include "frame/renderer.h"
-#include "metrics/flicker.h"
 #include "scene/load_scene.h"
 #include "scene/pose_scene.h"
 
@@ -40,240 +42,266 @@ namespace fs = std::filesystem;
 
 struct Settings {
     bool quick = false;
+    bool audit = false;
+    bool single = false;  ///< frames of scenes that hold still
+    bool resume = false;
     std::string scenes = WEFT_SOURCE_DIR "/../shared/data/scenes";
     std::string json;
+    std::string report;
     std::string backend = "opencl";
+    std::string device;
+    std::string references = WEFT_SOURCE_DIR "/build/references";
     int threads = 0;
-    std::uint32_t size = 0;    ///< 0: by `quick`
-    std::uint32_t frames = 0;  ///< 0: by `quick`
-    std::vector<std::string> only;
+    std::uint32_t size = 0;           ///< 0: by `quick`
+    std::uint32_t frames = 0;         ///< 0: by `quick`
+    std::uint32_t converged = 0;      ///< 0: by `quick`
+    std::uint32_t reference_spp = 0;  ///< 0: by `quick`
+    std::uint32_t repetitions = 0;    ///< 0: by `quick`
+    std::optional<Visible> visible;   ///< else by `quick`
+    std::vector<std::string> only, sequences, algorithms;
 
-    [[nodiscard]] std::uint32_t edge() const { return size > 0 ? size : quick ? 128U : 512U; }
-    [[nodiscard]] std::uint32_t count() const { return frames > 0 ? frames : quick ? 5U : 12U; }
-    [[nodiscard]] bool wants(const std::string& name) const {
-        return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
+    [[nodiscard]] bool wants(const std::string& name) const { return named(only, name); }
+    [[nodiscard]] bool wants_method(const std::string& name) const {
+        return named(algorithms, name);
+    }
+    [[nodiscard]] std::vector<Happening> happenings(const std::string& scene) const {
+        if (sequences.empty()) return happenings_in(scene);
+        const std::vector<std::string> names = happening_names();
+        std::vector<Happening> found;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (named(sequences, names[i])) found.push_back(static_cast<Happening>(i));
+        return found;
+    }
+    [[nodiscard]] DynamicRun run() const {
+        return {or_else(size, 128, 512), or_else(frames, 5, 12), or_else(converged, 2, 8),
+                visible.value_or(quick ? Visible::last : Visible::all),
+                report.empty() ? fs::path() : fs::path(report) / "pictures"};
+    }
+    [[nodiscard]] StaticRun static_run() const {
+        return {or_else(size, 128, 512), or_else(repetitions, 3, 5), or_else(converged, 2, 8)};
+    }
+    [[nodiscard]] std::uint32_t spp() const { return or_else(reference_spp, 64, 2500); }
+    [[nodiscard]] fs::path json_file() const {
+        return json.empty() && !report.empty() ? fs::path(report) / "dynamic.json" : fs::path(json);
+    }
+
+  private:
+    static bool named(const std::vector<std::string>& names, const std::string& name) {
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    }
+    [[nodiscard]] std::uint32_t or_else(std::uint32_t given, std::uint32_t when_quick,
+                                        std::uint32_t usually) const {
+        return given > 0 ? given : quick ? when_quick : usually;
     }
 };
 
-std::optional<Settings> parse(int argc, char** argv, int& status) {
-    Settings settings;
-    CLI::App app{"Frames in which things happen: instant and temporal instant caching"};
+void add_options(CLI::App& app, Settings& settings) {
     app.add_flag("--quick", settings.quick, "a smaller picture, fewer frames");
+    app.add_flag("--audit", settings.audit,
+                 "instead of times: compare all kept records with records computed anew");
+    app.add_flag("--static", settings.single,
+                 "single frames of scenes that hold still: times and errors");
+    app.add_flag("--resume", settings.resume, "go on with the run that --json holds");
     app.add_option("--scenes", settings.scenes, "folder of scenes, each DIR/NAME/NAME.xml");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
+    app.add_option("--report", settings.report,
+                   "folder for the JSON and small pictures, for dynamic_report.py");
     app.add_option("--threads", settings.threads, "threads; 0: all")
         ->check(CLI::Range(0, static_cast<int>(limits::max_threads)));
     app.add_option("--backend", settings.backend, "what renders")
         ->check(CLI::IsMember({"opencl", "embree", "native"}));
+    app.add_option("--device", settings.device, "OpenCL device; default: the first processor");
     app.add_option("--only", settings.only, "measure only the scenes of these names");
+    app.add_option("--sequences", settings.sequences, "make only these, in every scene")
+        ->check(CLI::IsMember(happening_names()));
+    app.add_option("--methods", settings.algorithms, "measure only the methods of these names");
     app.add_option("--size", settings.size, "width and height of the picture")
         ->check(CLI::Range(16, 4096));
     app.add_option("--frames", settings.frames, "frames of every sequence")
         ->check(CLI::Range(3, 1000));
+    app.add_option("--converged", settings.converged, "frames of ir that make a converged one")
+        ->check(CLI::Range(1, 10000));
+    app.add_option("--visible", settings.visible, "in which frames to ask HDR-VDP")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Visible>{
+            {"none", Visible::none}, {"last", Visible::last}, {"all", Visible::all}}));
+    app.add_option("--repetitions", settings.repetitions, "of --static: frames of every method")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--references", settings.references, "of --static: folder of references");
+    app.add_option("--reference-spp", settings.reference_spp, "of --static: samples of new ones")
+        ->check(CLI::Range(1U, limits::max_samples_per_pixel));
+}
+
+std::optional<Settings> parse(int argc, char** argv, int& status) {
+    Settings settings;
+    CLI::App app{"Frames in which things happen: instant and temporal instant caching"};
+    add_options(app, settings);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         status = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
         return std::nullopt;
     }
+    if (settings.audit && settings.single)
+        throw Error(ExitCode::usage, "--static: keeps no records, expected it without --audit");
+    if (settings.resume && settings.json_file().empty())
+        throw Error(ExitCode::usage, "--resume: expected --json or --report with it");
+    if (!settings.report.empty()) {
+        std::error_code error;
+        fs::create_directories(settings.report, error);
+        if (error) throw Error(ExitCode::output, settings.report, error.message());
+    }
     return settings;
 }
 
-/// What is compared.
-struct Method {
-    const char* name;
-    Algorithm algorithm;
-    bool masks = true;
-    bool fresh = false;  ///< other random numbers in every frame
-};
-
-constexpr Method methods[] = {{"igi", Algorithm::igi, true, true},
-                              {"ic", Algorithm::ic},
-                              {"tic", Algorithm::tic},
-                              {"tic, no masks", Algorithm::tic, false}};
-
-/// Indirect light alone: all else is the same.
-RenderSettings settings_of(const Method& method, std::uint32_t edge) {
-    RenderSettings settings;
-    settings.algorithm = method.algorithm;
-    settings.width = settings.height = edge;
-    settings.sampling.cache_masks = method.masks;
-    settings.direct = false;
-    return settings;
+void print(const std::string& text) {
+    fmt::print("{}", text);
+    std::fflush(stdout);
 }
 
-/// A method over the frames of a sequence.
-struct Run {
-    Method method;
-    std::unique_ptr<Renderer> renderer;
-    std::vector<double> ms{};
-    std::vector<std::uint64_t> rays{};  ///< for indirect light, without primary rays
-    std::vector<CacheStats> records{};
-    std::vector<Image> images{};
-
-    [[nodiscard]] double median_ms() const {
-        std::vector<double> later(ms.begin() + 1, ms.end());
-        std::nth_element(later.begin(),
-                         later.begin() + static_cast<std::ptrdiff_t>(later.size() / 2),
-                         later.end());
-        return later[later.size() / 2];
-    }
-    [[nodiscard]] double mean_rays() const {
-        return static_cast<double>(
-                   std::accumulate(rays.begin() + 1, rays.end(), std::uint64_t{0})) /
-               static_cast<double>(rays.size() - 1);
-    }
-};
-
-void render(Run& run, Executor& executor, const FlatScene& flat, const Camera& camera,
-            std::uint32_t edge, std::uint32_t frame) {
-    RenderSettings settings = settings_of(run.method, edge);
-    if (run.method.fresh) {
-        settings.seed = frame;
-        run.renderer = std::make_unique<Renderer>(executor, flat, camera, settings);
-    } else if (!run.renderer) {
-        run.renderer = std::make_unique<Renderer>(executor, flat, camera, settings);
-    } else {
-        // The tree of what moves is the same work for all methods, and not timed.
-        run.renderer->update_scene();
-        run.renderer->move_camera(camera);
-    }
-    const weft::Stopwatch watch;
-    (void)run.renderer->render_frame({});
-    const FrameStats& stats = run.renderer->stats().back();
-    run.ms.push_back(watch.total());
-    run.rays.push_back(stats.rays - std::uint64_t{edge} * edge);
-    if (stats.cache) run.records.push_back(*stats.cache);
-    run.images.push_back(run.renderer->image());
+/// The scene files that are there; where there are none, those that come with Weft.
+std::vector<BenchScene> wanted_scenes(const Settings& settings) {
+    std::vector<BenchScene> scenes = bench_scenes(
+        settings.scenes, {"cornell-box", "office", "desk", "conference", "sibenik"}, true);
+    std::erase_if(scenes, [](const BenchScene& scene) { return scene.file.empty(); });
+    if (scenes.empty())
+        for (const char* const name : {"cornell-box.gltf", "gallery.gltf"}) {
+            const fs::path file = fs::path(WEFT_SOURCE_DIR) / "scenes" / name;
+            scenes.push_back(
+                {name, [file](Diagnostics& diagnostics) { return load_scene(file, diagnostics); },
+                 file});
+        }
+    std::erase_if(scenes, [&](const BenchScene& scene) { return !settings.wants(scene.name); });
+    if (scenes.empty()) throw Error(ExitCode::usage, "--only names no scene that is there");
+    return scenes;
 }
 
-/// Excess change of the last frames in units of PU21: mean over pixels that both show.
-double flicker(const Run& run, const Run& reference, const DynamicSequence& sequence) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t f = 1; f < run.images.size(); ++f) {
-        const auto frame = static_cast<std::uint32_t>(f);
-        const Camera before = sequence.camera_at(frame - 1);
-        const Camera now = sequence.camera_at(frame);
-        const std::vector<std::uint32_t> matches =
-            matching_pixels({reference.images[f - 1], before}, {reference.images[f], now});
-        constexpr double display = 100.0;
-        for (const float excess :
-             excess_change(run.images[f - 1], run.images[f], reference.images[f - 1],
-                           reference.images[f], matches, display)) {
-            if (!std::isfinite(excess)) continue;
-            sum += static_cast<double>(excess);
-            ++count;
+std::vector<DynamicMethod> wanted_methods(const Settings& settings) {
+    std::vector<DynamicMethod> methods =
+        dynamic_methods([](const std::string& text) { print(text + "\n"); });
+    std::erase_if(methods, [&](const DynamicMethod& m) { return !settings.wants_method(m.name); });
+    if (methods.empty()) throw Error(ExitCode::usage, "--methods names none that is there");
+    return methods;
+}
+
+nlohmann::json header_of(const Settings& settings, const char* mode,
+                         const std::vector<DynamicMethod>& methods, const Executor& executor) {
+    const DynamicRun run = settings.run();
+    std::vector<std::string> names;
+    for (const DynamicMethod& method : methods) names.push_back(method.name);
+    return {{"benchmark", "dynamic"},
+            {"mode", mode},
+            {"quick", settings.quick},
+            {"size", run.edge},
+            {"frames", run.frames},
+            {"converged", run.converged},
+            {"methods", names},
+            {"machine", machine_json(settings.threads)},
+            {"versions", versions_json()},
+            {"device", device_json(executor)}};
+}
+
+/// Sequences of all scenes, measured or audited; `table` shows one.
+void run_sequences(const Settings& settings, const std::vector<DynamicMethod>& methods,
+                   Executor& executor, GrowingReport& report, decltype(measure_sequence)* make,
+                   std::string (*table)(const nlohmann::json&)) {
+    Diagnostics diagnostics;
+    for (const BenchScene& source : wanted_scenes(settings)) {
+        std::optional<DynamicScene> scene;
+        for (const Happening happening : settings.happenings(source.name)) {
+            if (report.has({{"scene", source.name}, {"happening", to_string(happening)}})) continue;
+            if (!scene) scene = load_dynamic_scene(source, diagnostics);
+            report.add(make(*scene, happening, methods, settings.run(), executor));
+            print(table(report.parts().back()));
         }
     }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-/// What the middle of the picture shows, scene units: asked of a picture of one pixel.
-glm::dvec3 middle_of_view(const FlatScene& flat, const Camera& camera) {
-    const auto executor = make_native_executor(NativeTraversal::own_bvh, 1);
-    RenderSettings settings = settings_of({"ir", Algorithm::ir}, 1);
-    settings.indirect = false;
-    Renderer renderer(*executor, flat, camera, settings);
-    (void)renderer.render_frame({});
-    const Image image = renderer.image();
-    const double depth = static_cast<double>(image.find("depth")->values.at(0));
-    const glm::dvec3 eye(camera.to_world[3]);
-    const double far = depth > 0.0 && std::isfinite(depth) ? depth : 1.0 / flat.units.scale;
-    return eye - glm::normalize(glm::dvec3(camera.to_world[2])) * far;
+void resume(const Settings& settings, GrowingReport& report) {
+    if (settings.resume)
+        report.resume({"mode", "size", "frames", "converged", "methods", "device"});
 }
 
-nlohmann::json run_sequence(const Settings& settings, const std::string& name, const Scene& scene,
-                            Happening happening, Executor& executor, Diagnostics& diagnostics) {
-    const FlatScene still = flatten(scene);
-    const Camera camera = choose_camera(scene, still, "", diagnostics);
-    DynamicSequence sequence(scene, camera, middle_of_view(still, camera), happening);
-    FlatScene flat = flatten(sequence.at(0));
-    std::vector<Run> runs;
-    for (const Method& method : methods) runs.push_back({method, nullptr});
-    Run reference{{"ir", Algorithm::ir}, nullptr};
-    for (std::uint32_t frame = 0; frame < settings.count(); ++frame) {
-        update_flat(sequence.at(frame), flat);
-        for (Run& run : runs)
-            render(run, executor, flat, sequence.camera_at(frame), settings.edge(), frame);
-        render(reference, executor, flat, sequence.camera_at(frame), settings.edge(), frame);
+void measure_all(const Settings& settings, Executor& executor) {
+    const std::vector<DynamicMethod> methods = wanted_methods(settings);
+    GrowingReport report(settings.json_file(), header_of(settings, "sequences", methods, executor),
+                         "sequences", sequence_summary);
+    resume(settings, report);
+    print(sequence_heading());
+    run_sequences(settings, methods, executor, report, measure_sequence, sequence_table);
+    print("\n" + report.summary().dump(2) + "\n");
+}
+
+/// Whether every kept record is what it would be if computed anew.
+bool audit_all(const Settings& settings, Executor& executor) {
+    const std::vector<DynamicMethod> methods = wanted_methods(settings);
+    GrowingReport report(settings.json_file(), header_of(settings, "audit", methods, executor),
+                         "sequences", audit_summary);
+    resume(settings, report);
+    print(fmt::format("{:>12} {:>9} {:>16} {:>9} {:>12} {:>9} {:>14} {:>14}\n", "scene", "what",
+                      "method", "frames", "compared", "differ", "traced", "affected"));
+    run_sequences(settings, methods, executor, report, audit_sequence, audit_table);
+    print("\n" + report.summary().dump(2) + "\n");
+    if (report.summary()["compared"] == 0)
+        throw Error(ExitCode::usage,
+                    "no record was compared, expected sequences in which light changes");
+    return report.summary()["differing"] == 0;
+}
+
+nlohmann::json static_scene(const Settings& settings, const BenchScene& source,
+                            const std::vector<DynamicMethod>& methods, Executor& executor,
+                            Executor& path_executor) {
+    Diagnostics diagnostics;
+    Scene scene = source.load(diagnostics);
+    hold_still(scene);
+    const FlatScene flat = flatten(scene);
+    const Camera camera = choose_camera(scene, flat, "", diagnostics);
+    const StaticRun run = settings.static_run();
+    SharedScene path_shared(path_executor);
+    ReferencePictures pictures(settings.references, path_shared,
+                               [](const std::string& text) { print(text + "\n"); });
+    const Reference reference =
+        pictures.find(flat, camera, {source.name, run.edge, true, settings.spp()});
+    SharedScene shared(executor);
+    const StaticReferences references{reference.image,
+                                      many_vpls(shared, flat, camera, run.edge, run.converged)};
+    return {{"scene", source.name},
+            {"reference", reference.json()},
+            {"methods", measure_static(shared, flat, camera, methods, references, run)}};
+}
+
+void measure_single(const Settings& settings, Executor& executor) {
+    const std::vector<DynamicMethod> methods = wanted_methods(settings);
+    const auto path_executor = make_native_executor(NativeTraversal::own_bvh, settings.threads);
+    nlohmann::json header = header_of(settings, "static", methods, executor);
+    header["reference_spp"] = settings.spp();
+    header["repetitions"] = settings.static_run().repetitions;
+    GrowingReport report(settings.json_file(), header, "scenes", static_summary);
+    if (settings.resume)
+        report.resume(
+            {"mode", "size", "converged", "methods", "reference_spp", "repetitions", "device"});
+    print(static_heading());
+    for (const BenchScene& source : wanted_scenes(settings)) {
+        if (report.has({{"scene", source.name}})) continue;
+        report.add(static_scene(settings, source, methods, executor, *path_executor));
+        print(static_table(report.parts().back()));
     }
-    nlohmann::json json{{"scene", name}, {"happening", to_string(happening)}};
-    for (const Run& run : runs) {
-        const PictureErrors errors =
-            picture_errors(reference.images.back(), run.images.back(), "indirect", {true, false});
-        const double excess = flicker(run, reference, sequence);
-        nlohmann::json row{{"method", run.method.name}, {"ms", run.median_ms()},
-                           {"frame_ms", run.ms},        {"rays", run.mean_rays()},
-                           {"frame_rays", run.rays},    {"flicker", excess},
-                           {"errors", errors.json()}};
-        for (const CacheStats& cache : run.records)
-            row["records"].push_back({{"kept", cache.kept},
-                                      {"updated", cache.updated},
-                                      {"dropped", cache.dropped},
-                                      {"made", cache.made},
-                                      {"bytes", cache.bytes}});
-        fmt::print("{:>12} {:>7} {:>14} {:>9.1f} {:>12.0f} {:>9.2f} {:>9.2f} {:>9.5f} {:>9.4f}\n",
-                   name, to_string(happening), run.method.name, run.median_ms(), run.mean_rays(),
-                   errors.published ? errors.published->p75 : 0.0,
-                   errors.display ? errors.display->p75 : 0.0, errors.relmse.value_or(0.0), excess);
-        std::fflush(stdout);
-        json["methods"].push_back(row);
-    }
-    return json;
+    print("\n" + report.summary().dump(2) + "\n");
 }
 
-/// Mean over sequences of one method's figure over another's.
-double ratio(const nlohmann::json& sequences, std::size_t above, std::size_t below, const char* key,
-             const std::string& happening) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const nlohmann::json& sequence : sequences) {
-        if (!happening.empty() && sequence["happening"] != happening) continue;
-        const double a = sequence["methods"][above][key];
-        const double b = sequence["methods"][below][key];
-        if (!(b > 0.0)) continue;
-        sum += a / b;
-        ++count;
-    }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
-void run(const Settings& settings) {
+/// The exit code.
+int run(const Settings& settings) {
+    // Before anything else: BVH builders and Embree would start a worker per core.
     std::optional<tbb::global_control> limit;
     if (settings.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(settings.threads));
-    const auto executor = open_backend(settings.backend, "", settings.threads);
-    nlohmann::json json{{"benchmark", "dynamic"},
-                        {"quick", settings.quick},
-                        {"size", settings.edge()},
-                        {"frames", settings.count()},
-                        {"machine", machine_json(settings.threads)},
-                        {"versions", versions_json()},
-                        {"device", device_json(*executor)}};
-    fmt::print("{:>12} {:>7} {:>14} {:>9} {:>12} {:>9} {:>9} {:>9} {:>9}\n", "scene", "what",
-               "method", "ms", "rays", "VDP 75 %", "display", "relMSE", "flicker");
-    Diagnostics diagnostics;
-    for (const BenchScene& source : bench_scenes(
-             settings.scenes, {"cornell-box", "office", "desk", "conference", "sibenik"}, true)) {
-        if (source.file.empty() || !settings.wants(source.name)) continue;
-        Scene scene = source.load(diagnostics);
-        hold_still(scene);
-        for (const Happening happening : all_happenings())
-            json["sequences"].push_back(
-                run_sequence(settings, source.name, scene, happening, *executor, diagnostics));
-    }
-    if (!json.contains("sequences"))
-        throw Error(ExitCode::usage, "no scene is there, expected --scenes to name a folder");
-    const nlohmann::json& all = json["sequences"];
-    json["summary"] = {{"ic_vs_igi", ratio(all, 0, 1, "ms", "still")},
-                       {"tic_vs_ic_rays", ratio(all, 1, 2, "rays", "box")},
-                       {"tic_vs_ic_ms", ratio(all, 1, 2, "ms", "box")},
-                       {"tic_vs_igi_ms", ratio(all, 0, 2, "ms", "")},
-                       {"flicker_tic_vs_igi", ratio(all, 2, 0, "flicker", "")}};
-    fmt::print("\n{}\n", json["summary"].dump(2));
-    if (!settings.json.empty()) write_json(settings.json, json);
+    const auto executor = open_backend(settings.backend, settings.device, settings.threads);
+    if (settings.audit) return audit_all(settings, *executor) ? 0 : 1;
+    if (settings.single)
+        measure_single(settings, *executor);
+    else
+        measure_all(settings, *executor);
+    return 0;
 }
 
 }  // namespace
@@ -282,8 +310,7 @@ int main(int argc, char** argv) {
     int status = 0;
     try {
         const auto settings = parse(argc, argv, status);
-        if (settings) run(*settings);
-        return status;
+        return settings ? run(*settings) : status;
     } catch (const Error& error) {
         fmt::print(stderr, "bench dynamic: {}\n", error.what());
         return static_cast<int>(error.code());
