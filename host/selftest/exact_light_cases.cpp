@@ -1,0 +1,102 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "selftest/case_groups.h"
+#include "selftest/floor_light.h"
+
+// Lights without area, whose light is exact, from above and at grazing angles.
+namespace weft::selftest {
+namespace {
+
+// The closest that a light comes to the floor's plane, by the cosine.
+constexpr double grazing = 1e-3;
+
+/// I cos^3 / h^2 (Lambert).
+double point_irradiance(const glm::dvec3& light, const glm::dvec3& point) {
+    const glm::dvec3 d = light - point;
+    const double distance = glm::length(d);
+    return d.z / (distance * distance * distance);
+}
+
+FlatScene under_point(const glm::dvec3& light) {
+    SceneBuilder builder = floor_scene();
+    builder.light(LightType::point, light, glm::vec3(1.0F));
+    return flatten(builder.scene);
+}
+
+SelftestCase point_light() {
+    const glm::dvec3 light(0.2, 0.1, 1.7);
+    const glm::dvec3 below(0.2, 0.1, 0.0);
+    const glm::dvec3 corner(2.9, -2.8, 0.0);
+    const std::string rounding =
+        "some half ulps, and up to 24 of the scene's extent that shadow rays start above surfaces";
+    return {10,
+            "point light over a plane",
+            RunsOn::devices,
+            {{"below it", point_irradiance(light, below), share(5e-6), rounding},
+             {"far from it", point_irradiance(light, corner), share(5e-6), rounding},
+             {"far from it, paths", point_irradiance(light, corner), share(5e-6), rounding}},
+            [=](Executor& executor) -> std::vector<Measured> {
+                const FlatScene flat = under_point(light);
+                PathSettings settings = path_settings(1, 1, 3);
+                settings.through_centres = true;
+                const Rendering traced = trace_flat(executor, flat, camera_on(corner), settings);
+                return {exact_irradiance(executor, flat, below),
+                        exact_irradiance(executor, flat, corner),
+                        traced.irradiance("direct", 0, 0)};
+            }};
+}
+
+/// Pixels of a coarse ball with smooth normals that are brighter than their neighbour on the side
+/// of the light, which comes from the left.
+double brighter_away_from_light(Executor& executor) {
+    SceneBuilder builder;
+    Mesh ball = icosphere(1, false);
+    ball.normals = ball.positions;
+    builder.add(std::move(ball), builder.material(glm::vec3(0.5F)));
+    builder.light(LightType::directional, {}, glm::vec3(1.0F), {1.0, 0.1, 0.2});
+    RenderSettings settings = small_settings(Algorithm::ir, 48, 36);
+    settings.indirect = false;
+    const Rendering rendering =
+        render(executor, builder.scene, look_at({0, 0, 3}, {0, 0, 0}, 0.9), settings);
+    double count = 0.0;
+    for (std::uint32_t y = 0; y < 36; ++y)
+        for (std::uint32_t x = 1; x < 48; ++x) {
+            if (!(rendering.at("depth", x - 1, y) > 0.0F && rendering.at("depth", x, y) > 0.0F))
+                continue;
+            const float before = rendering.at("direct", x - 1, y);
+            count += rendering.at("direct", x, y) > before * 1.00001F ? 1.0 : 0.0;
+        }
+    // Where nothing is lit nothing is brighter than anything.
+    return mean_of(rendering.layer("direct")) > 0.0 ? count : NAN;
+}
+
+SelftestCase grazing_light() {
+    const double sine = std::sqrt(1.0 + grazing * grazing);
+    return {20,
+            "grazing light",
+            RunsOn::devices,
+            {{"directional light, cosine 1e-3", grazing / sine, share(2e-5),
+              "roundings of direction and normal, beside a cosine of 1e-3"},
+             {"point light, cosine 1e-3", grazing / (sine * sine * sine), share(5e-3),
+              "shadow rays start up to 2e-6 above the floor, beside a height of 1e-3"},
+             {"coarse smooth ball, pixels out of order", 0.0, within(0.0),
+              "light falls evenly to the terminator and stays out behind it"}},
+            [](Executor& executor) -> std::vector<Measured> {
+                SceneBuilder sun = floor_scene();
+                sun.light(LightType::directional, {}, glm::vec3(1.0F), {1.0, 0.0, -grazing});
+                return {
+                    exact_irradiance(executor, flatten(sun.scene), {0.0, 0.0, 0.0}),
+                    exact_irradiance(executor, under_point({1.0, 0.0, grazing}), {0.0, 0.0, 0.0}),
+                    brighter_away_from_light(executor)};
+            }};
+}
+
+}  // namespace
+
+std::vector<SelftestCase> exact_light_cases() {
+    return {point_light(), grazing_light()};
+}
+
+}  // namespace weft::selftest

@@ -1,0 +1,70 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SELFTEST_RENDERING_H
+#define WEFT_SELFTEST_RENDERING_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "frame/renderer.h"
+#include "scene/flat_scene.h"
+#include "scene/scene.h"
+
+// Small pictures of scenes whose light is known, and what is measured of them.
+namespace weft::selftest {
+
+/// A finished rendering.
+struct Rendering {
+    Image image;
+    std::vector<FrameStats> stats;
+    FramePlan plan;
+
+    /// Values of a layer, "" for beauty: planar.
+    [[nodiscard]] const std::vector<float>& layer(std::string_view name) const;
+    [[nodiscard]] float at(std::string_view name, std::uint32_t x, std::uint32_t y,
+                           std::uint32_t channel = 0) const;
+    /// Irradiance of a pixel by a light layer, its albedo taken out.
+    [[nodiscard]] double irradiance(std::string_view name, std::uint32_t x, std::uint32_t y,
+                                    std::uint32_t channel = 0) const;
+};
+
+/// Settings for a small picture.
+[[nodiscard]] RenderSettings small_settings(Algorithm algorithm, std::uint32_t width,
+                                            std::uint32_t height);
+
+/// Settings whose bound on the geometry term never bites, so that means are unbiased.
+[[nodiscard]] RenderSettings unbounded(RenderSettings settings);
+
+/// Renders a flattened scene.
+[[nodiscard]] Rendering render_flat(Executor& executor, const FlatScene& flat, const Camera& camera,
+                                    const RenderSettings& settings, std::uint32_t frames = 1);
+
+/// Validates, flattens and renders.
+[[nodiscard]] Rendering render(Executor& executor, const Scene& scene, const Camera& camera,
+                               const RenderSettings& settings, std::uint32_t frames = 1);
+
+/// Mean of all values.
+[[nodiscard]] double mean_of(const std::vector<float>& values);
+
+/// Values of one channel of a layer over all pixels.
+[[nodiscard]] std::vector<double> channel_of(const Rendering& rendering, std::string_view layer,
+                                             std::uint32_t channel);
+
+/// Sum of squared differences over sum of squares; 0 where both are all zero.
+[[nodiscard]] double relative_mse(const std::vector<float>& reference,
+                                  const std::vector<float>& test);
+
+/// Values that differ in any bit, over all layers.
+[[nodiscard]] std::size_t differing_values(const Image& a, const Image& b);
+
+/// Values anywhere that are Inf, NaN or, but for normals, negative.
+[[nodiscard]] std::size_t unclean_values(const Image& image);
+
+/// Values that were guarded on their way to the film, over all frames and components.
+[[nodiscard]] std::size_t guarded_values(const std::vector<FrameStats>& stats);
+
+}  // namespace weft::selftest
+
+#endif
