@@ -11,14 +11,24 @@
 #define RECORD_MOVE 3u   // its gradient over places: x, y, z of red, of green, of blue
 #define RECORD_TURN 12u  // and over turns of the normal, likewise
 #define RECORD_RADIUS 21u
-#define RECORD_CLEARANCE 22u  // how far probes found nothing
-#define RECORD_PLACE 23u      // x, y, z on its surface
-#define RECORD_LEAST 26u      // bounds of the radius
-#define RECORD_MOST 27u
-#define RECORD_PLANES 28u
+#define RECORD_CLEARANCE 22u  // how far probes found nothing, by sector
+#define RECORD_PLACE 30u      // x, y, z on its surface
+#define RECORD_LEAST 33u      // bounds of the radius
+#define RECORD_MOST 34u
+#define RECORD_PLANES 35u
 
-// Records ask by rays whether they see what they serve, unless nothing lies within this many radii.
+// Sectors about a record, from its tangent to its bitangent (make_basis) and on.
+#define CACHE_SECTORS 8u
+// Records ask by rays whether they see a place that they serve, unless probes of its sector found
+// nothing within this many of its distances.
 #define GUARD_REACH 1.2f
+// Share of the distance to the nearest thing about it to which a record serves at most.
+#define NEAR_SHARE 1.0f
+
+// Least 1 - cosine of a turn of the normal that ends what a record serves: 2.6 degrees.
+#define LEAST_TURN 1e-3f
+// Share of its radius by which a place may lie behind a record's surface.
+#define BEHIND_SHARE 0.02f
 
 // Records that follow one another make a group, and so do groups.
 #define CACHE_GROUP 16u

@@ -9,6 +9,9 @@
 // where something may lie between the two, where a ray finds nothing. Pixels with too little weight
 // are missing.
 //
+// Records of hemispheres (FEATURE_HEMISPHERES) have the weights of Ward, Rubinstein and Clear 1988,
+// 1 / error - 1 / e with the error |x - x_i| e / R_i + sqrt(1 - n.n'), here times e.
+//
 // A launch adds what new records give to what earlier ones have found: means and their weights.
 #include "cache.h"
 #include "connection.h"
@@ -17,12 +20,10 @@
 #include "packet_media.h"
 #include "tile_window.h"
 
-// Least 1 - cosine of a turn of the normal that ends what a record serves: 2.6 degrees.
-#define LEAST_TURN 1e-3f
+// Least share of the allowed error that a record is counted with: Ward's weights have no bound.
+#define LEAST_ERROR_SHARE 0.0009765625f  // 2^-10
 // Weight below which a pixel is missing.
 #define ENOUGH_WEIGHT 0.1f
-// Share of its radius by which a place may lie behind a record's surface.
-#define BEHIND_SHARE 0.02f
 
 // The bounds of a tile's surfaces.
 typedef struct {
@@ -52,6 +53,15 @@ typedef struct {
     int loaded;
 } CachedTile;
 
+/// Ward's weights, below 0 where the record does not serve: of squared distances and 1 - cosines.
+static inline NFloat ward_weights(const Params* params, float radius, NFloat square,
+                                  NFloat turned) {
+    float least_turn = m_max(params->cache_error * params->cache_error, LEAST_TURN);
+    NFloat share = node_square_root(VMAX(turned, NODE(0.0f)) * (1.0f / least_turn)) +
+                   node_square_root(square) * (1.0f / radius);
+    return NODE(1.0f) / VMAX(share, NODE(LEAST_ERROR_SHARE)) - NODE(1.0f);
+}
+
 /// Weights of a record for a row of pixels; 0 where it does not serve.
 static inline NFloat row_weights(const Params* params, const SurfaceRow* row,
                                  const CacheRecord* record) {
@@ -62,8 +72,10 @@ static inline NFloat row_weights(const Params* params, const SurfaceRow* row,
     NFloat square = x * x + y * y + z * z;
     NFloat cosine = row->shading_x * record->normal.x + row->shading_y * record->normal.y +
                     row->shading_z * record->normal.z;
+    NFloat turned = NODE(1.0f) - cosine;
     NFloat weight = NODE(1.0f) - square * (1.0f / (radius * radius)) -
-                    (NODE(1.0f) - cosine) * (1.0f / m_max(params->cache_error, LEAST_TURN));
+                    turned * (1.0f / m_max(params->cache_error, LEAST_TURN));
+    if (HAS(params, FEATURE_HEMISPHERES)) weight = ward_weights(params, radius, square, turned);
     NFloat front = x * (row->normal_x + record->normal.x) + y * (row->normal_y + record->normal.y) +
                    z * (row->normal_z + record->normal.z);
     NFloat zero = NODE(0.0f);
@@ -71,36 +83,95 @@ static inline NFloat row_weights(const Params* params, const SurfaceRow* row,
     return VMAX(weight, zero);
 }
 
+// About a record.
+typedef struct {
+    float3 tangent, bitangent;
+    float clear[CACHE_SECTORS];  // see CacheRecord
+    float least;                 // of them
+} RecordSectors;
+
+static inline RecordSectors sectors_of(const CacheRecord* record) {
+    RecordSectors sectors;
+    make_basis(xyz(record->normal), &sectors.tangent, &sectors.bitangent);
+    sectors.clear[0] = record->clear_low.x;
+    sectors.clear[1] = record->clear_low.y;
+    sectors.clear[2] = record->clear_low.z;
+    sectors.clear[3] = record->clear_low.w;
+    sectors.clear[4] = record->clear_high.x;
+    sectors.clear[5] = record->clear_high.y;
+    sectors.clear[6] = record->clear_high.z;
+    sectors.clear[7] = record->clear_high.w;
+    sectors.least = sectors.clear[0];
+    for (uint i = 1u; i < CACHE_SECTORS; ++i)
+        sectors.least = m_min(sectors.least, sectors.clear[i]);
+    return sectors;
+}
+
+/// Which pixels of a row something may hide from the record.
+static inline NMask row_doubts(const SurfaceRow* row, const CacheRecord* record,
+                               const RecordSectors* sectors) {
+    NFloat x = row->x - record->position.x;
+    NFloat y = row->y - record->position.y;
+    NFloat z = row->z - record->position.z;
+    float3 t = sectors->tangent;
+    float3 b = sectors->bitangent;
+    NFloat u = x * t.x + y * t.y + z * t.z;
+    NFloat v = x * b.x + y * b.y + z * b.z;
+    NFloat up = x * record->normal.x + y * record->normal.y + z * record->normal.z;
+    NFloat zero = NODE(0.0f);
+    NMask right = u > zero;
+    NMask above = v > zero;
+    NMask flat = VMAX(u, -u) > VMAX(v, -v);
+    const float* c = sectors->clear;
+    NFloat first =
+        SELECT(above, SELECT(flat, NODE(c[0]), NODE(c[1])), SELECT(flat, NODE(c[7]), NODE(c[6])));
+    NFloat second =
+        SELECT(above, SELECT(flat, NODE(c[3]), NODE(c[2])), SELECT(flat, NODE(c[4]), NODE(c[5])));
+    NFloat clear = SELECT(right, first, second);
+    // Where it lies above or below rather than beside, no sector is known to be the one.
+    clear = SELECT(up * up > u * u + v * v, NODE(sectors->least), clear);
+    return x * x + y * y + z * z > clear;
+}
+
 /// Sets weights to 0 where something lies between the record and a pixel.
 static inline void weigh_seen(const Params* params, Scene scene, const TileWindow* window,
                               const CacheRecord* record, float weights[TILE_EDGE][TILE_EDGE],
                               uint* rays) {
-    float3 from = xyz(record->origin);
+    RecordSectors sectors = sectors_of(record);
+    uint pixels[TILE_EDGE * TILE_EDGE];
+    uint count = 0u;
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
-        for (uint first = 0u; first < (uint)TILE_EDGE; first += (uint)LANES) {
-            LaneVectors ways;
-            uint wanted = 0u;
-            for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-                uint x = first + lane;
-                float3 way = f3(0.0f, 0.0f, 0.0f);
-                if (x < (uint)TILE_EDGE && weights[y][x] > 0.0f) {
-                    float3 p =
-                        f3(window->position[0][y + 1u][x + 1u], window->position[1][y + 1u][x + 1u],
-                           window->position[2][y + 1u][x + 1u]);
-                    float3 n = f3(window->normal[0][y][x], window->normal[1][y][x],
-                                  window->normal[2][y][x]);
-                    way = p + n * surface_offset(p, params->extent) - from;
-                    if (max_component(absolute3(way)) > 0.0f) wanted |= 1u << lane;
-                }
-                set_lane(&ways, lane, way);
+        SurfaceRow row = surface_row(window, y);
+        uint bits = node_mask_bits((node_load(weights[y]) > NODE(0.0f)) &
+                                   row_doubts(&row, record, &sectors));
+        for (uint x = 0u; x < (uint)TILE_EDGE; ++x)
+            if ((bits >> x & 1u) != 0u) pixels[count++] = y * TILE_EDGE + x;
+    }
+    float3 from = xyz(record->origin);
+    for (uint first = 0u; first < count; first += (uint)LANES) {
+        LaneVectors ways;
+        uint wanted = 0u;
+        for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+            float3 way = f3(0.0f, 0.0f, 0.0f);
+            if (first + lane < count) {
+                uint y = pixels[first + lane] / TILE_EDGE;
+                uint x = pixels[first + lane] % TILE_EDGE;
+                float3 p =
+                    f3(window->position[0][y + 1u][x + 1u], window->position[1][y + 1u][x + 1u],
+                       window->position[2][y + 1u][x + 1u]);
+                float3 n =
+                    f3(window->normal[0][y][x], window->normal[1][y][x], window->normal[2][y][x]);
+                way = p + n * surface_offset(p, params->extent) - from;
+                if (max_component(absolute3(way)) > 0.0f) wanted |= 1u << lane;
             }
-            if (wanted == 0u) continue;
-            *rays += bit_count(wanted);
-            uint blocked =
-                mask_bits(trace_any_packet(scene, from, wide_of(&ways), mask_of(wanted)));
-            for (uint x = first; x < (uint)TILE_EDGE && x < first + (uint)LANES; ++x)
-                if (((blocked & wanted) >> (x - first) & 1u) != 0u) weights[y][x] = 0.0f;
+            set_lane(&ways, lane, way);
         }
+        if (wanted == 0u) continue;
+        *rays += bit_count(wanted);
+        uint blocked = mask_bits(trace_any_packet(scene, from, wide_of(&ways), mask_of(wanted)));
+        for (uint lane = 0u; lane < (uint)LANES && first + lane < count; ++lane)
+            if (((blocked & wanted) >> lane & 1u) != 0u)
+                weights[pixels[first + lane] / TILE_EDGE][pixels[first + lane] % TILE_EDGE] = 0.0f;
     }
 }
 

@@ -5,16 +5,12 @@
 // (FEATURE_TEMPORAL) keep what they saw of each VPL: only connections in doubt are traced again,
 // and then all is summed up anew, as for a new record.
 #include "cache_masks.h"
+#include "clearance.h"
 #include "counters.h"
 #include "gbuffer.h"
 #include "moved.h"
 #include "record_change.h"
-
-// How far a record serves at most, in edges of a square as large as a pixel on its surface. It
-// serves its own pixel at least: with an error of 0 every pixel gathers all VPLs.
-#define MOST_PIXELS 20.0f
-// Rays that look for what may lie between a record and the places it serves; a multiple of LANES.
-#define PROBES 16u
+#include "record_place.h"
 
 static inline void store_vector(const Params* params, WFloat3 v, uint plane, uint slot,
                                 GLOBAL float* records) {
@@ -124,50 +120,6 @@ static inline uint add_vpl(const Params* params, Scene scene, const Media* media
     return rays;
 }
 
-/// Distance to the nearest thing within `reach` of a place on the lit side of its surface, as far
-/// as a few rays tell, else `reach`: rings of eight, near the surface and above it.
-static inline float clearance_of(Scene scene, float3 position, float3 normal, float reach) {
-    float3 t;
-    float3 b;
-    make_basis(normal, &t, &b);
-    float nearest = reach;
-    for (uint first = 0u; first < PROBES; first += (uint)LANES) {
-        PacketDirections ways;
-        Hit hits[LANES];
-        for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-            uint i = first + lane;
-            float angle = 0.78539816f * ((float)(i % 8u) + (i < 8u ? 0.0f : 0.5f));
-            float height = i < 8u ? 0.1f : 0.6f;
-            float across = square_root(1.0f - height * height);
-            float sine;
-            float cosine;
-            m_sincos(angle, &sine, &cosine);
-            float3 way = (t * cosine + b * sine) * across + normal * height;
-            ways.x[lane] = way.x;
-            ways.y[lane] = way.y;
-            ways.z[lane] = way.z;
-        }
-        trace_closest_packet(scene, position, &ways, ALL_LANES, nearest, hits);
-        for (uint lane = 0u; lane < (uint)LANES; ++lane)
-            if (hits[lane].triangle != NO_TRIANGLE && hits[lane].t < nearest)
-                nearest = hits[lane].t;
-    }
-    return nearest;
-}
-
-/// Sizes and place of a new record, by its pixel.
-static inline void store_place(const Params* params, GLOBAL const float4* gb_position,
-                               GLOBAL const float4* gb_normal, uint pixel, GLOBAL float* record) {
-    uint stride = params->slots;
-    float4 at = gb_position[pixel];
-    float across = at.w * params->pixel_angle;
-    record[RECORD_LEAST * stride] = across;
-    record[RECORD_MOST * stride] = MOST_PIXELS * square_root(gb_normal[pixel].w * across);
-    record[RECORD_PLACE * stride] = at.x;
-    record[(RECORD_PLACE + 1u) * stride] = at.y;
-    record[(RECORD_PLACE + 2u) * stride] = at.z;
-}
-
 /// Holds radii to what pixels want, and looks for what may lie in the way, where that is not known.
 static inline uint finish_records(const Params* params, Scene scene, const RecordPacket* packet,
                                   GLOBAL const uint* slot_pixel, GLOBAL const float4* gb_position,
@@ -183,16 +135,20 @@ static inline uint finish_records(const Params* params, Scene scene, const Recor
         GLOBAL float* record = records + slot + lane;
         if (fresh != 0)
             store_place(params, gb_position, gb_normal, slot_pixel[slot + lane], record);
+        float least = record[RECORD_LEAST * stride];
         float most = record[RECORD_MOST * stride];
-        float radius = m_clamp(record[RECORD_RADIUS * stride], record[RECORD_LEAST * stride], most);
-        record[RECORD_RADIUS * stride] = radius;
         // A record that outlasts its frame may serve further in another.
-        float reach = GUARD_REACH * (HAS(params, FEATURE_TEMPORAL) ? most : radius);
+        float reach = GUARD_REACH * most;
         float3 origin = lane_vector(&places, lane);
-        if (fresh == 0 && is_near_moved(params, moved_boxes, origin, reach) == 0) continue;
-        rays += PROBES;
-        record[RECORD_CLEARANCE * stride] =
-            clearance_of(scene, origin, lane_vector(&normals, lane), reach);
+        GLOBAL float* clearances = record + RECORD_CLEARANCE * stride;
+        if (fresh != 0 || is_near_moved(params, moved_boxes, origin, reach) != 0) {
+            rays += PROBES;
+            store_clearances(scene, origin, lane_vector(&normals, lane), reach, stride, clearances);
+        }
+        float radius = m_min(record[RECORD_RADIUS * stride], most);
+        float nearest = least_clearance(stride, clearances);
+        if (nearest < reach) radius = m_min(radius, NEAR_SHARE * nearest);
+        record[RECORD_RADIUS * stride] = m_max(radius, least);
     }
     return rays;
 }

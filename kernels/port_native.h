@@ -211,6 +211,11 @@ static inline NFloat node_load(const float* p) {
 static inline void node_store(NFloat v, float* p) {
     *reinterpret_cast<WideOf<NODE_WIDTH>::Unaligned*>(p) = v;
 }
+static inline NFloat node_square_root(NFloat v) {
+    NFloat r;
+    for (int i = 0; i < NODE_WIDTH; ++i) r[i] = square_root(v[i]);
+    return r;
+}
 static inline uint node_mask_bits(NMask m) {
     return vector_mask_bits<NODE_WIDTH>(m);
 }

@@ -170,6 +170,7 @@ typedef int8 NMask;
 #define NODE(x) ((float8)(x))
 #define node_load(p) vload8(0, (p))
 #define node_store(v, p) vstore8((v), 0, (p))
+#define node_square_root(v) sqrt(v)
 
 /// One bit per child, child 0 in bit 0.
 #define node_mask_bits(m) bits_of_8(m)

@@ -33,6 +33,7 @@
 #define FEATURE_EMISSIVE_MEDIA 16384u
 #define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
 #define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records outlast their frame
+#define FEATURE_HEMISPHERES 131072u  // irradiance records hold what hemispheres of rays have found
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -193,11 +194,14 @@ typedef struct {
     float4 planes[CONVEX_PLANES];       // unit normal outwards; w: dot product of points with it
 } MediaRecord;
 
-// Irradiance about a place, and how it changes to first order; see cache_records.cl.
+// Irradiance about a place, and how it changes to first order; see cache_records.cl and
+// hemisphere_records.cl.
 typedef struct {
-    float4 position;  // xyz; w: how far the record serves, kernel units
-    float4 origin;    // where its rays start: xyz, moved off its surface
-    float4 normal;    // shading normal; w: 1 where something may lie between it and what it serves
+    float4 position;   // xyz; w: how far the record serves, kernel units
+    float4 origin;     // where its rays start: xyz, moved off its surface
+    float4 normal;     // shading normal; w: 1 where something may lie between it and what it serves
+    float4 clear_low;  // by sector: square of how far off places are that nothing can lie before
+    float4 clear_high;
     float4 irradiance;                       // rgb
     float4 move_red, move_green, move_blue;  // change per kernel unit
     float4 turn_red, turn_green, turn_blue;  // change with the normal: with n x n', to first order

@@ -86,6 +86,37 @@ TEST(AlgorithmOptions, RecordsThatOutlastTheirFrame) {
               "--edits: is for animations, expected it together with --frames");
 }
 
+TEST(AlgorithmOptions, RecordsOfHemispheres) {
+    const RenderOptions options =
+        render({"--algorithm=irradiance-cache", "--cache-rays", "1024", "--cache-error", "0.25"});
+    EXPECT_EQ(options.algorithm, Algorithm::irradiance_cache);
+    EXPECT_EQ(options.cache_rays, 1024U);
+    EXPECT_EQ(options.cache_error, 0.25);
+    EXPECT_TRUE(options.caches_indirect());
+    EXPECT_FALSE(options.keeps_records());
+    EXPECT_EQ(options_json(options)["algorithm"], "irradiance-cache");
+    EXPECT_EQ(options_json(options)["cache_rays"], 1024);
+    EXPECT_EQ(options_json(options)["cache_error"], 0.25);
+    EXPECT_TRUE(options_json(render({}))["cache_rays"].is_null());
+    for (const char* const text : {"15", "16385", "-1", "x", "64.5"})
+        EXPECT_EQ(render_refusal({"--algorithm=irradiance-cache", "--cache-rays", text})
+                      .find("--cache-rays: "),
+                  0U);
+    for (const char* const text : {"-0.1", "1.1", "nan", "x"})
+        EXPECT_EQ(render_refusal({"--algorithm=irradiance-cache", "--cache-error", text})
+                      .find("--cache-error: "),
+                  0U);
+    EXPECT_EQ(render_refusal({"--algorithm", "ic", "--cache-rays", "64"}),
+              "--cache-rays: is for irradiance caching, expected it together with --algorithm "
+              "irradiance-cache");
+    EXPECT_EQ(render_refusal({"--cache-error", "0.1"}).find("--cache-error: is for irradiance"),
+              0U);
+    EXPECT_NE(render_refusal({"--algorithm=irradiance-cache", "--vpl-compensation"})
+                  .find("no virtual lights"),
+              std::string::npos);
+    EXPECT_NE(render_refusal({"--algorithm=irradiance-cache", "--indirect", "ic"}), "no failure");
+}
+
 TEST(AlgorithmOptions, CompensationIsForVirtualLights) {
     EXPECT_FALSE(render({}).compensation);
     EXPECT_TRUE(render({"--vpl-compensation"}).compensation);

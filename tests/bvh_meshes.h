@@ -3,88 +3,11 @@
 #ifndef WEFT_TESTS_BVH_MESHES_H
 #define WEFT_TESTS_BVH_MESHES_H
 
-#include <array>
-#include <cstdint>
-#include <random>
-#include <vector>
-
-#include "device/shared_types.h"
+#include "selftest/bvh_meshes.h"
 
 namespace weft::test {
 
-/// A triangle soup or mesh to build BVHs from.
-struct BvhMesh {
-    std::vector<shared::float4> positions;
-    std::vector<shared::Triangle> triangles;
-
-    void add(std::array<float, 3> a, std::array<float, 3> b, std::array<float, 3> c) {
-        const auto first = static_cast<std::uint32_t>(positions.size());
-        for (const auto& p : {a, b, c}) positions.push_back({p[0], p[1], p[2], 0.0F});
-        triangles.push_back({first, first + 1, first + 2, 0});
-    }
-};
-
-/// The same values on every standard library, unlike the distributions of <random>.
-class Uniform {
-  public:
-    explicit Uniform(std::uint32_t seed) : engine_(seed) {}
-    float operator()(float low, float high) {
-        return low + (high - low) * (static_cast<float>(engine_() >> 8) * 0x1p-24F);
-    }
-
-  private:
-    std::mt19937 engine_;
-};
-
-/// Triangles of about `size` in the unit cube.
-inline BvhMesh random_soup(std::size_t count, float size, std::uint32_t seed) {
-    BvhMesh mesh;
-    Uniform uniform(seed);
-    for (std::size_t i = 0; i < count; ++i) {
-        std::array<std::array<float, 3>, 3> v{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            v[0][k] = uniform(0.0F, 1.0F);
-            v[1][k] = v[0][k] + uniform(-size, size);
-            v[2][k] = v[0][k] + uniform(-size, size);
-        }
-        mesh.add(v[0], v[1], v[2]);
-    }
-    return mesh;
-}
-
-/// n x n squares of two triangles in the plane z = 0.5 over the unit square.
-inline BvhMesh flat_grid(std::uint32_t n) {
-    BvhMesh mesh;
-    for (std::uint32_t y = 0; y <= n; ++y)
-        for (std::uint32_t x = 0; x <= n; ++x)
-            mesh.positions.push_back({static_cast<float>(x) / static_cast<float>(n),
-                                      static_cast<float>(y) / static_cast<float>(n), 0.5F, 0.0F});
-    for (std::uint32_t y = 0; y < n; ++y) {
-        for (std::uint32_t x = 0; x < n; ++x) {
-            const std::uint32_t v = y * (n + 1) + x;
-            mesh.triangles.push_back({v, v + 1, v + n + 2, 0});
-            mesh.triangles.push_back({v, v + n + 2, v + n + 1, 0});
-        }
-    }
-    return mesh;
-}
-
-/// Thin, nearly parallel triangles along the diagonal of the unit cube: boxes that are all but
-/// empty and overlap each other, which only spatial splits can part.
-inline BvhMesh diagonal_needles(std::size_t count, std::uint32_t seed) {
-    BvhMesh mesh;
-    Uniform uniform(seed);
-    for (std::size_t i = 0; i < count; ++i) {
-        std::array<float, 3> a{};
-        std::array<float, 3> b{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            a[k] = uniform(-0.1F, 0.1F);
-            b[k] = a[k] + uniform(0.99F, 1.01F);
-        }
-        mesh.add(a, b, {b[0] + 0.002F, b[1], b[2] - 0.001F});
-    }
-    return mesh;
-}
+using namespace selftest;
 
 }  // namespace weft::test
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render_fixture.h"
+#include "selftest/placed_scene.h"
 
 // Scenes at the edge of what a scene is, and one scene at every scale and place: every layer stays
 // finite, and nothing has to be guarded.
@@ -14,10 +15,14 @@ namespace weft {
 namespace {
 
 using test::Backend;
+using test::isolated_dark_pixels;
+using test::Placed;
+using test::placed_scene;
 using test::Rendering;
 using test::SceneBuilder;
 
-constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic, Algorithm::tic};
+constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic, Algorithm::tic,
+                                    Algorithm::irradiance_cache};
 
 Camera plain_camera() {
     return test::look_at({0.3, 0.2, 3.0}, {0.0, 0.0, 0.0}, 0.8);
@@ -30,6 +35,7 @@ void render_everywhere(const Scene& scene, const Camera& camera, const Check& ch
         for (const Algorithm algorithm : algorithms) {
             SCOPED_TRACE(test::backend_name(backend));
             RenderSettings settings = test::small_settings(algorithm, 31, 22);
+            settings.sampling.cache_rays = 16;
             const Rendering rendering = test::render(backend, scene, camera, settings, 2);
             test::expect_clean(rendering);
             check(rendering);
@@ -181,58 +187,6 @@ TEST(DegenerateRender, WhiteClosedBoxStaysFiniteAndKeepsItsOrdersOfLight) {
         // one per cent.
         EXPECT_NEAR(indirect, 4.0 * expected, 0.03 * 4.0 * expected);
     }
-}
-
-/// A room with a ball, area, point, spot and directional light, scaled and moved as a whole.
-/// Radiance stays the same where intensities grow with the square of the scale.
-struct Placed {
-    Scene scene;
-    Camera camera;
-};
-
-Placed placed_scene(double scale, const glm::dvec3& move) {
-    SceneBuilder builder;
-    const glm::dmat4 root = test::placement(scale, move);
-    const std::uint32_t white = builder.material({0.7F, 0.6F, 0.5F});
-    builder.add(test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 4), white, root);
-    builder.add(test::quad_mesh({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 4), white, root);
-    builder.add(test::quad_mesh({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}, 4),
-                builder.material({0.2F, 0.6F, 0.2F}), root);
-    Mesh ball = test::icosphere(3, false);
-    ball.normals = ball.positions;
-    builder.add(std::move(ball), builder.material({0.8F, 0.8F, 0.9F}),
-                root * test::placement(0.4, {0.3, -0.5, 0.2}));
-    builder.add(test::quad_mesh({-0.4F, 0.9F, -0.4F}, {0.8F, 0, 0}, {0, 0, 0.8F}),
-                builder.material(glm::vec3(0.3F), {4.0F, 5.0F, 6.0F}), root);
-    const auto at = [&](const glm::dvec3& p) { return glm::dvec3(root * glm::dvec4(p, 1.0)); };
-    const auto square = static_cast<float>(scale * scale);
-    builder.light(LightType::point, at({0.7, 0.6, 0.6}), glm::vec3(0.3F) * square);
-    PunctualLight& spot = builder.light(LightType::spot, at({-0.5, 0.8, 0.8}),
-                                        glm::vec3(1.0F) * square, {0.3, -1.0, -0.7});
-    spot.cos_inner = 0.95F;
-    spot.cos_outer = 0.85F;
-    builder.light(LightType::directional, {}, glm::vec3(0.4F), {-0.5, -1.0, -0.4});
-    Camera camera = test::look_at({0.4, 0.3, 2.6}, {0.0, -0.1, 0.0}, 0.8);
-    camera.to_world = root * camera.to_world;
-    return {builder.scene, camera};
-}
-
-/// Pixels that went dark alone: below half of their reference while all neighbours keep theirs.
-std::size_t isolated_dark_pixels(const Rendering& reference, const Rendering& test) {
-    const auto ratio = [&](std::uint32_t x, std::uint32_t y) {
-        const float base = reference.at("", x, y, 1);
-        return base > 0.0F ? test.at("", x, y, 1) / base : 1.0F;
-    };
-    std::size_t count = 0;
-    for (std::uint32_t y = 1; y + 1 < test.image.height; ++y)
-        for (std::uint32_t x = 1; x + 1 < test.image.width; ++x) {
-            if (ratio(x, y) >= 0.5F) continue;
-            bool alone = true;
-            for (std::uint32_t i = 0; i < 9; ++i)
-                if (i != 4) alone = alone && ratio(x + i % 3 - 1, y + i / 3 - 1) > 0.8F;
-            count += alone ? 1 : 0;
-        }
-    return count;
 }
 
 TEST(DegenerateRender, ScaleAndPlaceDoNotChangeThePicture) {

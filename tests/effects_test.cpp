@@ -65,17 +65,18 @@ std::set<std::string> kernel_names(const FlatScene& flat, const RenderSettings& 
     return names;
 }
 
-const std::set<std::string> always{"gbuffer", "receivers", "compose", "edge_masks", "edge_samples"};
-const std::set<std::string> area{"light_samples", "shadow_probes", "shadow_edges", "soft_shadows",
-                                 "reconstruct"};
-const std::set<std::string> punctual{"light_samples", "vpl_gather"};
-const std::set<std::string> indirect{"tile_geometry", "vpl_walk", "vpl_gather", "lattice_signal",
-                                     "reconstruct_tiles"};
-const std::set<std::string> sky{"light_samples", "distant_light", "reconstruct"};
-const std::set<std::string> sun{"distant_light"};
+const std::set<std::string> always{"gbuffer", "compose", "edge_masks", "edge_samples"};
+const std::set<std::string> area{"receivers",    "light_samples", "shadow_probes",
+                                 "shadow_edges", "soft_shadows",  "reconstruct"};
+const std::set<std::string> punctual{"receivers", "light_samples", "vpl_gather"};
+const std::set<std::string> indirect{"receivers",  "tile_geometry",  "vpl_walk",
+                                     "vpl_gather", "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> sky{"receivers", "light_samples", "distant_light", "reconstruct"};
+const std::set<std::string> sun{"receivers", "distant_light"};
 const std::set<std::string> media{"view_media"};
-const std::set<std::string> airlight{"view_media",    "media_gather",   "vpl_walk",
-                                     "tile_geometry", "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> airlight{"receivers",        "view_media",    "media_gather",
+                                     "vpl_walk",         "tile_geometry", "lattice_signal",
+                                     "reconstruct_tiles"};
 const std::set<std::string> distant_airlight{"media_distant"};
 
 std::set<std::string> joined(std::initializer_list<std::set<std::string>> parts) {

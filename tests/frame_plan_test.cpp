@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -207,6 +208,34 @@ TEST(FramePlan, InstantRadiosityMakesTheSameSetsAndUsesAll) {
         EXPECT_EQ(ir.gather_sets, 1u);
         EXPECT_EQ(ir.filter_radius, 0u);
     }
+}
+
+TEST(FramePlan, IrradianceCachingTracesHemispheresInsteadOfVpls) {
+    SamplingSettings settings;
+    for (const auto& [rays, elevations, azimuths] :
+         {std::array{16U, 2U, 8U}, {256U, 9U, 28U}, {1024U, 18U, 56U}, {16384U, 72U, 227U}}) {
+        settings.cache_rays = rays;
+        const FramePlan plan = plan_frames(Algorithm::irradiance_cache, settings, room());
+        EXPECT_EQ(plan.cache_elevations, elevations);
+        EXPECT_EQ(plan.cache_azimuths, azimuths);
+        EXPECT_TRUE(plan.has_indirect() && plan.cached && plan.traces_hemispheres());
+        EXPECT_FALSE(plan.has_vpls() || plan.gathers_vpls() || plan.temporal);
+        EXPECT_EQ(plan.samples_per_set, plan_of(0.5).samples_per_set);
+    }
+    for (std::uint32_t rays = 16; rays <= 16384; ++rays) {
+        settings.cache_rays = rays;
+        const FramePlan plan = plan_frames(Algorithm::irradiance_cache, settings, room());
+        EXPECT_LE(plan.cache_elevations * plan.cache_azimuths, rays);
+        // As wide as high, within rounding to whole cells: 18 rays have 2 by 9.
+        EXPECT_NEAR(plan.cache_azimuths / (std::numbers::pi * plan.cache_elevations), 1.0, 0.45)
+            << rays;
+    }
+    EXPECT_FALSE(plan_frames(Algorithm::irradiance_cache, {}, room(0.0)).has_indirect());
+    SceneStatistics scene = room();
+    scene.indirect = false;
+    EXPECT_FALSE(plan_frames(Algorithm::irradiance_cache, {}, scene).traces_hemispheres());
+    EXPECT_TRUE(plan_frames(Algorithm::ic, {}, room()).gathers_vpls());
+    EXPECT_FALSE(plan_frames(Algorithm::ic, {}, room()).traces_hemispheres());
 }
 
 TEST(FramePlan, TooManyBouncesAreCut) {

@@ -38,34 +38,9 @@ constexpr std::size_t comparisons = 150;
 constexpr double failure = 1e-3;   // of any of them
 constexpr double rounding = 5e-6;  // floats: VPLs lie off their surfaces, sums have some 600 terms
 
-/// P(|T| > t): with t = sqrt(n) tan a, T has the density cos^(n - 1) a of angles, by Simpson's
-/// rule.
-double student_tail(double t, double n) {
-    constexpr int steps = 4000;
-    const auto integral = [&](double from) {
-        const double h = (std::numbers::pi / 2.0 - from) / steps;
-        double sum = 0.0;
-        for (int i = 0; i <= steps; ++i) {
-            const double weight = i == 0 || i == steps ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
-            sum += weight * std::pow(std::max(0.0, std::cos(from + i * h)), n - 1.0);
-        }
-        return sum * h / 3.0;
-    };
-    return integral(std::atan(t / std::sqrt(n))) / integral(0.0);
-}
-
 /// Standard errors that the mean of all seeds may be off.
 double student_limit() {
-    static const double limit = [] {
-        const double each = -std::expm1(std::log1p(-failure) / static_cast<double>(comparisons));
-        double low = 0.0;
-        double high = 100.0;
-        for (int i = 0; i < 60; ++i) {
-            const double t = 0.5 * (low + high);
-            (student_tail(t, seeds - 1.0) > each ? low : high) = t;
-        }
-        return high;
-    }();
+    static const double limit = selftest::student_limit(seeds, comparisons, failure);
     return limit;
 }
 
@@ -208,7 +183,7 @@ TEST(IrFurnace, TheFirstOrdersInClosedForm) {
     const Layers found = expected_layers(grey, 0, 4);
     EXPECT_NEAR(found.direct.y, 1.0, 1e-12);
     EXPECT_NEAR(found.indirect.y, 2.0 * (0.25 + 0.125 + 0.0625 + 0.03125), 1e-12);
-    EXPECT_NEAR(student_tail(2.068657610, 23.0), 0.05, 1e-9);  // tables of Student's t
+    EXPECT_NEAR(selftest::student_tail(2.068657610, 23.0), 0.05, 1e-9);  // tables of Student's t
 }
 
 TEST(IrFurnace, SphereThatEmitsEverywhere) {

@@ -1,41 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
-//
-// A file of kernels/ as C++ at one lane, in namespace `native`, for tests that call its functions
-// one by one:
-//
-//   #define NATIVE_KERNELS "kernels/medium.h"
-//   #include "tests/native_kernels.h"
-//
-// NATIVE_KERNELS_TOO may name a second file. A test can do this once, after everything that the
-// host includes: macros of the kernels stay.
 #ifndef WEFT_TESTS_NATIVE_KERNELS_H
 #define WEFT_TESTS_NATIVE_KERNELS_H
 
-#ifndef NATIVE_KERNELS
-#error "NATIVE_KERNELS must name the file of kernels/ to include"
-#endif
-
-#include "device/native/native_scene.h"
-
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
-
-#define LANES 1
-#undef WEFT_TYPES_H  // the host's structs are those of another namespace
-#pragma GCC diagnostic push
-// A test uses a part of what it includes.
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#pragma GCC diagnostic ignored "-Wpsabi"
-namespace native {
-#include NATIVE_KERNELS
-#ifdef NATIVE_KERNELS_TOO
-#include NATIVE_KERNELS_TOO
-#endif
-}  // namespace native
-#pragma GCC diagnostic pop
+#include "selftest/native_kernels.h"
 
 #endif

@@ -76,10 +76,26 @@ TEST(Options, InfoAndDevices) {
     EXPECT_FALSE(std::get<DevicesOptions>(parse({"devices"})).json);
 }
 
+TEST(Options, Selftest) {
+    const auto all = std::get<SelftestOptions>(parse({"selftest"}));
+    EXPECT_FALSE(all.backend || all.device || all.json || all.ledger);
+    EXPECT_TRUE(all.cases.empty());
+    const auto some = std::get<SelftestOptions>(
+        parse({"selftest", "--device", "1", "--cases", "3,16,3", "--json", "a.json", "--ledger"}));
+    EXPECT_EQ(some.device, "1");
+    EXPECT_EQ(some.cases, (std::vector<int>{3, 16}));
+    EXPECT_EQ(some.json, "a.json");
+    EXPECT_TRUE(some.ledger);
+    EXPECT_EQ(std::get<SelftestOptions>(parse({"selftest", "--backend", "native"})).backend,
+              Backend::native);
+    for (const char* const list : {"0", "36", "3,,4", "a", "3-4"})
+        EXPECT_EQ(refusal({"selftest", "--cases", list}).find("--cases: "), 0u) << list;
+}
+
 TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
     const std::string top = std::get<HelpText>(parse({"--help"})).text;
     for (const char* name :
-         {"render", "merge", "compare", "info", "devices", "--help", "--version"})
+         {"render", "merge", "compare", "info", "devices", "selftest", "--help", "--version"})
         EXPECT_NE(top.find(name), std::string::npos) << name;
     const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
     for (const char* name : {"SCENE",
@@ -214,9 +230,9 @@ TEST(Options, ComponentsThatHaveToBeAskedForAreNotOfPathTracing) {
 TEST(Options, RefusesBadListsAndNames) {
     for (const char* text : {"direct,direct", ",", "direct,", "fog", "Direct"})
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
-    EXPECT_EQ(
-        render_refusal({"--algorithm", "photons"}),
-        "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, ic, tic, path");
+    EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
+              "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, ic, tic, "
+              "irradiance-cache, path");
     EXPECT_EQ(render_refusal({"--backend", "cuda"}),
               "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
     EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);
@@ -250,8 +266,9 @@ TEST(Options, SuggestsNearMisses) {
     EXPECT_TRUE(suggests(render_refusal({"--components", "indirekt"}), "indirect"));
     EXPECT_TRUE(suggests(refusal({"devices", "--jsn"}), "--json"));
     EXPECT_EQ(render_refusal({"--photons", "4"}), "unknown option '--photons'");
-    EXPECT_EQ(refusal({"photons"}),
-              "unknown command 'photons', expected render, merge, compare, info or devices");
+    EXPECT_EQ(
+        refusal({"photons"}),
+        "unknown command 'photons', expected render, merge, compare, info, devices or selftest");
 }
 
 TEST(Options, RefusesBadLines) {

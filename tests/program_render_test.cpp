@@ -125,9 +125,10 @@ TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
 TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
     const json chosen = stats_of(box("x.png", {"--backend", "embree"}))["options"];
     for (const auto& [name, value] : chosen.items()) {
-        const bool has_no_default = name == "time" || name == "frame_time" || name == "samples" ||
-                                    name == "target_error" || name == "resume" ||
-                                    name == "frames" || name == "edits" || name == "cache_records";
+        const bool has_no_default =
+            name == "time" || name == "frame_time" || name == "samples" || name == "target_error" ||
+            name == "resume" || name == "frames" || name == "edits" || name == "cache_records" ||
+            name == "cache_rays" || name == "cache_error";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
     EXPECT_EQ(chosen.at("algorithm"), "ais");

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -15,6 +17,7 @@
 #include "base/error.h"
 #include "device/executor.h"
 #include "device/kernel_sources.h"
+#include "temporary_folder.h"
 
 namespace weft {
 namespace {
@@ -105,6 +108,37 @@ TEST(ProgramSource, EveryListedKernelIsEmbeddedAndListed) {
         EXPECT_NE(std::find(kernels().begin(), kernels().end(), name), kernels().end()) << name;
     }
     EXPECT_EQ(files, kernels().size());
+}
+
+/// Sets WEFT_KERNELS for as long as it lives.
+class KernelsInEnvironment {
+  public:
+    explicit KernelsInEnvironment(const std::string& folder) {
+        setenv("WEFT_KERNELS", folder.c_str(), 1);
+    }
+    ~KernelsInEnvironment() { unsetenv("WEFT_KERNELS"); }
+    KernelsInEnvironment(const KernelsInEnvironment&) = delete;
+    KernelsInEnvironment& operator=(const KernelsInEnvironment&) = delete;
+};
+
+TEST(ProgramSource, AFolderMayTakeThePlaceOfTheEmbeddedFiles) {
+    const std::string embedded = program_source("gbuffer");
+    {
+        const KernelsInEnvironment folder(WEFT_SOURCE_DIR "/kernels");
+        EXPECT_EQ(program_source("gbuffer"), embedded);
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "gbuffer.cl") << "#include \"a.h\"\n#include \"a.h\"\nlast\n";
+    std::ofstream(folder.path() / "a.h") << "first\n";
+    const KernelsInEnvironment environment(folder.path().string());
+    EXPECT_EQ(program_source("gbuffer"), "first\nlast\n");
+    try {
+        (void)program_source("compose");
+        FAIL() << "a source was found";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        EXPECT_NE(std::string(error.what()).find("compose.cl"), std::string::npos);
+    }
 }
 
 TEST(ProgramSource, UnknownKernelsAreRefused) {

@@ -187,6 +187,11 @@ TEST(Program, AllAlgorithmsSimulateMedia) {
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_NE(refused.err.find("--vpl-compensation: knows nothing of participating media"),
               std::string::npos);
+    const ProgramResult cached = run_program({"render", scene, "--algorithm", "irradiance-cache",
+                                              "-o", (folder.path() / "c.exr").string()});
+    EXPECT_EQ(cached.exit_code, 1);
+    EXPECT_NE(cached.err.find("irradiance-cache knows nothing of participating media"),
+              std::string::npos);
 }
 
 TEST(Program, NamesThatAreNotUtf8AreNoError) {

@@ -23,6 +23,7 @@
 #include "frame/renderer.h"
 #include "scene/validate_scene.h"
 #include "scene_builder.h"
+#include "selftest/rendering.h"
 #if WEFT_HAS_OPENCL
 #include "device/opencl/opencl_executor.h"
 #endif
@@ -106,98 +107,11 @@ inline Executor& shared_executor(Backend backend) {
     return *executor;
 }
 
-/// A finished rendering.
-struct Rendering {
-    Image image;
-    std::vector<FrameStats> stats;
-    FramePlan plan;
-
-    /// Values of a layer, "" for beauty: planar.
-    [[nodiscard]] const std::vector<float>& layer(std::string_view name) const {
-        const Layer* const found = image.find(name);
-        if (found == nullptr) throw std::runtime_error("no layer " + std::string(name));
-        return found->values;
-    }
-    [[nodiscard]] float at(std::string_view name, std::uint32_t x, std::uint32_t y,
-                           std::uint32_t channel = 0) const {
-        const std::size_t pixels = std::size_t{image.width} * image.height;
-        return layer(name)[channel * pixels + std::size_t{y} * image.width + x];
-    }
-    /// Irradiance of a pixel by a light layer, its albedo taken out.
-    [[nodiscard]] double irradiance(std::string_view name, std::uint32_t x, std::uint32_t y,
-                                    std::uint32_t channel = 0) const {
-        return static_cast<double>(at(name, x, y, channel)) * std::numbers::pi /
-               static_cast<double>(at("albedo", x, y, channel));
-    }
-};
-
-/// Settings for a small picture.
-inline RenderSettings small_settings(Algorithm algorithm, std::uint32_t width,
-                                     std::uint32_t height) {
-    RenderSettings settings;
-    settings.algorithm = algorithm;
-    settings.width = width;
-    settings.height = height;
-    return settings;
-}
-
-/// Settings whose bound on the geometry term never bites, so that means are unbiased.
-inline RenderSettings unbounded(RenderSettings settings) {
-    settings.sampling.bound_spacing = 1e-6;
-    return settings;
-}
-
-/// Renders a flattened scene.
-inline Rendering render_flat(Executor& executor, const FlatScene& flat, const Camera& camera,
-                             const RenderSettings& settings, std::uint32_t frames = 1) {
-    Renderer renderer(executor, flat, camera, settings);
-    for (std::uint32_t f = 0; f < frames; ++f)
-        if (!renderer.render_frame({})) throw std::runtime_error("a frame ended early");
-    return {renderer.image(), renderer.stats(), renderer.plan()};
-}
-
-/// Validates, flattens and renders.
-inline Rendering render(Executor& executor, const Scene& scene, const Camera& camera,
-                        const RenderSettings& settings, std::uint32_t frames = 1) {
-    validate_scene(scene);
-    return render_flat(executor, flatten(scene), camera, settings, frames);
-}
+using selftest::render;
 
 inline Rendering render(Backend backend, const Scene& scene, const Camera& camera,
                         const RenderSettings& settings, std::uint32_t frames = 1) {
     return render(shared_executor(backend), scene, camera, settings, frames);
-}
-
-/// Mean of all values.
-inline double mean_of(const std::vector<float>& values) {
-    double sum = 0.0;
-    for (const float value : values) sum += static_cast<double>(value);
-    return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
-}
-
-/// Sum of squared differences over sum of squares; 0 where both are all zero.
-inline double relative_mse(const std::vector<float>& reference, const std::vector<float>& test) {
-    double difference = 0.0;
-    double square = 0.0;
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-        const double r = static_cast<double>(reference[i]);
-        const double d = static_cast<double>(test.at(i)) - r;
-        difference += d * d;
-        square += r * r;
-    }
-    return square > 0.0 ? difference / square : difference;
-}
-
-/// Values that differ in any bit, over all layers.
-inline std::size_t differing_values(const Image& a, const Image& b) {
-    std::size_t count = a.layers.size() == b.layers.size() ? 0 : 1;
-    for (const Layer& layer : a.layers) {
-        const Layer* const other = b.find(layer.name);
-        if (other == nullptr || other->values.size() != layer.values.size()) return count + 1;
-        for (std::size_t i = 0; i < layer.values.size(); ++i)
-            count += std::memcmp(&layer.values[i], &other->values[i], sizeof(float)) != 0 ? 1 : 0;
-    }
-    return count;
 }
 
 /// That no value anywhere is Inf, NaN or, but for normals, negative, and that nothing was guarded.

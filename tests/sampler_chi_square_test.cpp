@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "selftest/chi_square.h"
+
 #define NATIVE_KERNELS "kernels/path_lights.h"
 #define NATIVE_KERNELS_TOO "kernels/random.h"
 #include "tests/native_kernels.h"
@@ -23,52 +25,14 @@
 // which are too even on purpose.
 namespace {
 
+using weft::selftest::Histogram;
+using weft::selftest::normal_of;
+using weft::selftest::turn;
+
 constexpr std::uint32_t samples = 1'000'000;
-constexpr std::size_t rows = 64;
-constexpr std::size_t columns = 128;
-constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t rows = Histogram::rows;
+constexpr std::size_t columns = Histogram::columns;
 constexpr double limit = 4.75;
-
-/// A chi-square value of `freedom` degrees as a normal variable: its cube root nearly is one.
-double normal_of(double chi_square, double freedom) {
-    const double spread = 2.0 / (9.0 * freedom);
-    return (std::cbrt(chi_square / freedom) - (1.0 - spread)) / std::sqrt(spread);
-}
-
-/// Counts by bin, of known probabilities.
-class Histogram {
-  public:
-    explicit Histogram(std::size_t bins) : counts_(bins) {}
-    Histogram() : Histogram(rows * columns) {}
-
-    /// Counts a point of the unit square.
-    void add(double u, double v) {
-        ASSERT_TRUE(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0) << u << ' ' << v;
-        const auto row = std::min(static_cast<std::size_t>(u * rows), rows - 1);
-        const auto column = std::min(static_cast<std::size_t>(v * columns), columns - 1);
-        add(row * columns + column);
-    }
-    void add(std::size_t bin) { counts_.at(bin) += 1.0; }
-
-    /// The normal variable of these counts, where all bins are as probable.
-    [[nodiscard]] double normal() const {
-        return normal(
-            std::vector<double>(counts_.size(), 1.0 / static_cast<double>(counts_.size())));
-    }
-    [[nodiscard]] double normal(const std::vector<double>& probabilities) const {
-        double total = 0.0;
-        for (const double count : counts_) total += count;
-        double chi_square = 0.0;
-        for (std::size_t i = 0; i < counts_.size(); ++i) {
-            const double expected = total * probabilities[i];
-            chi_square += (counts_[i] - expected) * (counts_[i] - expected) / expected;
-        }
-        return normal_of(chi_square, static_cast<double>(counts_.size() - 1));
-    }
-
-  private:
-    std::vector<double> counts_;
-};
 
 void expect_uniform(const Histogram& histogram, const std::string& what) {
     EXPECT_LT(std::abs(histogram.normal()), limit) << what;
@@ -85,11 +49,6 @@ void expect_sampler(const std::string& what,
         count(u, v, histogram);
     }
     expect_uniform(histogram, what);
-}
-
-/// Angle of a vector as a share of the circle.
-double turn(double x, double y) {
-    return std::min(1.0, std::atan2(y, x) / (2.0 * pi) + 0.5);
 }
 
 double length_of(native::float3 v) {

@@ -210,6 +210,39 @@ TEST(TemporalCache, SurfacesThatGoBlackAndReflectAgainAreFollowed) {
     }
 }
 
+TEST(TemporalCache, RecordsOnWhatMovesAreDropped) {
+    Follower follower(Backend::own_bvh, test::moving_room(0), settings_of(48, 36));
+    EXPECT_EQ(follower.next().cache->dropped, 0U);
+    follower.room.scene.materials[0].albedo = {0.2F, 0.4F, 0.6F};
+    EXPECT_EQ(follower.next().cache->dropped, 0U);
+    for (int i = 0; i < 4; ++i) {
+        follower.room.move(0, {0.03, 0.0, 0.02});
+        const CacheStats stats = *follower.next().cache;
+        EXPECT_GT(stats.dropped, 0U);
+        EXPECT_GT(stats.made, 0U);
+    }
+    // All of them: where it has gone, none is left to be dropped.
+    follower.room.scene.instances[follower.room.things[0]].present = false;
+    EXPECT_GT(follower.next().cache->dropped, 0U);
+    EXPECT_EQ(follower.next().cache->dropped, 0U);
+}
+
+TEST(TemporalCache, RecordsDoNotPileUpWhereThingsMove) {
+    RenderSettings settings = settings_of(64, 48);
+    settings.sampling.cache_audit = true;
+    Follower follower(Backend::own_bvh, test::moving_room(0), settings);
+    const std::uint32_t first = follower.next().cache->kept;
+    std::uint32_t evicted = 0;
+    for (int i = 0; i < 40; ++i) {
+        follower.room.move(0, {i % 20 < 10 ? 0.03 : -0.03, 0.0, 0.0});
+        const FrameStats& stats = follower.next();
+        evicted += stats.cache->evicted;
+        EXPECT_EQ(stats.cache->differing, 0U);
+        EXPECT_LT(stats.cache->kept, 2 * first);
+    }
+    EXPECT_GT(evicted, 0U);
+}
+
 TEST(TemporalCache, NoMoreRecordsAreKeptThanAllowed) {
     RenderSettings settings = settings_of(64, 48);
     settings.sampling.cache_records = 100;

@@ -22,8 +22,8 @@ namespace weft {
 namespace {
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 7> algorithm_names = {"ais", "amax", "igi", "ir",
-                                                             "ic",  "tic",  "path"};
+constexpr std::array<std::string_view, 8> algorithm_names = {
+    "ais", "amax", "igi", "ir", "ic", "tic", "irradiance-cache", "path"};
 constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "tic"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
@@ -98,6 +98,33 @@ void read_temporal(const CLI::App& command, RenderOptions& options) {
         options.cache_masks = parse_name("--cache-masks", *text, switch_names) == 0;
 }
 
+void read_cache_error(const CLI::App& command, RenderOptions& options) {
+    const auto text = value_of(command, "--cache-error");
+    if (!text) return;
+    if (options.algorithm != Algorithm::irradiance_cache && !options.caches_indirect())
+        throw usage_error(
+            "--cache-error: is for irradiance records, expected it together with --algorithm ic, "
+            "tic or irradiance-cache, or with --indirect ic or tic");
+    options.cache_error = parse_number("--cache-error", *text, 0.0, 1.0);
+}
+
+/// What only records of hemispheres know.
+void read_hemispheres(const CLI::App& command, RenderOptions& options) {
+    const bool traced = options.algorithm == Algorithm::irradiance_cache;
+    if (const auto text = value_of(command, "--cache-rays")) {
+        if (!traced)
+            throw usage_error(
+                "--cache-rays: is for irradiance caching, expected it together with --algorithm "
+                "irradiance-cache");
+        options.cache_rays =
+            parse_unsigned("--cache-rays", *text, limits::min_cache_rays, limits::max_cache_rays);
+    }
+    if (traced && options.compensation)
+        throw usage_error(
+            "--vpl-compensation: irradiance caching has no virtual lights, expected another "
+            "--algorithm");
+}
+
 }  // namespace
 
 std::string_view to_string(Algorithm algorithm) {
@@ -114,7 +141,8 @@ std::string_view to_string(Quality quality) {
 
 void add_algorithm(CLI::App& render) {
     add_value(render, "--algorithm", "NAME",
-              fmt::format("ais, amax, igi, ir, ic, tic or path, the reference (default: {})",
+              fmt::format("ais, amax, igi, ir, ic, tic, irradiance-cache or path, the reference "
+                          "(default: {})",
                           to_string(default_algorithm)));
     add_value(render, "--indirect", "NAME",
               "Of ais and amax: indirect light from vpl, or from the records of ic or tic "
@@ -123,8 +151,12 @@ void add_algorithm(CLI::App& render) {
               "Of tic: most records that are kept from frame to frame (default: 262144)");
     add_value(render, "--cache-masks", "on|off",
               "Of tic: each record keeps which VPLs it sees (default: on)");
+    add_value(render, "--cache-rays", "N", "Of irradiance-cache: rays of a record (default: 256)");
+    add_value(render, "--cache-error", "E",
+              "Of ic, tic and irradiance-cache: relative error that records may have, 0 to 1 "
+              "(default: by --quality)");
     add_flag(render, "--vpl-compensation",
-             "Adds by path tracing what virtual lights leave out (not with path or ic)");
+             "Adds by path tracing what virtual lights leave out (not with path or records)");
     add_value(render, "--quality", "NAME",
               "draft, preview or high: how much time the picture is worth (default: preview)");
 }
@@ -140,6 +172,8 @@ void read_algorithm(const CLI::App& command, RenderOptions& options) {
     read_indirect(command, options);
     read_temporal(command, options);
     options.compensation = is_given(command, "--vpl-compensation");
+    read_cache_error(command, options);
+    read_hemispheres(command, options);
     if (options.compensation && options.caches_indirect())
         throw usage_error(
             "--vpl-compensation: records hold the light of VPLs alone, expected another "

@@ -12,9 +12,9 @@ namespace weft {
 namespace {
 
 #if WEFT_HAS_OPENCL
-std::unique_ptr<Executor> opencl_executor(const RenderOptions& options, int threads) {
+std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>& device, int threads) {
     if (threads > 0) limit_opencl_threads(threads);
-    return make_opencl_executor(choose_opencl_device(options.device.value_or("")), threads);
+    return make_opencl_executor(choose_opencl_device(device.value_or("")), threads);
 }
 
 bool has_opencl_device(int threads) {
@@ -22,7 +22,7 @@ bool has_opencl_device(int threads) {
     return !opencl_devices().empty();
 }
 #else
-std::unique_ptr<Executor> opencl_executor(const RenderOptions&, int) {
+std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>&, int) {
     throw Error(ExitCode::device, "this weft was built without OpenCL, expected --backend embree");
 }
 
@@ -30,6 +30,13 @@ bool has_opencl_device(int) {
     return false;
 }
 #endif
+
+std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::string>& device,
+                                      int threads) {
+    if (backend == Backend::opencl) return opencl_executor(device, threads);
+    return make_native_executor(
+        backend == Backend::embree ? NativeTraversal::embree : NativeTraversal::own_bvh, threads);
+}
 
 }  // namespace
 
@@ -40,9 +47,20 @@ std::unique_ptr<Executor> choose_executor(const RenderOptions& options, Diagnost
         diagnostics.warn("", "no OpenCL device was found, rendering with --backend embree");
         backend = Backend::embree;
     }
-    if (backend == Backend::opencl) return opencl_executor(options, threads);
-    return make_native_executor(
-        backend == Backend::embree ? NativeTraversal::embree : NativeTraversal::own_bvh, threads);
+    return executor_of(backend, options.device, threads);
+}
+
+std::vector<std::unique_ptr<Executor>> selftest_executors(const SelftestOptions& options) {
+    std::vector<std::unique_ptr<Executor>> executors;
+    if (options.backend) {
+        executors.push_back(executor_of(*options.backend, options.device, 0));
+        return executors;
+    }
+    if (options.device || has_opencl_device(0))
+        executors.push_back(executor_of(Backend::opencl, options.device, 0));
+    for (const Backend backend : {Backend::native, Backend::embree})
+        executors.push_back(executor_of(backend, std::nullopt, 0));
+    return executors;
 }
 
 std::vector<DeviceInfo> all_devices() {

@@ -4,6 +4,7 @@
 #define WEFT_APP_CHOOSE_EXECUTOR_H
 
 #include <memory>
+#include <vector>
 
 #include "app/options.h"
 #include "base/diagnostics.h"
@@ -15,6 +16,12 @@ namespace weft {
 /// there is any device, else Embree, and a warning says so. Throws Error (exit code 3).
 [[nodiscard]] std::unique_ptr<Executor> choose_executor(const RenderOptions& options,
                                                         Diagnostics& diagnostics);
+
+/// What `weft selftest` runs on: the backend that the options name, or else the OpenCL device that
+/// they name or `weft render` would choose, if there is any, and both native backends. Throws Error
+/// (exit code 3).
+[[nodiscard]] std::vector<std::unique_ptr<Executor>> selftest_executors(
+    const SelftestOptions& options);
 
 /// Every OpenCL device, then the Embree backend.
 [[nodiscard]] std::vector<DeviceInfo> all_devices();

@@ -24,6 +24,10 @@ void info_command(const InfoOptions& options, Diagnostics& diagnostics);
 /// `weft devices`: what kernels can run on, on stdout.
 void devices_command(const DevicesOptions& options);
 
+/// `weft selftest`: what has a known answer, on stdout. Returns success where all of it came out,
+/// else the code for devices that fail.
+[[nodiscard]] ExitCode selftest_command(const SelftestOptions& options);
+
 }  // namespace weft
 
 #endif

@@ -28,6 +28,8 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
         weft::info_command(*info, diagnostics);
     } else if (const auto* devices = std::get_if<weft::DevicesOptions>(&command)) {
         weft::devices_command(*devices);
+    } else if (const auto* selftest = std::get_if<weft::SelftestOptions>(&command)) {
+        return weft::selftest_command(*selftest);
     }
     return weft::ExitCode::success;
 }

@@ -14,8 +14,10 @@
 #include "app/algorithm_options.h"
 #include "app/command_line.h"
 #include "app/compare_options.h"
+#include "app/device_options.h"
 #include "app/merge_options.h"
 #include "app/overlay_output.h"
+#include "app/selftest_options.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
@@ -27,10 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 3> backend_names = {"opencl", "embree", "native"};
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
-constexpr std::array<std::string_view, 5> command_names = {"render", "merge", "compare", "info",
-                                                           "devices"};
+constexpr std::array<std::string_view, 6> command_names = {"render", "merge",   "compare",
+                                                           "info",   "devices", "selftest"};
 constexpr double max_exposure_ev = 100.0;
 
 void add_render(CLI::App& app) {
@@ -41,11 +42,10 @@ void add_render(CLI::App& app) {
               "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
     add_algorithm(render);
-    add_value(
-        render, "--backend", "NAME",
+    add_device_choice(
+        render,
         "opencl, embree, or native: as embree, but tracing with Weft's own BVH (default: opencl "
         "where there is a device, else embree)");
-    add_value(render, "--device", "N|NAME", "OpenCL device, as `weft devices` lists them");
     add_value(render, "--threads", "N", "CPU threads (default: all)");
     add_value(render, "--tile", "N", "Edge of a tile in pixels (default: 64)");
     add_value(render, "--size", "WxH", "Size of the picture (default: the scene's, else 512x512)");
@@ -88,6 +88,7 @@ void add_commands(CLI::App& app) {
     add_flag(info, "--json", "Prints JSON");
     CLI::App& devices = add_command(app, "devices", "Lists what can render");
     add_flag(devices, "--json", "Prints JSON");
+    add_selftest(app);
     for (CLI::App* command : app.get_subcommands({})) {
         command->group("Commands");
         command->add_flag("--version")->group("");  // works everywhere, listed once
@@ -139,12 +140,13 @@ void check_command(const CLI::App& app, const CLI::App* command) {
     if (!before.empty()) {
         if (before[0][0] == '-' || command != nullptr) refuse_extra(app, before[0]);
         throw usage_error("unknown command " + quote(before[0]) +
-                          ", expected render, merge, compare, info or devices" +
+                          ", expected render, merge, compare, info, devices or selftest" +
                           did_you_mean(before[0], command_names));
     }
     if (command == nullptr)
         throw usage_error(
-            "no command given, expected render, merge, compare, info or devices (see weft --help)");
+            "no command given, expected render, merge, compare, info, devices or selftest (see "
+            "weft --help)");
     check_values(*command);
     const std::vector<std::string> extras = unknown_arguments(*command);
     const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& extra) {
@@ -167,15 +169,6 @@ fs::path output_path(const std::optional<std::string>& given, const fs::path& sc
         throw usage_error("--output: " + quote(*given) +
                           " has no known extension, expected .exr or .png");
     return path;
-}
-
-std::string checked_device(const std::string& text) {
-    const bool number =
-        text.find_first_not_of("0123456789", text[0] == '-' ? 1 : 0) == std::string::npos;
-    if (number)
-        static_cast<void>(
-            parse_unsigned("--device", text, 0, std::numeric_limits<std::uint32_t>::max()));
-    return text;
 }
 
 void read_sampling(const CLI::App& command, RenderOptions& options) {
@@ -212,9 +205,8 @@ void read_picture(const CLI::App& command, RenderOptions& options) {
 RenderOptions read_render(const CLI::App& command) {
     RenderOptions options;
     options.scene = *value_of(command, "SCENE");
-    if (const auto text = value_of(command, "--backend"))
-        options.backend = static_cast<Backend>(parse_name("--backend", *text, backend_names));
-    if (const auto text = value_of(command, "--device")) options.device = checked_device(*text);
+    options.backend = read_backend(command);
+    options.device = read_device(command);
     read_sampling(command, options);
     read_picture(command, options);
     read_algorithm(command, options);
@@ -243,10 +235,6 @@ nlohmann::json json_or_null(const std::optional<Value>& value) {
 }
 
 }  // namespace
-
-std::string_view to_string(Backend backend) {
-    return backend_names.at(static_cast<std::size_t>(backend));
-}
 
 std::string_view to_string(ProgressMode mode) {
     return progress_names.at(static_cast<std::size_t>(mode));
@@ -281,6 +269,7 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     if (command->get_name() == "render") return read_render(*command);
     if (command->get_name() == "merge") return read_merge(*command);
     if (command->get_name() == "compare") return read_compare(*command);
+    if (command->get_name() == "selftest") return read_selftest(*command);
     if (command->get_name() == "info")
         return InfoOptions{*value_of(*command, "SCENE"), is_given(*command, "--json")};
     return DevicesOptions{is_given(*command, "--json")};
@@ -312,6 +301,8 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["indirect"] = to_string(options.indirect);
     json["cache_records"] = json_or_null(options.cache_records);
     json["cache_masks"] = options.cache_masks ? "on" : "off";
+    json["cache_rays"] = json_or_null(options.cache_rays);
+    json["cache_error"] = json_or_null(options.cache_error);
     json["vpl_compensation"] = options.compensation;
     json["pixel_filter"] = options.through_centres ? "centre" : "box";
     json["time"] = json_or_null(options.time_seconds);

@@ -38,6 +38,8 @@ struct RenderOptions {
     IndirectSource indirect = IndirectSource::vpl;  ///< of ais and amax
     std::optional<std::uint32_t> cache_records;     ///< of tic: most that are kept, 1 and up
     bool cache_masks = true;                        ///< of tic
+    std::optional<std::uint32_t> cache_rays;        ///< of irradiance_cache: rays of a record
+    std::optional<double> cache_error;              ///< of irradiance_cache: 0 to 1
     bool compensation = false;                      ///< of all that gather VPLs by pixels
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
@@ -66,7 +68,8 @@ struct RenderOptions {
     [[nodiscard]] bool names_component(std::string_view name) const;
     /// Whether indirect light comes from irradiance records.
     [[nodiscard]] bool caches_indirect() const {
-        return algorithm == Algorithm::ic || indirect == IndirectSource::ic || keeps_records();
+        return algorithm == Algorithm::ic || algorithm == Algorithm::irradiance_cache ||
+               indirect == IndirectSource::ic || keeps_records();
     }
     /// Whether those outlast their frame.
     [[nodiscard]] bool keeps_records() const {
@@ -83,6 +86,15 @@ struct InfoOptions {
 /// `weft devices`.
 struct DevicesOptions {
     bool json = false;
+};
+
+/// `weft selftest`. What is empty was not given.
+struct SelftestOptions {
+    std::optional<Backend> backend;             ///< this one alone, else all there are
+    std::optional<std::string> device;          ///< as RenderOptions::device
+    std::vector<int> cases;                     ///< their numbers; empty means all
+    std::optional<std::filesystem::path> json;  ///< results are written there, too
+    bool ledger = false;                        ///< nothing is run: lists what would be
 };
 
 /// What `weft compare` can measure.
@@ -131,7 +143,7 @@ struct HelpText {
 
 /// One command, ready to run.
 using ParsedCommand = std::variant<HelpText, RenderOptions, MergeOptions, CompareOptions,
-                                   InfoOptions, DevicesOptions>;
+                                   InfoOptions, DevicesOptions, SelftestOptions>;
 
 /// Reads a whole command line, `argv[0]` being the program's name. Looks at no file. Throws Error
 /// (exit code 1) with one line that says which option is wrong and what was expected.

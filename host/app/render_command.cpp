@@ -46,6 +46,8 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.sampling.temporal = options.keeps_records();
     settings.sampling.cache_masks = options.cache_masks;
     if (options.cache_records) settings.sampling.cache_records = *options.cache_records;
+    if (options.cache_rays) settings.sampling.cache_rays = *options.cache_rays;
+    if (options.cache_error) settings.sampling.cache_error = *options.cache_error;
     settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
     // How many samples a time limit allows is not known before; textures stay sharp for many.
     constexpr std::uint32_t timed_samples = 16;
@@ -80,7 +82,8 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
 double share_of_frame(const std::string& stage, double done) {
     constexpr double before_gather = 0.1;
     constexpr double direct = 0.15;
-    if (stage == "VPL gather") return before_gather + direct + 0.7 * done;
+    if (stage == "VPL gather" || stage == "hemisphere rays")
+        return before_gather + direct + 0.7 * done;
     if (stage == "area lights" || stage == "distant light") return before_gather + direct * done;
     if (stage == "VPL residual") return 0.95;
     if (stage == "reconstruction" || stage == "composition") return 0.97;
@@ -141,6 +144,18 @@ void check_folder(const std::filesystem::path& file) {
     if (!std::filesystem::is_directory(folder, error))
         throw Error(ExitCode::output, file.string(),
                     "cannot be written, expected " + quote(folder.string()) + " to be a folder");
+}
+
+/// Refuses what knows nothing of media in a scene with any.
+void check_media(const RenderOptions& options, const FlatScene& flat) {
+    if (!flat.media.present()) return;
+    if (options.compensation)
+        throw usage_error(
+            "--vpl-compensation: knows nothing of participating media, which the scene has");
+    if (options.algorithm == Algorithm::irradiance_cache)
+        throw usage_error(
+            "--algorithm: irradiance-cache knows nothing of participating media, which the scene "
+            "has, expected another");
 }
 
 /// The options with what was chosen where the user chose nothing.
@@ -324,9 +339,7 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const bool media_shine = flat.media.radiance > 0.0;
     if (flat.lights.empty() && !media_shine)
         diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
-    if (flat.media.present() && options.compensation)
-        throw usage_error(
-            "--vpl-compensation: knows nothing of participating media, which the scene has");
+    check_media(options, flat);
     check_frames(moving, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* name = "indirect";
 
 bool called_for(const FramePlan& plan) {
-    return plan.has_indirect() && !plan.cached;
+    return plan.gathers_vpls() && !plan.cached;
 }
 
 ComponentNeeds needs(const FramePlan& plan) {

@@ -26,7 +26,7 @@ static_assert(sizeof(Vpl) == 64);
 static_assert(sizeof(DensityGridRecord) == 96);
 static_assert(sizeof(MediumRecord) == 64);
 static_assert(sizeof(MediaRecord) == 1280);
-static_assert(sizeof(CacheRecord) == 160);
+static_assert(sizeof(CacheRecord) == 192);
 static_assert(sizeof(TileRecord) == 32);
 static_assert(sizeof(RayCounter) == 16);
 static_assert(sizeof(NonfiniteCounter) == 48);

@@ -34,7 +34,7 @@ struct CacheStats {
     std::uint32_t kept = 0;     ///< of the frames before
     std::uint32_t updated = 0;  ///< of those: light may have changed
     std::uint32_t dropped = 0;  ///< their surface has moved
-    std::uint32_t evicted = 0;  ///< beyond SamplingSettings::cache_records
+    std::uint32_t evicted = 0;  ///< beyond SamplingSettings::cache_records, or dispensable
     std::uint32_t made = 0;
     std::uint64_t bytes = 0;  ///< of device memory, for all records there is room for
     // With SamplingSettings::cache_audit and masks, after a change:

@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "components/component.h"
 #include "frame/record_audit.h"
+#include "frame/record_thinning.h"
 #include "frame/view_media.h"
 #include "kernels/cache.h"
 
@@ -17,6 +18,10 @@ namespace {
 
 /// Slots without a record, of all, beyond which the others are moved together.
 constexpr double most_waste = 0.25;
+/// How many times as many records there have to be before they are thinned out again.
+constexpr double growth_to_thin = 1.1;
+/// Weight with which others have to serve a record's place for it to be dispensable.
+constexpr double enough_weight = 2.0;
 
 std::uint32_t vpls_of(const FramePlan& plan) {
     return plan.sets * plan.vpls_per_set;
@@ -89,6 +94,7 @@ void KeptRecords::refresh(FrameContext& frame, const char* component) {
 void KeptRecords::start_over(FrameContext& frame, const char* component) {
     pool_.clear();
     slots_.clear();
+    thinned_to_ = 0;
     store_is_old_ = true;
     paths_.walk(frame, component, motion_, false);
     usable_ = true;
@@ -157,9 +163,40 @@ void KeptRecords::compact() {
 
 void KeptRecords::fill_store(Executor& executor) {
     RecordPool::Contents contents = pool_.read(0);
+    thin_out(contents);
     store_.set(executor, contents.records);
     store_slots_ = std::move(contents.slots);
     store_is_old_ = false;
+}
+
+void KeptRecords::thin_out(RecordPool::Contents& contents) {
+    // Things that move leave small records behind, closer to each other than is needed later. The
+    // first ones are what they have to be: nothing is made again where nothing happens.
+    if (thinned_to_ == 0) thinned_to_ = contents.records.size();
+    if (static_cast<double>(contents.records.size()) <
+        growth_to_thin * static_cast<double>(thinned_to_))
+        return;
+    const std::vector<std::size_t> surplus =
+        dispensable_records(contents.records, plan_.cache_error, enough_weight);
+    std::vector<std::uint32_t> gone;
+    for (const std::size_t i : surplus) gone.push_back(contents.slots[i]);
+    for (const std::uint32_t slot : gone) slots_[slot].live = false;
+    pool_.invalidate(gone);
+    stats_.evicted += static_cast<std::uint32_t>(gone.size());
+    const auto keep = [&](auto& values) {
+        std::size_t at = 0;
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (next < surplus.size() && surplus[next] == i)
+                ++next;
+            else
+                values[at++] = values[i];
+        }
+        values.resize(at);
+    };
+    keep(contents.records);
+    keep(contents.slots);
+    thinned_to_ = contents.records.size();
 }
 
 void KeptRecords::add(FrameContext& frame, const RecordPool::Contents& made,
@@ -169,10 +206,8 @@ void KeptRecords::add(FrameContext& frame, const RecordPool::Contents& made,
         *frame.buffers.gbuffer[gbuffer_ids], Access::read, [&](std::span<std::byte> bytes) {
             const std::span ids(reinterpret_cast<const std::uint32_t*>(bytes.data()),
                                 bytes.size() / sizeof(std::uint32_t));
-            for (const std::uint32_t slot : made.slots) {
-                const std::uint32_t triangle = ids[std::size_t{2} * pixels[slot - first]];
-                slots_[slot] = {frame.scene.triangles[triangle].instance, frame_, true};
-            }
+            for (const std::uint32_t slot : made.slots)
+                slots_[slot] = {ids[std::size_t{2} * pixels[slot - first]], frame_, true};
         });
     stats_.made += static_cast<std::uint32_t>(made.slots.size());
     store_is_old_ = true;
@@ -193,7 +228,7 @@ void KeptRecords::evict(FrameContext& frame) {
     live.resize(surplus);
     for (const std::uint32_t slot : live) slots_[slot].live = false;
     pool_.invalidate(live);
-    stats_.evicted = static_cast<std::uint32_t>(live.size());
+    stats_.evicted += static_cast<std::uint32_t>(live.size());
     store_is_old_ = true;
     compact();
 }

@@ -56,6 +56,8 @@ class KeptRecords {
     void drop_moved();
     void compact();
     void fill_store(Executor& executor);
+    /// Drops records that others have made dispensable, once there are many more than there were.
+    void thin_out(RecordPool::Contents& contents);
     void audit(FrameContext& frame, const char* component);
 
     /// What is known of a slot.
@@ -72,6 +74,7 @@ class KeptRecords {
     RecordStore store_;
     std::vector<std::uint32_t> store_slots_;
     std::vector<Slot> slots_;
+    std::size_t thinned_to_ = 0;  ///< records there were when some were last dropped
     std::uint32_t frame_ = 0;
     bool usable_ = false;        ///< VPLs and records are those of the scene last observed
     bool store_is_old_ = false;  ///< it does not hold what the pool does

@@ -3,6 +3,7 @@
 #include "frame/record_pool.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -140,12 +141,25 @@ RecordPool::Contents RecordPool::read(std::uint32_t first) {
         };
         if (!(places[std::size_t{RECEIVER_VALID} * room_ + slot] > 0.0F)) continue;
         const float radius = plane(RECORD_RADIUS);
-        const float guarded = plane(RECORD_CLEARANCE) < GUARD_REACH * radius ? 1.0F : 0.0F;
-        contents.records.push_back({three(RECORD_PLACE, radius), place(RECEIVER_X, 0.0F),
-                                    place(RECEIVER_SHADING_X, guarded), three(RECORD_LIGHT, 0.0F),
-                                    three(RECORD_MOVE, 0.0F), three(RECORD_MOVE + 3, 0.0F),
-                                    three(RECORD_MOVE + 6, 0.0F), three(RECORD_TURN, 0.0F),
-                                    three(RECORD_TURN + 3, 0.0F), three(RECORD_TURN + 6, 0.0F)});
+        std::array<float, CACHE_SECTORS> clear{};
+        for (std::size_t i = 0; i < clear.size(); ++i) {
+            const float distance = plane(RECORD_CLEARANCE + i) / GUARD_REACH;
+            clear[i] = distance * distance;
+        }
+        const float least = *std::min_element(clear.begin(), clear.end());
+        const float guarded = least < radius * radius ? 1.0F : 0.0F;
+        contents.records.push_back({three(RECORD_PLACE, radius),
+                                    place(RECEIVER_X, 0.0F),
+                                    place(RECEIVER_SHADING_X, guarded),
+                                    {clear[0], clear[1], clear[2], clear[3]},
+                                    {clear[4], clear[5], clear[6], clear[7]},
+                                    three(RECORD_LIGHT, 0.0F),
+                                    three(RECORD_MOVE, 0.0F),
+                                    three(RECORD_MOVE + 3, 0.0F),
+                                    three(RECORD_MOVE + 6, 0.0F),
+                                    three(RECORD_TURN, 0.0F),
+                                    three(RECORD_TURN + 3, 0.0F),
+                                    three(RECORD_TURN + 6, 0.0F)});
         contents.slots.push_back(slot);
     }
     return contents;

@@ -47,7 +47,8 @@ bool same_lights(const FramePlan& a, const FramePlan& b) {
     return a.samples_per_light == b.samples_per_light && a.samples_per_set == b.samples_per_set &&
            a.environment_samples == b.environment_samples &&
            a.punctual_lights == b.punctual_lights && a.directional_lights == b.directional_lights &&
-           a.has_vpls() == b.has_vpls() && a.media_light == b.media_light;
+           a.has_vpls() == b.has_vpls() && a.has_indirect() == b.has_indirect() &&
+           a.media_light == b.media_light;
 }
 
 /// What numbers of light paths go by: the reflectance that the scene had at first, so that they are
@@ -84,7 +85,8 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
 std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
     const ComponentNeeds needs = needs_of(plan, kinds);
     std::set<KernelId> kernels(needs.kernels.begin(), needs.kernels.end());
-    kernels.insert({KernelId::gbuffer, KernelId::compose, KernelId::receivers});
+    kernels.insert({KernelId::gbuffer, KernelId::compose});
+    if (needs.all_receivers || needs.tiles || needs.own_tiles) kernels.insert(KernelId::receivers);
     if (needs.tiles || needs.own_tiles) kernels.insert(KernelId::tile_geometry);
     if (plan.media) kernels.insert(KernelId::view_media);
     if (plan.edge_samples > 0) kernels.insert({KernelId::edge_masks, KernelId::edge_samples});
@@ -118,7 +120,7 @@ void Renderer::set_up() {
     const std::uint32_t features = features_of(scene_, plan_, settings_.components);
     executor_.build(kernels_of(plan_, settings_.components), features);
     const ComponentNeeds needs = needs_of(plan_, settings_.components);
-    all_receivers_ = needs.all_receivers || !(needs.tiles || needs.own_tiles);
+    all_receivers_ = needs.all_receivers;
     buffers_ = allocate_frame(executor_, plan_, work_, settings_.width, settings_.height, features,
                               needs.tiles);
     if (plan_.media)

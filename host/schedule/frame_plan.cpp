@@ -38,6 +38,16 @@ void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflect
     }
 }
 
+/// Cells about as wide as they are high where the hemisphere is widest: pi M azimuths for M
+/// elevations (Ward and Heckbert 1992).
+void plan_hemisphere(FramePlan& plan, const SamplingSettings& settings,
+                     const SceneStatistics& scene) {
+    if (!scene.indirect || !(scene.mean_reflectance > 0.0)) return;
+    const double elevations = std::round(std::sqrt(settings.cache_rays / std::numbers::pi));
+    plan.cache_elevations = static_cast<std::uint32_t>(std::max(2.0, elevations));
+    plan.cache_azimuths = std::max(4U, settings.cache_rays / plan.cache_elevations);
+}
+
 /// Points on lights, and places on view rays for lights without area. Some view ray passes close to
 /// any point of a light, and the edges of shafts are only as fine as places are close: four times
 /// as many as for surfaces, but of all lights of a kind together about as many as there are VPLs.
@@ -87,7 +97,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.direct = scene.direct;
     plan.indirect = scene.indirect;
     plan.temporal = algorithm == Algorithm::tic || (settings.cached && settings.temporal);
-    plan.cached = plan.temporal || algorithm == Algorithm::ic || settings.cached;
+    const bool hemispheres = algorithm == Algorithm::irradiance_cache;
+    plan.cached = plan.temporal || algorithm == Algorithm::ic || hemispheres || settings.cached;
     plan.cache_masks = settings.cache_masks;
     plan.cache_audit = settings.cache_audit;
     plan.cache_records = settings.cache_records;
@@ -105,8 +116,9 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     // Paths may be scattered by media where no surface does.
     const bool scatters = scene.mean_reflectance > 0.0 || scene.scattering;
-    if ((scene.indirect || plan.media_light) && lights > 0 && scatters)
+    if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters)
         plan_vpls(plan, settings, scene.mean_reflectance);
+    if (hemispheres && lights > 0) plan_hemisphere(plan, settings, scene);
     plan.adaptive = algorithm == Algorithm::ais;
     if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
     // Records that outlast their frame must not depend on what others see.

@@ -14,7 +14,7 @@
 
 namespace weft {
 
-enum class Algorithm : std::uint8_t { ais, amax, igi, ir, ic, tic, path };
+enum class Algorithm : std::uint8_t { ais, amax, igi, ir, ic, tic, irradiance_cache, path };
 
 /// What renders where no algorithm is named.
 inline constexpr Algorithm default_algorithm = Algorithm::ais;
@@ -48,8 +48,12 @@ struct SamplingSettings {
     std::uint32_t cache_records = 1U << 18;
     /// Of those: after every change all are computed anew as well, and compared (CacheStats).
     bool cache_audit = false;
-    /// Of those: relative error of irradiance at the mean distance that a record serves.
+    /// Of those: relative error of irradiance at the mean distance that a record serves. Of
+    /// irradiance_cache Ward's, by which a record serves places up to that share of the mean
+    /// distance of what it sees.
     double cache_error = 0.1;
+    /// Of irradiance_cache: most rays into the hemisphere above a record, 16 and up.
+    std::uint32_t cache_rays = 256;
     bool compensation = false;  ///< trace what bounds and bounces leave out
     /// Further rays of an edge pixel, of ais and amax; rounded down to an even number, at most
     /// MAX_EDGE_SAMPLES.
@@ -91,7 +95,7 @@ struct FramePlan {
     std::uint32_t directional_lights = 0;
 
     bool direct = false;            ///< surfaces gather the light of lights
-    bool indirect = false;          ///< and of VPLs
+    bool indirect = false;          ///< and that of other surfaces
     bool cached = false;            ///< that through irradiance records
     bool temporal = false;          ///< which outlast their frame, and so do VPLs
     bool media = false;             ///< light goes through participating media
@@ -116,6 +120,9 @@ struct FramePlan {
     bool cache_audit = false;         ///< likewise
     std::uint32_t cache_records = 0;  ///< likewise
     double cache_roulette = 0.0;      ///< as roulette, of records
+    /// Cells of the hemisphere above a record, a ray each; 0: records gather VPLs instead.
+    std::uint32_t cache_elevations = 0;
+    std::uint32_t cache_azimuths = 0;
 
     double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
     double light_bound_scale = 0.0;  ///< of frame 0; over the light's area it is the bound
@@ -129,7 +136,13 @@ struct FramePlan {
         return std::find(requested.begin(), requested.end(), component) != requested.end();
     }
     [[nodiscard]] bool has_vpls() const { return paths_per_set > 0; }
-    [[nodiscard]] bool has_indirect() const { return indirect && has_vpls(); }
+    /// Whether indirect light is what rays from irradiance records find.
+    [[nodiscard]] bool traces_hemispheres() const { return cache_azimuths > 0; }
+    [[nodiscard]] bool has_indirect() const {
+        return indirect && (has_vpls() || traces_hemispheres());
+    }
+    /// Whether surfaces gather VPLs for it, by pixels or by records.
+    [[nodiscard]] bool gathers_vpls() const { return has_indirect() && !traces_hemispheres(); }
     [[nodiscard]] bool has_sampled_direct() const {
         return direct && (samples_per_set > 0 || environment_samples > 0);
     }

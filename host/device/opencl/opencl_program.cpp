@@ -14,7 +14,7 @@
 namespace weft {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::uint32_t>, 15> feature_names{{
+constexpr std::array<std::pair<std::string_view, std::uint32_t>, 16> feature_names{{
     {"FEATURE_TEXTURES", FEATURE_TEXTURES},
     {"FEATURE_VERTEX_COLOURS", FEATURE_VERTEX_COLOURS},
     {"FEATURE_SMOOTH_NORMALS", FEATURE_SMOOTH_NORMALS},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, std::uint32_t>, 15> feature_nam
     {"FEATURE_EMISSIVE_MEDIA", FEATURE_EMISSIVE_MEDIA},
     {"FEATURE_CONVEX_MEDIA", FEATURE_CONVEX_MEDIA},
     {"FEATURE_TEMPORAL", FEATURE_TEMPORAL},
+    {"FEATURE_HEMISPHERES", FEATURE_HEMISPHERES},
 }};
 
 /// The features that `source` asks about, beyond their definitions.

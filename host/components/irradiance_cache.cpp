@@ -1,0 +1,173 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+#include "base/stopwatch.h"
+#include "components/component.h"
+#include "frame/cached_pixels.h"
+#include "frame/kept_records.h"
+#include "frame/record_pool.h"
+#include "frame/record_store.h"
+#include "kernels/cache.h"
+#include "schedule/cache_picks.h"
+#include "schedule/neighbour_clamping.h"
+
+namespace weft {
+namespace {
+
+constexpr const char* name = "indirect";
+
+/// Bytes of cells that are kept at a time: records are made in batches of so many.
+constexpr std::size_t cell_bytes = std::size_t{32} << 20;
+
+bool called_for(const FramePlan& plan) {
+    return plan.has_indirect() && plan.traces_hemispheres();
+}
+
+ComponentNeeds needs(const FramePlan&) {
+    ComponentNeeds needs;
+    needs.kernels = {KernelId::receivers, KernelId::cache_tiles, KernelId::hemisphere_rays,
+                     KernelId::hemisphere_records, KernelId::cache_lookup};
+    needs.features = FEATURE_INDIRECT | FEATURE_HEMISPHERES;
+    return needs;
+}
+
+std::uint32_t cells_of(const FramePlan& plan) {
+    return plan.cache_elevations * plan.cache_azimuths;
+}
+
+/// Irradiance caching (Ward, Rubinstein and Clear 1988; Ward and Heckbert 1992): diffuse
+/// interreflection from irradiance records, each of which has traced rays into the hemisphere above
+/// it. They are placed in the rounds of instant_cache.cpp. After each round radii are clamped by
+/// those of neighbours (Krivanek et al. 2006), and all pixels look up anew what all records give.
+/// Knows nothing of participating media: the program refuses scenes with any.
+class IrradianceCache : public Component {
+  public:
+    explicit IrradianceCache(const ComponentInputs& inputs);
+
+    void sample(FrameContext& frame) override;
+    void reconstruct(FrameContext&) override {}
+    void hand_over(ComposedIrradiance& composed) const override {
+        composed.indirect = &pixels_.irradiance();
+    }
+
+  private:
+    /// Makes records of these pixels, in the pool's slots from the one returned on.
+    std::uint32_t make_records(FrameContext& frame, const std::vector<std::uint32_t>& pixels);
+    /// Traces the rays of the records of `count` slots from `first` on, and sums them up.
+    void trace_batch(FrameContext& frame, std::uint32_t first, std::uint32_t count);
+    /// Fills the store with the records of slots from `first` on; those of all slots clamp them.
+    void fill_store(FrameContext& frame, std::uint32_t first);
+
+    CachedPixels pixels_;
+    RecordPool pool_;
+    RecordStore store_;
+    std::uint32_t batch_;  ///< slots
+    std::unique_ptr<Buffer> pixel_slot_, cells_;
+};
+
+/// Slots of a batch: no more than a round can fill.
+std::uint32_t batch_of(const ComponentInputs& inputs) {
+    const std::size_t bytes = cells_of(inputs.plan) * sizeof(shared::float4);
+    const std::size_t slots = std::min(cell_bytes / bytes, inputs.pixels() + PACKET_BLOCK - 1);
+    return static_cast<std::uint32_t>(std::max<std::size_t>(1, slots / PACKET_BLOCK) *
+                                      PACKET_BLOCK);
+}
+
+IrradianceCache::IrradianceCache(const ComponentInputs& inputs)
+    : pixels_(inputs.executor, inputs.width, inputs.height),
+      pool_(inputs.executor, {inputs.features, false, 0}),
+      store_(inputs.executor),
+      batch_(batch_of(inputs)),
+      pixel_slot_(inputs.executor.allocate(inputs.pixels() * sizeof(std::uint32_t),
+                                           "pixel slots of records")),
+      cells_(inputs.executor.allocate(
+          std::size_t{batch_} * cells_of(inputs.plan) * sizeof(shared::float4),
+          "hemispheres of records")) {}
+
+void IrradianceCache::trace_batch(FrameContext& frame, std::uint32_t first, std::uint32_t count) {
+    const shared::Params before = frame.params;
+    frame.params.slots = pool_.room();
+    frame.params.list_first = first;
+    frame.params.list_stride = frame.plan.cache_elevations;
+    frame.params.list_length = frame.plan.cache_azimuths;
+    const FrameBuffers& buffers = frame.buffers;
+    frame.run(KernelId::hemisphere_rays, "hemisphere rays", name, true,
+              with_geometry(frame.scene_buffers,
+                            {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
+                             &pool_.receivers(), &pool_.slot_pixel(), cells_.get(),
+                             buffers.counters.get(), buffers.nonfinite.get()}),
+              count * cells_of(frame.plan));
+    frame.run(KernelId::hemisphere_records, "irradiance records", name, false,
+              with_gbuffer(buffers.gbuffer, {&pool_.receivers(), &pool_.slot_pixel(), cells_.get(),
+                                             &pool_.planes()}),
+              count);
+    frame.params = before;
+}
+
+std::uint32_t IrradianceCache::make_records(FrameContext& frame,
+                                            const std::vector<std::uint32_t>& pixels) {
+    Stopwatch watch;
+    const std::uint32_t first = pool_.append(record_order(frame, pixels));
+    frame.add_host_stage("record places", name, watch.lap());
+    place_records(frame, name, pool_, first, *pixel_slot_);
+    for (std::uint32_t slot = first; slot < pool_.slots(); slot += batch_)
+        trace_batch(frame, slot, std::min(batch_, pool_.slots() - slot));
+    return first;
+}
+
+void IrradianceCache::fill_store(FrameContext& frame, std::uint32_t first) {
+    Stopwatch watch;
+    RecordPool::Contents all = pool_.read(0);
+    const std::vector<float> planes = pool_.read_planes();
+    std::vector<shared::float4> places;
+    places.reserve(all.records.size());
+    for (const shared::CacheRecord& record : all.records) places.push_back(record.position);
+    const std::vector<float> radii = neighbour_clamped(places, frame.plan.cache_error);
+    std::vector<shared::CacheRecord> records;
+    for (std::size_t i = 0; i < all.records.size(); ++i) {
+        const std::uint32_t slot = all.slots[i];
+        if (slot < first) continue;
+        const float least = planes[std::size_t{RECORD_LEAST} * pool_.room() + slot];
+        records.push_back(all.records[i]);
+        records.back().position.w = std::max(radii[i], least);
+    }
+    store_.set(frame.executor, records);
+    frame.add_host_stage("record store", name, watch.lap());
+}
+
+void IrradianceCache::sample(FrameContext& frame) {
+    pool_.clear();
+    pixels_.begin(frame, name);
+    for (const std::uint32_t edge : cache_rounds) {
+        if (frame.ended_early()) return;
+        const std::vector<std::uint32_t> picks = pixels_.picks(frame.executor, edge);
+        if (picks.empty()) break;
+        const std::uint32_t first = make_records(frame, picks);
+        if (frame.ended_early()) return;
+        // The last round makes a record of every pixel that lacks light. It must not take light
+        // from others: its records clamp none that were made before.
+        const bool last = edge == *std::rbegin(cache_rounds);
+        fill_store(frame, last ? first : 0);
+        frame.run_whole([&] {
+            if (!last) pixels_.begin(frame, name);
+            pixels_.look_up(frame, name, store_);
+        });
+    }
+}
+
+std::unique_ptr<Component> make(const ComponentInputs& inputs) {
+    return std::make_unique<IrradianceCache>(inputs);
+}
+
+}  // namespace
+
+ComponentKind irradiance_cache_component() {
+    return {"irradiance_cache", Choice::unnamed, called_for, needs, make};
+}
+
+}  // namespace weft

@@ -1,0 +1,90 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rays from irradiance records into the hemispheres above them (Ward, Rubinstein and Clear 1988):
+// what each brings but for emission, which is direct light, and how far it goes. The hemisphere
+// above a shading normal is parted into M elevations times N azimuths of equal projected solid
+// angle; cell (j, k), number k M + j, has the directions with sin^2 theta in [j, j + 1) / M and phi
+// in 2 pi [k, k + 1) / N. One ray goes through a random point of each. What it hits reflects light
+// as a surface of path.cl does, by all orders: next-event estimation, scattered rays, roulette.
+//
+// A work-item traces one cell: those of the records from slot Params::list_first on follow one
+// another. Params::list_stride is M, Params::list_length is N. Of each cell the radiance, rgb, and
+// the distance are kept: RAY_INFINITY where nothing is hit, 0 below the record's own surface.
+#include "counters.h"
+#include "guard.h"
+#include "path.h"
+#include "receiver_values.h"
+
+#define ROULETTE_START 3u  // surfaces that every path may reach, the record's among them
+
+/// The point (u, v) of a cell, as a unit direction about `axis`.
+static inline float3 cell_direction(uint elevations, uint azimuths, uint cell, float u, float v,
+                                    float3 axis) {
+    float square = ((float)(cell % elevations) + u) / (float)elevations;
+    float turn = ((float)(cell / elevations) + v) / (float)azimuths;
+    float sine;
+    float cosine;
+    m_sincos(M_TWO_PI * turn, &sine, &cosine);
+    float across = square_root(square);
+    float3 about_z = f3(cosine * across, sine * across, square_root(m_max(0.0f, 1.0f - square)));
+    return normalize3(turn_to(about_z, axis));
+}
+
+/// What a ray from a point off a surface brings, rgb, and how far it goes.
+static inline float4 trace_cell(const Params* params, const PathScene* world, float3 position,
+                                float3 normal, float3 direction, Random* random, uint* rays) {
+    if (!(dot3(direction, normal) > 0.0f)) return f4(0.0f, 0.0f, 0.0f, 0.0f);
+    Hit hit = trace_closest(world->scene, position, direction, RAY_INFINITY);
+    ++*rays;
+    if (hit.triangle == NO_TRIANGLE) return f4(0.0f, 0.0f, 0.0f, RAY_INFINITY);
+    PathLight sum;
+    sum.direct = f3(0.0f, 0.0f, 0.0f);
+    sum.indirect = sum.direct;
+    PathVertex vertex;
+    vertex.bounce = 1u;
+    vertex.light_weight = 1.0f;
+    vertex.surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
+    int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
+    while (goes_on != 0) {
+        *rays += next_event(params, world, &vertex, random, &sum);
+        goes_on = scatter(params, world, &vertex, random, &sum, rays);
+        if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, random);
+    }
+    // Nearer than rays start off their surfaces is rounding, and its reciprocal might overflow.
+    float distance = m_max(hit.t, surface_offset(position, params->extent));
+    return f4(sum.indirect.x, sum.indirect.y, sum.indirect.z, distance);
+}
+
+WEFT_KERNEL(hemisphere_rays)
+(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL const float* receiver_planes,
+ GLOBAL const uint* slot_pixel, GLOBAL float4* cells, GLOBAL RayCounter* counters,
+ GLOBAL NonfiniteCounter* nonfinite) {
+    if (GLOBAL_ID >= params.count) return;
+    uint item = params.first + GLOBAL_ID;
+    uint elevations = params.list_stride;
+    uint azimuths = params.list_length;
+    uint cell = item % (elevations * azimuths);
+    uint slot = params.list_first + item / (elevations * azimuths);
+    uint stride = params.slots;
+    if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    PathScene world = {scene, geometry, lights, emissive, params.choice_lights};
+    float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
+    float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
+    float3 normal = shading;
+    if (HAS(&params, FEATURE_SMOOTH_NORMALS))
+        normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
+    uint pixel = slot_pixel[slot];
+    Random random = make_random(params.seed, pixel, params.frame * (elevations * azimuths) + cell);
+    float u = next_random(&random);
+    float v = next_random(&random);
+    uint rays = 0u;
+    float4 found =
+        trace_cell(&params, &world, position, normal,
+                   cell_direction(elevations, azimuths, cell, u, v, shading), &random, &rays);
+    float3 light = guard(nonfinite, COMPONENT_INDIRECT, pixel, xyz(found));
+    cells[item] = f4(light.x, light.y, light.z, found.w);
+    count_rays(counters + params.counter, rays);
+}
