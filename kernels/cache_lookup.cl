@@ -223,7 +223,8 @@ static inline int add_record(const Params* params, Scene scene, const CacheRecor
         node_store(weight, weights[y]);
     }
     if (any == 0u) return 0;
-    if (record->normal.w > 0.0f) weigh_seen(params, scene, &tile->window, record, weights, rays);
+    if (!HAS(params, FEATURE_HEMISPHERES) && record->normal.w > 0.0f)
+        weigh_seen(params, scene, &tile->window, record, weights, rays);
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
         if ((any >> y & 1u) == 0u) continue;
         SurfaceRow row = surface_row(&tile->window, y);

@@ -126,6 +126,7 @@ static inline uint finish_records(const Params* params, Scene scene, const Recor
                                   GLOBAL const float4* gb_normal, GLOBAL const float4* moved_boxes,
                                   int fresh, uint slot, GLOBAL float* records) {
     LaneVectors normals = lanes_of(packet->packet.shading);
+    LaneVectors facets = lanes_of(packet->packet.normal);
     LaneVectors places = lanes_of(packet->packet.position);
     uint valid = mask_bits(packet->packet.valid);
     uint stride = params->slots;
@@ -137,15 +138,16 @@ static inline uint finish_records(const Params* params, Scene scene, const Recor
             store_place(params, gb_position, gb_normal, slot_pixel[slot + lane], record);
         float least = record[RECORD_LEAST * stride];
         float most = record[RECORD_MOST * stride];
+        float radius = m_clamp(record[RECORD_RADIUS * stride], least, most);
         // A record that outlasts its frame may serve further in another.
-        float reach = GUARD_REACH * most;
+        float reach = GUARD_REACH * (HAS(params, FEATURE_TEMPORAL) ? most : radius);
         float3 origin = lane_vector(&places, lane);
         GLOBAL float* clearances = record + RECORD_CLEARANCE * stride;
         if (fresh != 0 || is_near_moved(params, moved_boxes, origin, reach) != 0) {
             rays += PROBES;
-            store_clearances(scene, origin, lane_vector(&normals, lane), reach, stride, clearances);
+            store_clearances(scene, origin, lane_vector(&normals, lane), lane_vector(&facets, lane),
+                             reach, stride, clearances);
         }
-        float radius = m_min(record[RECORD_RADIUS * stride], most);
         float nearest = least_clearance(stride, clearances);
         if (nearest < reach) radius = m_min(radius, NEAR_SHARE * nearest);
         record[RECORD_RADIUS * stride] = m_max(radius, least);

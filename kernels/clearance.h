@@ -15,8 +15,11 @@
 #define RING_PROBES (2u * CACHE_SECTORS)
 #define PROBES (2u * RING_PROBES)
 
-/// Direction of a probe.
-static inline float3 probe_way(uint i, float3 t, float3 b, float3 normal) {
+// Least sine of the angle between a probe and the facet it starts from.
+#define PROBE_RISE 0.1f
+
+/// Unit direction of a probe about a shading normal, off the facet, whose normal is `facet`.
+static inline float3 probe_way(uint i, float3 t, float3 b, float3 normal, float3 facet) {
     int upper = i >= RING_PROBES ? 1 : 0;
     float angle = 0.39269908f * ((float)(i % RING_PROBES) + (upper != 0 ? 0.5f : 0.0f));
     float height = upper != 0 ? 0.6f : 0.1f;
@@ -24,14 +27,17 @@ static inline float3 probe_way(uint i, float3 t, float3 b, float3 normal) {
     float sine;
     float cosine;
     m_sincos(angle, &sine, &cosine);
-    return (t * cosine + b * sine) * across + normal * height;
+    float3 way = (t * cosine + b * sine) * across + normal * height;
+    float rise = dot3(way, facet);
+    if (rise < PROBE_RISE) way = way + facet * (PROBE_RISE - rise);
+    return way * (1.0f / length3(way));
 }
 
-/// Distances to the nearest thing within `reach` of a place on the lit side of its surface, as far
-/// as probes of a sector and of its neighbours tell, else `reach`: CACHE_SECTORS numbers, `stride`
-/// floats apart.
-static inline void store_clearances(Scene scene, float3 position, float3 normal, float reach,
-                                    uint stride, GLOBAL float* clearances) {
+/// Distances to the nearest thing within `reach` of a place on the lit side of its surface, which
+/// has a shading normal and that of its facet, as far as probes of a sector and of its neighbours
+/// tell, else `reach`: CACHE_SECTORS numbers, `stride` floats apart.
+static inline void store_clearances(Scene scene, float3 position, float3 normal, float3 facet,
+                                    float reach, uint stride, GLOBAL float* clearances) {
     float3 t;
     float3 b;
     make_basis(normal, &t, &b);
@@ -40,7 +46,7 @@ static inline void store_clearances(Scene scene, float3 position, float3 normal,
         PacketDirections ways;
         Hit hits[LANES];
         for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-            float3 way = probe_way(first + lane, t, b, normal);
+            float3 way = probe_way(first + lane, t, b, normal, facet);
             ways.x[lane] = way.x;
             ways.y[lane] = way.y;
             ways.z[lane] = way.z;

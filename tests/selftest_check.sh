@@ -22,6 +22,8 @@ fail() {
     exit 1
 }
 
+unset WEFT_KERNELS # of whoever runs this: the program's own are meant
+
 # The part of the page between its two comments, which lie alone on their lines.
 page=$root/docs/hard-cases.md
 sed -n '/^<!-- ledger: begins -->$/,/^<!-- ledger: ends -->$/p' "$page" | sed '1d;$d' >"$work/page"

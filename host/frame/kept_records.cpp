@@ -220,7 +220,10 @@ void KeptRecords::evict(FrameContext& frame) {
     std::vector<std::uint32_t> live;
     for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
         if (slots_[slot].live) live.push_back(slot);
-    if (live.size() <= plan_.cache_records) return;
+    if (live.size() <= plan_.cache_records) {
+        compact();
+        return;
+    }
     const std::size_t surplus = live.size() - plan_.cache_records;
     std::stable_sort(live.begin(), live.end(), [&](std::uint32_t a, std::uint32_t b) {
         return slots_[a].last_used < slots_[b].last_used;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <utility>
 
 #include "frame/frame_context.h"
@@ -142,12 +143,14 @@ RecordPool::Contents RecordPool::read(std::uint32_t first) {
         if (!(places[std::size_t{RECEIVER_VALID} * room_ + slot] > 0.0F)) continue;
         const float radius = plane(RECORD_RADIUS);
         std::array<float, CACHE_SECTORS> clear{};
+        float nearest = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < clear.size(); ++i) {
+            nearest = std::min(nearest, plane(RECORD_CLEARANCE + i));
             const float distance = plane(RECORD_CLEARANCE + i) / GUARD_REACH;
             clear[i] = distance * distance;
         }
-        const float least = *std::min_element(clear.begin(), clear.end());
-        const float guarded = least < radius * radius ? 1.0F : 0.0F;
+        // As the kernel compares them: a record in the open is asked nothing.
+        const float guarded = nearest < GUARD_REACH * radius ? 1.0F : 0.0F;
         contents.records.push_back({three(RECORD_PLACE, radius),
                                     place(RECEIVER_X, 0.0F),
                                     place(RECEIVER_SHADING_X, guarded),

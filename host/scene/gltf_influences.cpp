@@ -111,12 +111,18 @@ bool is_skinnable(const GltfValue& mesh) {
 
 JointInfluences read_gltf_influences(GltfData& data, const GltfValue& attributes,
                                      std::size_t vertex_count,
-                                     const std::vector<std::uint32_t>& vertices,
-                                     GltfReport& report) {
+                                     const std::vector<std::uint32_t>& vertices, GltfReport& report,
+                                     std::size_t& influences_read) {
     const std::vector<JointSet> sets = find_sets(data, attributes, vertex_count, report);
     JointInfluences influences;
     influences.width = static_cast<std::uint32_t>(4 * sets.size());
-    influences.joints.resize(vertices.size() * influences.width);
+    const std::size_t count = vertices.size() * influences.width;
+    if (count > limits::max_joint_influences - influences_read)
+        throw attributes.error("brings the file above the limit of " +
+                               std::to_string(limits::max_joint_influences) +
+                               " joint weights of vertices");
+    influences_read += count;
+    influences.joints.resize(count);
     influences.weights.resize(influences.joints.size());
     WeightFlaws flaws;
     for (std::size_t v = 0; v < vertices.size(); ++v) {

@@ -19,11 +19,13 @@ namespace weft {
 
 /// The joints of a primitive's vertices and their weights, for the given ones of its `vertex_count`
 /// vertices. Weights that are negative or not finite become 0, and the others are divided by their
-/// sum; a vertex without any follows its first joint. Throws Error (exit code 2).
+/// sum; a vertex without any follows its first joint. `influences_read` grows by what is read, up
+/// to limits::max_joint_influences. Throws Error (exit code 2).
 [[nodiscard]] JointInfluences read_gltf_influences(GltfData& data, const GltfValue& attributes,
                                                    std::size_t vertex_count,
                                                    const std::vector<std::uint32_t>& vertices,
-                                                   GltfReport& report);
+                                                   GltfReport& report,
+                                                   std::size_t& influences_read);
 
 }  // namespace weft
 

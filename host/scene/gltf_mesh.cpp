@@ -132,8 +132,8 @@ MeshShape read_shape(GltfData& data, const GltfValue& primitive, std::size_t ver
         shape.targets = read_gltf_targets(data, primitive, vertex_count, vertices,
                                           !mesh.normals.empty(), report, read.deltas);
     if (forms.skinned)
-        shape.influences =
-            read_gltf_influences(data, primitive.at("attributes"), vertex_count, vertices, report);
+        shape.influences = read_gltf_influences(data, primitive.at("attributes"), vertex_count,
+                                                vertices, report, read.influences);
     return shape;
 }
 

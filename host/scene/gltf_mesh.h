@@ -29,13 +29,14 @@ struct GltfForms {
 /// What has been read of a file, against its limits.
 struct GltfCounts {
     std::size_t triangles = 0;
-    std::size_t deltas = 0;  ///< displacements by morph targets
+    std::size_t deltas = 0;      ///< displacements by morph targets
+    std::size_t influences = 0;  ///< of joints on vertices
 };
 
 /// Reads one primitive of a glTF mesh: only the vertices its triangles use, in their order in the
 /// file. Nothing is returned (with a warning) for primitives without triangles. `read` grows with
-/// what is read, up to `limits::max_triangles` and `limits::max_morph_deltas`. Throws Error (exit
-/// code 2).
+/// what is read, up to `limits::max_triangles`, `limits::max_morph_deltas` and
+/// `limits::max_joint_influences`. Throws Error (exit code 2).
 [[nodiscard]] std::optional<GltfPrimitive> read_gltf_primitive(
     GltfData& data, const GltfValue& primitive, const GltfSurface& surface, const GltfForms& forms,
     GltfReport& report, GltfCounts& read);

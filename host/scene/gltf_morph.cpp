@@ -78,6 +78,9 @@ std::vector<MorphTarget> read_gltf_targets(GltfData& data, const GltfValue& prim
         const auto read = [&](const char* name) {
             return read_deltas(data, target, name, vertex_count, vertices, report, deltas_read);
         };
+        if (target.find("COLOR_0") || target.find("TEXCOORD_0") || target.find("TEXCOORD_1"))
+            report.once(target.place(),
+                        "morph targets of colours and texture coordinates are not simulated");
         targets[t].positions = read("POSITION");
         if (with_normals) targets[t].normals = read("NORMAL");
     }

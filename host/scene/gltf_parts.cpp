@@ -93,9 +93,9 @@ std::vector<GltfParts::Primitive> GltfParts::read(const GltfValue& mesh, std::si
     return all;
 }
 
-GltfPart GltfParts::deformed(const Primitive& primitive, const Form& form, const GltfNode& node) {
-    const std::size_t vertices = primitive.mesh.positions.size();
-    const std::size_t triangles = primitive.mesh.triangles.size();
+void GltfParts::count_deformed(const Mesh& mesh, const Form& form, const GltfNode& node) {
+    const std::size_t vertices = mesh.positions.size();
+    const std::size_t triangles = mesh.triangles.size();
     if (vertices > limits::max_vertices - deformed_vertices_ ||
         triangles > limits::max_triangles - deformed_triangles_)
         throw node.value.error("brings the file above the limit of " +
@@ -104,6 +104,20 @@ GltfPart GltfParts::deformed(const Primitive& primitive, const Form& form, const
                                " triangles of deformed meshes");
     deformed_vertices_ += vertices;
     deformed_triangles_ += triangles;
+    const auto active = static_cast<std::size_t>(
+        std::count_if(form.weights.begin(), form.weights.end(),
+                      [&](double weight) { return form.track >= 0 || weight != 0.0; }));
+    // Weights are also kept, once for each mesh that is made: they count for their memory.
+    const std::size_t work = vertices * std::max<std::size_t>(1, active) + 64 * form.weights.size();
+    if (work > limits::max_deformation_work - deformation_work_)
+        throw node.value.error("brings the file above the limit of " +
+                               std::to_string(limits::max_deformation_work) +
+                               " displacements by morph targets in a pose");
+    deformation_work_ += work;
+}
+
+GltfPart GltfParts::deformed(const Primitive& primitive, const Form& form, const GltfNode& node) {
+    count_deformed(primitive.mesh, form, node);
     std::span<const glm::dmat4> joints;
     if (form.skin != nullptr) {
         joints = form.skin->at_rest;

@@ -72,6 +72,8 @@ class GltfParts {
                                               const Form& form);
     [[nodiscard]] GltfPart deformed(const Primitive& primitive, const Form& form,
                                     const GltfNode& node);
+    /// Holds what is made of meshes to the limits of a file.
+    void count_deformed(const Mesh& mesh, const Form& form, const GltfNode& node);
     [[nodiscard]] int index_of(const GltfSkin& skin);
 
     GltfValue root_;
@@ -82,6 +84,7 @@ class GltfParts {
     GltfCounts read_;
     std::size_t deformed_vertices_ = 0;
     std::size_t deformed_triangles_ = 0;
+    std::size_t deformation_work_ = 0;
     std::map<std::size_t, Morphs> morphs_;
     std::map<std::size_t, int> skins_;  ///< by number in the file, index into Scene::skins
     std::map<std::tuple<std::size_t, bool, bool>, std::vector<Primitive>> primitives_;

@@ -117,7 +117,10 @@ class GltfReader {
                     report_.once(node.value.place(),
                                  "animations of media are not simulated, their pose at rest is "
                                  "rendered instead");
-                scene_.medium_boundaries.push_back({part.mesh, to_world, part.medium, -1});
+                // A mirrored mesh has its faces turned inwards.
+                const int inside = part.mirrored ? -1 : part.medium;
+                const int outside = part.mirrored ? part.medium : -1;
+                scene_.medium_boundaries.push_back({part.mesh, to_world, inside, outside});
                 continue;
             }
             Instance instance;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,7 @@ class DeformationValidator {
   public:
     explicit DeformationValidator(const Scene& scene) : scene_(scene) {}
 
-    void run() const {
+    void run() {
         for (const Skin& skin : scene_.skins) check(skin);
         for (const Deformation& deformation : scene_.deformations) check(deformation);
         for (const Instance& instance : scene_.instances) check(instance);
@@ -57,7 +58,7 @@ class DeformationValidator {
                 "has a matrix that is not finite");
     }
 
-    void check(const Deformation& deformation) const {
+    void check(const Deformation& deformation) {
         require(deformation.mesh < scene_.meshes.size() && deformation.shape != nullptr,
                 "deformation", "lacks its mesh");
         const Mesh& mesh = scene_.meshes[deformation.mesh];
@@ -66,9 +67,7 @@ class DeformationValidator {
         require(shape.positions.size() == mesh.positions.size() &&
                     shape.normals.size() == mesh.normals.size(),
                 object, "has the wrong number of vertices");
-        require(all_finite(shape.positions) && all_finite(shape.normals), object,
-                "has a vertex that is not finite");
-        for (const MorphTarget& target : shape.targets) check(target, shape, object);
+        check(shape, object);
         check_weights(deformation, object);
         require(is_none_or_below(deformation.skin, scene_.skins.size()), object,
                 "refers to a skin that does not exist");
@@ -76,6 +75,14 @@ class DeformationValidator {
         require(deformation.skin >= 0, object, "lacks a skin");
         check(shape.influences, shape.positions.size(),
               scene_.skins[static_cast<std::size_t>(deformation.skin)].joints.size(), object);
+    }
+
+    /// Deformations share their shapes.
+    void check(const MeshShape& shape, const std::string& object) {
+        if (!checked_.insert(&shape).second) return;
+        require(all_finite(shape.positions) && all_finite(shape.normals), object,
+                "has a vertex that is not finite");
+        for (const MorphTarget& target : shape.targets) check(target, shape, object);
     }
 
     void check(const MorphTarget& target, const MeshShape& shape, const std::string& object) const {
@@ -130,6 +137,7 @@ class DeformationValidator {
     }
 
     const Scene& scene_;
+    std::set<const MeshShape*> checked_;
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ SelftestCase grazing_light() {
              {"point light, cosine 1e-3", grazing / (sine * sine * sine), share(5e-3),
               "shadow rays start up to 2e-6 above the floor, beside a height of 1e-3"},
              {"coarse smooth ball, pixels out of order", 0.0, within(0.0),
-              "light falls evenly to the terminator and stays out behind it"}},
+              "rows fall from the side of the light; facets end it where their planes do"}},
             [](Executor& executor) -> std::vector<Measured> {
                 SceneBuilder sun = floor_scene();
                 sun.light(LightType::directional, {}, glm::vec3(1.0F), {1.0, 0.0, -grazing});
