@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -63,24 +64,53 @@ void EmbreeScene::release() noexcept {
 void EmbreeScene::attach(const TracedGeometry& geometry, std::size_t first, std::size_t end,
                          unsigned int mesh) {
     if (first == end) return;
+    const bool moving = mesh == moving_mesh;
+    const bool any = !moving || choose_moving(geometry);
     RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                geometry.positions.data(), 0, sizeof(shared::float4),
                                geometry.positions.size());
-    rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               geometry.triangles.data() + first, 0, sizeof(shared::Triangle),
-                               end - first);
+    rtcSetSharedGeometryBuffer(
+        triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+        moving ? static_cast<const void*>(moving_.data()) : geometry.triangles.data() + first, 0,
+        moving ? sizeof(moving_[0]) : sizeof(shared::Triangle), end - first);
     if (moves_)
-        rtcSetGeometryBuildQuality(
-            triangles, mesh == moving_mesh ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
+        rtcSetGeometryBuildQuality(triangles,
+                                   moving ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
+    if (!any) rtcDisableGeometry(triangles);
     rtcCommitGeometry(triangles);
     rtcAttachGeometryByID(scene_, triangles, mesh);
     rtcReleaseGeometry(triangles);
 }
 
-void EmbreeScene::update() {
+bool EmbreeScene::choose_moving(const TracedGeometry& geometry) {
+    // What is absent has shrunk to a point. Embree's tree of trees fails an assertion (compiled in
+    // by Debian) where boxes are points; indices beyond the vertices make it leave them out.
+    constexpr std::array none{~0U, ~0U, ~0U};
+    const auto same = [&](std::uint32_t a, std::uint32_t b) {
+        const shared::float4& p = geometry.positions[a];
+        const shared::float4& q = geometry.positions[b];
+        return p.x == q.x && p.y == q.y && p.z == q.z;
+    };
+    moving_.resize(geometry.triangles.size() - first_moving_);
+    bool any = false;
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        const shared::Triangle& t = geometry.triangles[first_moving_ + i];
+        const bool point = same(t.v0, t.v1) && same(t.v0, t.v2);
+        moving_[i] = point ? none : std::array{t.v0, t.v1, t.v2};
+        any = any || !point;
+    }
+    return any;
+}
+
+void EmbreeScene::update(const TracedGeometry& geometry) {
     if (!moves_) return;
+    const bool any = choose_moving(geometry);
     RTCGeometry triangles = rtcGetGeometry(scene_, moving_mesh);
+    if (any)
+        rtcEnableGeometry(triangles);
+    else
+        rtcDisableGeometry(triangles);
     rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0);
     rtcCommitGeometry(triangles);

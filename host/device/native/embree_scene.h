@@ -3,9 +3,11 @@
 #ifndef WEFT_DEVICE_NATIVE_EMBREE_SCENE_H
 #define WEFT_DEVICE_NATIVE_EMBREE_SCENE_H
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "device/executor.h"
 #include "device/native/embree.h"
@@ -34,9 +36,9 @@ class EmbreeScene {
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-    /// Brings the moving triangles up to date with the geometry's memory. Throws as the
-    /// constructor.
-    void update();
+    /// Brings the moving triangles up to date with the geometry, which is that of the constructor
+    /// at another time. Throws as the constructor.
+    void update(const TracedGeometry& geometry);
 
     [[nodiscard]] RTCScene handle() const noexcept { return scene_; }
     /// The triangle that a hit of the scene is on.
@@ -51,12 +53,15 @@ class EmbreeScene {
 
     void attach(const TracedGeometry& geometry, std::size_t first, std::size_t end,
                 unsigned int mesh);
+    /// Chooses the moving triangles that Embree is to know of. Returns whether there are any.
+    bool choose_moving(const TracedGeometry& geometry);
     void release() noexcept;
 
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     unsigned int first_moving_ = 0;
     bool moves_ = false;
+    std::vector<std::array<unsigned int, 3>> moving_;  ///< vertices of moving triangles
 };
 
 /// "3.13.5", as the library that is loaded says.

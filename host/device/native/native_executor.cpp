@@ -58,7 +58,7 @@ class NativeTracedScene : public TracedScene {
     }
     void update() {
         if (embree) {
-            embree->update();
+            embree->update(geometry);
         } else {
             own->update(geometry.positions, geometry.triangles, geometry.box_padding);
             view_own_bvh();
