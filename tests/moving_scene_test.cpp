@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "frame/path_renderer.h"
+#include "moving_frames.h"
 #include "moving_room.h"
 #include "render_fixture.h"
 #include "scene/moving_scene.h"
@@ -40,25 +41,11 @@ Scene sliding_room() {
     return scene;
 }
 
-RenderSettings igi_settings() {
-    return test::small_settings(Algorithm::igi, 48, 36);
-}
+using test::igi_settings;
 
 /// The picture of a frame after those that lead to it.
-Image frame_after(std::vector<std::uint32_t> frames, Backend backend) {
-    MovingScene moving(sliding_room(), {}, 1.0);
-    moving.set_frame(frames.front());
-    Renderer renderer(test::shared_executor(backend), moving.flat(), test::room_camera(),
-                      igi_settings());
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (i > 0) {
-            moving.set_frame(frames[i]);
-            renderer.update_scene();
-            renderer.move_camera(test::room_camera());
-        }
-        EXPECT_TRUE(renderer.render_frame({}));
-    }
-    return renderer.image();
+Image frame_after(const std::vector<std::uint32_t>& frames, Backend backend) {
+    return test::frame_after(sliding_room(), frames, backend);
 }
 
 TEST(MovingScene, APictureDoesNotDependOnTheFramesBefore) {

@@ -86,7 +86,11 @@ void KeptRecords::refresh(FrameContext& frame, const char* component) {
         follow_changes(frame, component);
     if (frame.ended_early()) usable_ = false;
     if (!usable_) return;
-    if (store_is_old_) fill_store(frame.executor);
+    if (store_is_old_) {
+        const Stopwatch filling;
+        fill_store(frame.executor);
+        frame.add_host_stage("record store", component, filling.total());
+    }
     stats_.kept = store_.count();
     stats_.bytes = pool_.bytes_per_record() * pool_.room();
 }
