@@ -4,32 +4,26 @@
 // Adaptive interleaved sampling against the same with every level at its maximum and against
 // instant global illumination: speed and errors in one run. docs/benchmarks.md says how to read it.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "base/limits.h"
 #include "bench/common/adaptive_frames.h"
 #include "bench/common/adaptive_report.h"
+#include "bench/common/adaptive_run.h"
+#include "bench/common/bench_main.h"
 #include "bench/common/bench_scenes.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
-#include "bench/common/reference_pictures.h"
-#include "bench/common/shared_scene.h"
+#include "bench/common/published_tables.h"
 #include "device/native/native_executor.h"
-#include "frame/camera_params.h"
-#include "image/exr.h"
-#include "image/png.h"
-#include "scene/flat_scene.h"
 #include "scene/load_scene.h"
 #include "schedule/quality.h"
 
@@ -62,9 +56,6 @@ struct Settings {
     [[nodiscard]] bool wants(const std::string& name) const {
         return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
     }
-    [[nodiscard]] bool wants_filter(const char* name) const {
-        return std::find(filters.begin(), filters.end(), name) != filters.end();
-    }
     [[nodiscard]] FrameRun frames() const {
         return {size > 0 ? size
                 : quick  ? 128U
@@ -89,6 +80,17 @@ struct Settings {
             methods.back().sampling.threshold = threshold;
         }
         return methods;
+    }
+    [[nodiscard]] AdaptiveRun run() const {
+        AdaptiveRun run;
+        run.methods = methods();
+        run.frames = frames();
+        run.filters = without_errors ? std::vector<std::string>{} : filters;
+        run.references = references;
+        run.reference_spp = spp();
+        run.pictures = pictures;
+        run.say = [](const std::string& text) { print(text + "\n"); };
+        return run;
     }
 };
 
@@ -133,29 +135,17 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
     Settings settings;
     CLI::App app{"Adaptive sampling against full density and instant global illumination"};
     add_options(app, settings);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        status = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (const auto code = parse_arguments(app, argc, argv)) {
+        status = *code;
         return std::nullopt;
     }
     return settings;
 }
 
-void print(const std::string& text) {
-    fmt::print("{}", text);
-    std::fflush(stdout);
-}
-
-struct Source {
-    BenchScene scene;
-    bool shipped = false;
-};
-
 /// The scene files that are there, then those that come with Weft; not both where it is to be
 /// quick.
-std::vector<Source> wanted_scenes(const Settings& settings) {
-    std::vector<Source> sources;
+std::vector<AdaptiveSource> wanted_scenes(const Settings& settings) {
+    std::vector<AdaptiveSource> sources;
     for (BenchScene& scene : bench_scenes(settings.scenes,
                                           {"cornell-box", "office", "desk", "conference", "sibenik",
                                            "cornell-box-fog", "office-fog", "sibenik-fog"},
@@ -172,98 +162,13 @@ std::vector<Source> wanted_scenes(const Settings& settings) {
         };
         sources.push_back({{name, load, file}, true});
     }
-    std::erase_if(sources, [&](const Source& s) { return !settings.wants(s.scene.name); });
+    std::erase_if(sources, [&](const AdaptiveSource& s) { return !settings.wants(s.scene.name); });
     if (sources.empty()) throw Error(ExitCode::usage, "--only names no scene that is there");
     return sources;
 }
 
-/// Where there are media, path tracing has their light in other layers: only beauty is compared.
-LayerErrors layer_errors(const Image& reference, const Image& test, bool components_visible,
-                         bool media) {
-    const ErrorChoice whole{true, true};
-    const ErrorChoice part{components_visible, false};
-    if (media) return {picture_errors(reference, test, "", whole), {}, {}};
-    return {picture_errors(reference, test, "", whole),
-            picture_errors(reference, test, "indirect", part),
-            picture_errors(reference, test, "direct", part)};
-}
-
-/// The picture, for the screen with this exposure and as it is.
-void write_picture(const Settings& settings, const AdaptiveScene& scene, const std::string& name,
-                   const Image& image, double exposure) {
-    const fs::path folder = settings.pictures;
-    std::error_code error;
-    fs::create_directories(folder, error);
-    write_png(folder / (scene.name + "-" + name + ".png"), image, exposure);
-    write_exr(folder / (scene.name + "-" + name + ".exr"), image);
-}
-
-void write_pictures(const Settings& settings, const AdaptiveScene& scene) {
-    if (settings.pictures.empty()) return;
-    const double exposure = auto_exposure(scene.frames.find(method_amax)->image);
-    for (const MethodFrames& method : scene.frames.methods)
-        write_picture(settings, scene, method.name, method.image, exposure);
-}
-
-void compare(const Settings& settings, const FlatScene& flat, const Camera& camera,
-             Executor& path_executor, AdaptiveScene& scene) {
-    SharedScene shared(path_executor);
-    ReferencePictures references(settings.references, shared,
-                                 [](const std::string& text) { print(text + "\n"); });
-    const std::vector<MethodFrames>& methods = scene.frames.methods;
-    scene.errors.resize(methods.size());
-    for (const bool centre : {false, true}) {
-        const ReferenceWish wish{scene.name, settings.frames().size, centre, settings.spp()};
-        if (!settings.wants_filter(wish.filter())) continue;
-        const Reference reference = references.find(flat, camera, wish);
-        scene.references[wish.filter()] = reference.json();
-        for (std::size_t m = 0; m < methods.size(); ++m) {
-            MethodErrors& errors = scene.errors[m];
-            (centre ? errors.centre : errors.box) =
-                layer_errors(reference.image, methods[m].image, !centre, scene.media);
-        }
-        if (!settings.pictures.empty())
-            write_picture(settings, scene, std::string("reference-") + wish.filter(),
-                          reference.image, auto_exposure(scene.frames.find(method_amax)->image));
-    }
-}
-
-AdaptiveScene run_scene(const Settings& settings, const Source& source, Executor& executor,
-                        Executor& path_executor, Diagnostics& diagnostics) {
-    const Scene scene = source.scene.load(diagnostics);
-    const FlatScene flat = flatten(scene);
-    const Camera camera = choose_camera(scene, flat, "", diagnostics);
-    AdaptiveScene result;
-    result.name = source.scene.name;
-    result.shipped = source.shipped;
-    result.media = flat.media.present();
-    result.triangles = flat.triangles.size();
-    {
-        SharedScene shared(executor);
-        result.frames = measure_frames(shared, flat, camera, settings.methods(), settings.frames());
-    }
-    write_pictures(settings, result);
-    if (!settings.without_errors) compare(settings, flat, camera, path_executor, result);
-    return result;
-}
-
-/// Published figures, or null where the file is not there.
-nlohmann::json read_published(const std::string& file) {
-    constexpr std::size_t most_bytes = std::size_t{1} << 20;
-    if (!fs::is_regular_file(file)) return {};
-    const std::vector<std::byte> bytes = read_file(file, most_bytes);
-    const auto* const text = reinterpret_cast<const char*>(bytes.data());
-    auto json = nlohmann::json::parse(text, text + bytes.size(), nullptr, false);
-    if (!json.is_object()) throw input_error(file, "is no JSON object, expected published tables");
-    return json;
-}
-
 void run(const Settings& settings) {
-    // Before anything else: BVH builders and Embree would start a worker per core.
-    std::optional<tbb::global_control> limit;
-    if (settings.threads > 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(settings.threads));
+    const auto limit = limit_threads(settings.threads);
     const nlohmann::json published = read_published(settings.published);
     const auto executor = open_backend(settings.backend, settings.device, settings.threads);
     const auto path_executor = make_native_executor(NativeTraversal::own_bvh, settings.threads);
@@ -281,8 +186,9 @@ void run(const Settings& settings) {
     print(adaptive_legend());
     Diagnostics diagnostics;
     std::vector<AdaptiveScene> scenes;
-    for (const Source& source : wanted_scenes(settings)) {
-        scenes.push_back(run_scene(settings, source, *executor, *path_executor, diagnostics));
+    const AdaptiveRun how = settings.run();
+    for (const AdaptiveSource& source : wanted_scenes(settings)) {
+        scenes.push_back(measure_scene(source, how, *executor, *path_executor, diagnostics));
         print(adaptive_tables(scenes.back()));
         json["scenes"].push_back(adaptive_json(scenes.back()));
         for (MethodFrames& method : scenes.back().frames.methods) method.image = {};
@@ -301,19 +207,10 @@ void run(const Settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    int status = 0;
-    try {
+    return bench_main("adaptive", [&] {
+        int status = 0;
         const auto settings = parse(argc, argv, status);
         if (settings) run(*settings);
         return status;
-    } catch (const Error& error) {
-        fmt::print(stderr, "bench adaptive: {}\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "bench adaptive: out of memory\n");
-        return static_cast<int>(ExitCode::out_of_memory);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench adaptive: {}\n", error.what());
-        return static_cast<int>(ExitCode::device);
-    }
+    });
 }

@@ -5,7 +5,6 @@
 // each frame, and by records that outlast their frame; times, rays, records, errors and flicker in
 // one run. docs/benchmarks.md says how to read it.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,6 +17,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "bench/common/bench_main.h"
 #include "bench/common/bench_scenes.h"
 #include "bench/common/dynamic_methods.h"
 #include "bench/common/dynamic_report.h"
@@ -26,13 +26,13 @@
 #include "bench/common/growing_report.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
-#include "bench/common/reference_pictures.h"
-#include "bench/common/shared_scene.h"
 #include "bench/common/static_light.h"
 #include "device/native/native_executor.h"
+#include "device/shared_scene.h"
 #include "frame/camera_params.h"
 #include "scene/load_scene.h"
 #include "scene/pose_scene.h"
+#include "tradeoff/reference_pictures.h"
 
 namespace {
 
@@ -135,10 +135,8 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
     Settings settings;
     CLI::App app{"Frames in which things happen: instant and temporal instant caching"};
     add_options(app, settings);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        status = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (const auto code = parse_arguments(app, argc, argv)) {
+        status = *code;
         return std::nullopt;
     }
     if (settings.audit && settings.single)
@@ -151,11 +149,6 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         if (error) throw Error(ExitCode::output, settings.report, error.message());
     }
     return settings;
-}
-
-void print(const std::string& text) {
-    fmt::print("{}", text);
-    std::fflush(stdout);
 }
 
 /// The scene files that are there; where there are none, those that come with Weft.
@@ -290,11 +283,7 @@ void measure_single(const Settings& settings, Executor& executor) {
 
 /// The exit code.
 int run(const Settings& settings) {
-    // Before anything else: BVH builders and Embree would start a worker per core.
-    std::optional<tbb::global_control> limit;
-    if (settings.threads > 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(settings.threads));
+    const auto limit = limit_threads(settings.threads);
     const auto executor = open_backend(settings.backend, settings.device, settings.threads);
     if (settings.audit) return audit_all(settings, *executor) ? 0 : 1;
     if (settings.single)
@@ -307,18 +296,9 @@ int run(const Settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    int status = 0;
-    try {
+    return bench_main("dynamic", [&] {
+        int status = 0;
         const auto settings = parse(argc, argv, status);
         return settings ? run(*settings) : status;
-    } catch (const Error& error) {
-        fmt::print(stderr, "bench dynamic: {}\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "bench dynamic: out of memory\n");
-        return static_cast<int>(ExitCode::out_of_memory);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench dynamic: {}\n", error.what());
-        return static_cast<int>(ExitCode::device);
-    }
+    });
 }

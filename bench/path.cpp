@@ -4,7 +4,6 @@
 // The path tracer on each backend next to Mitsuba 3, on the same scene files in one run.
 // docs/benchmarks.md says how to read it.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "bench/common/bench_main.h"
 #include "bench/common/bench_scenes.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
@@ -80,18 +80,11 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         ->check(CLI::Range(1, 4096));
     app.add_option("--repetitions", settings.repetitions, "timed runs of every contender")
         ->check(CLI::Range(3, 1000));
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        status = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (const auto code = parse_arguments(app, argc, argv)) {
+        status = *code;
         return std::nullopt;
     }
     return settings;
-}
-
-void print(const std::string& text) {
-    fmt::print("{}", text);
-    std::fflush(stdout);
 }
 
 /// Weft's backends; OpenCL is null where there is none.
@@ -142,11 +135,7 @@ PathResult run_scene(const Settings& settings, const BenchScene& source, const B
 }
 
 void run(const Settings& settings) {
-    // Before anything else: BVH builders and Embree would start a worker per core.
-    std::optional<tbb::global_control> limit;
-    if (settings.threads > 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(settings.threads));
+    const auto limit = limit_threads(settings.threads);
     const Backends backends{open_opencl(settings.device, settings.threads),
                             make_native_executor(NativeTraversal::own_bvh, settings.threads),
                             make_native_executor(NativeTraversal::embree, settings.threads)};
@@ -183,19 +172,10 @@ void run(const Settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    int status = 0;
-    try {
+    return bench_main("path", [&] {
+        int status = 0;
         const auto settings = parse(argc, argv, status);
         if (settings) run(*settings);
         return status;
-    } catch (const Error& error) {
-        fmt::print(stderr, "bench path: {}\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "bench path: out of memory\n");
-        return static_cast<int>(ExitCode::out_of_memory);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench path: {}\n", error.what());
-        return static_cast<int>(ExitCode::device);
-    }
+    });
 }

@@ -4,7 +4,6 @@
 // Ray queries: Weft's own traversal, on OpenCL and compiled natively, against Embree's calls, on
 // the same rays in one run. docs/benchmarks.md says how to read it.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "bench/common/bench_main.h"
 #include "bench/common/bench_scenes.h"
 #include "bench/common/embree_queries.h"
 #include "bench/common/frame_recorder.h"
@@ -70,10 +70,8 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         ->check(CLI::IsMember({set_primary, set_closest, set_any, set_packets}));
     app.add_option("--repetitions", settings.repetitions, "timed runs of every contender")
         ->check(CLI::Range(1, 1000));
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        status = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (const auto code = parse_arguments(app, argc, argv)) {
+        status = *code;
         return std::nullopt;
     }
     return settings;
@@ -150,11 +148,6 @@ class SceneBench {
     std::optional<OwnQueries> opencl_;
 };
 
-void print(const std::string& text) {
-    fmt::print("{}", text);
-    std::fflush(stdout);
-}
-
 SceneResult run_scene(const Settings& settings, const BenchScene& source, Executor& native,
                       Executor* opencl, Diagnostics& diagnostics) {
     const Scene scene = source.load(diagnostics);
@@ -173,11 +166,7 @@ SceneResult run_scene(const Settings& settings, const BenchScene& source, Execut
 }
 
 void run(const Settings& settings) {
-    // Before anything else: BVH builders and Embree would start a worker per core.
-    std::optional<tbb::global_control> limit;
-    if (settings.threads > 0)
-        limit.emplace(tbb::global_control::max_allowed_parallelism,
-                      static_cast<std::size_t>(settings.threads));
+    const auto limit = limit_threads(settings.threads);
     const auto opencl = open_opencl(settings.device, settings.threads);
     const auto native = make_native_executor(NativeTraversal::own_bvh, settings.threads);
     nlohmann::json json{{"benchmark", "rays"},
@@ -206,19 +195,10 @@ void run(const Settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    int status = 0;
-    try {
+    return bench_main("rays", [&] {
+        int status = 0;
         const auto settings = parse(argc, argv, status);
         if (settings) run(*settings);
         return status;
-    } catch (const Error& error) {
-        fmt::print(stderr, "bench rays: {}\n", error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "bench rays: out of memory\n");
-        return static_cast<int>(ExitCode::out_of_memory);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench rays: {}\n", error.what());
-        return static_cast<int>(ExitCode::device);
-    }
+    });
 }

@@ -13,7 +13,12 @@ import sys
 
 sys.dont_write_bytecode = True  # a check leaves nothing behind in the source tree
 
-from generator import cornell, figure, gallery, shafts, smoke  # noqa: E402 (after the line above, on purpose)
+from generator import (  # noqa: E402 (after the line above, on purpose)
+    conference, cornell, desk, deskar, figure, gallery, office, shafts, shirley6, sibenik, smoke,
+    subdivided)
+
+SCENES = (cornell, gallery, shafts, smoke, figure, sibenik, subdivided, desk, deskar, shirley6,
+          office, conference)
 
 
 def difference(path, wanted):
@@ -36,8 +41,7 @@ def main():
                         help="folder to write to or compare with (default: this script's)")
     options = parser.parse_args()
     wrong = 0
-    files = {**cornell.build(), **gallery.build(), **shafts.build(), **smoke.build(),
-             **figure.build()}
+    files = {name: content for scene in SCENES for name, content in scene.build().items()}
     for name, content in files.items():
         path = options.out / name
         if not options.check:

@@ -35,7 +35,7 @@ mode == "options" {
     while (match(rest, /`[^`]+`/)) {
         span = substr(rest, RSTART + 1, RLENGTH - 2)
         rest = substr(rest, RSTART + RLENGTH)
-        if (span !~ /^(-o|--[a-z])/ && span !~ /^(\.\/)?weft (render|merge|compare|info|devices|selftest)/) continue
+        if (span !~ /^(-o|--[a-z])/ && span !~ /^(\.\/)?weft (render|merge|compare|tradeoff|info|devices|selftest)/) continue
         count = split(span, words, /[ =]/)
         for (i = 1; i <= count; ++i)
             if (words[i] ~ /^--?[a-z]/) print words[i], FILENAME ":" FNR

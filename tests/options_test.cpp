@@ -94,8 +94,8 @@ TEST(Options, Selftest) {
 
 TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
     const std::string top = std::get<HelpText>(parse({"--help"})).text;
-    for (const char* name :
-         {"render", "merge", "compare", "info", "devices", "selftest", "--help", "--version"})
+    for (const char* name : {"render", "merge", "compare", "tradeoff", "info", "devices",
+                             "selftest", "--help", "--version"})
         EXPECT_NE(top.find(name), std::string::npos) << name;
     const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
     for (const char* name : {"SCENE",
@@ -126,9 +126,9 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
                              "--edits",
                              "--cache-records",
                              "--cache-masks",
-                             "--overlays"})
+                             "--overlays",
+                             "--preset"})
         EXPECT_NE(help.find(name), std::string::npos) << name;
-    EXPECT_EQ(help.find("--preset"), std::string::npos);
     EXPECT_EQ(std::get<HelpText>(parse({"render", "a", "--spp", "x", "--help"})).text, help);
 }
 
@@ -266,9 +266,9 @@ TEST(Options, SuggestsNearMisses) {
     EXPECT_TRUE(suggests(render_refusal({"--components", "indirekt"}), "indirect"));
     EXPECT_TRUE(suggests(refusal({"devices", "--jsn"}), "--json"));
     EXPECT_EQ(render_refusal({"--photons", "4"}), "unknown option '--photons'");
-    EXPECT_EQ(
-        refusal({"photons"}),
-        "unknown command 'photons', expected render, merge, compare, info, devices or selftest");
+    EXPECT_EQ(refusal({"photons"}),
+              "unknown command 'photons', expected render, merge, compare, tradeoff, info, devices "
+              "or selftest");
 }
 
 TEST(Options, RefusesBadLines) {

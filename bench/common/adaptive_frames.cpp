@@ -145,16 +145,19 @@ AdaptiveFrames measure_frames(Executor& executor, const FlatScene& scene, const 
                               const std::vector<FrameMethod>& methods, const FrameRun& run) {
     AdaptiveFrames result;
     for (const FrameMethod& method : methods) result.methods.push_back({method.name, {}, {}});
-    const PacketRate packets(executor, scene, camera);
+    std::optional<PacketRate> packets;
+    if (run.packets) packets.emplace(executor, scene, camera);
     std::vector<StageSum> ignored;
-    for (const FrameView view : frame_views)
+    for (const FrameView view : frame_views) {
+        if (view != FrameView::full && !run.alone) continue;
         measure_view(
             executor, scene, camera, methods, view, run,
             [&](bool counts, double gather_ms) {
-                if (view != FrameView::full) return;
-                packets.measure(gather_ms, counts ? result.packets : ignored);
+                if (view != FrameView::full || !packets) return;
+                packets->measure(gather_ms, counts ? result.packets : ignored);
             },
             result);
+    }
     return result;
 }
 

@@ -87,6 +87,8 @@ struct FrameRun {
     std::uint32_t size = 512;
     std::uint32_t repetitions = 9;
     std::uint32_t warm_up = 1;
+    bool packets = true;  ///< measure the packet rate as well
+    bool alone = true;    ///< make frames with one light alone as well
 };
 
 /// Everything measured of one scene's frames.
@@ -100,8 +102,8 @@ struct AdaptiveFrames {
 
 /// Frame 0 of every method, again and again, one view after the other: all renderers of a view
 /// live at once on `executor` and take turns, frame by frame; among the full frames the packets
-/// that `bench rays` measures take theirs, for as long as the longest gathering of shadow rays. The
-/// first `warm_up` rounds do not count.
+/// that `bench rays` measures take theirs, for as long as the longest gathering of shadow rays,
+/// where they are wanted. The first `warm_up` rounds do not count.
 [[nodiscard]] AdaptiveFrames measure_frames(Executor& executor, const FlatScene& scene,
                                             const Camera& camera,
                                             const std::vector<FrameMethod>& methods,

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/common/adaptive_frames.h"
-#include "bench/common/picture_errors.h"
+#include "tradeoff/picture_errors.h"
 
 namespace weft::bench {
 

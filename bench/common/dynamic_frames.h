@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/common/dynamic_methods.h"
-#include "bench/common/shared_scene.h"
+#include "device/shared_scene.h"
 #include "frame/renderer.h"
 #include "image/image.h"
 #include "scene/flat_scene.h"

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/file.h"
+#include "bench/common/compact_json.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_executor.h"
 
@@ -37,7 +38,7 @@ nlohmann::json device_json(const Executor& executor) {
 }
 
 void write_json(const std::filesystem::path& path, const nlohmann::json& json) {
-    const std::string text = json.dump(2) + "\n";
+    const std::string text = compact_json(json) + "\n";
     write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bench/common/dynamic_frames.h"
-#include "bench/common/picture_errors.h"
 #include "image/image.h"
 #include "scene/scene.h"
+#include "tradeoff/picture_errors.h"
 
 namespace weft::bench {
 

@@ -13,8 +13,8 @@
 #include "base/stopwatch.h"
 #include "bench/common/contender.h"
 #include "bench/common/dynamic_report.h"
-#include "bench/common/picture_errors.h"
 #include "frame/renderer.h"
+#include "tradeoff/picture_errors.h"
 
 namespace weft::bench {
 namespace {

@@ -22,9 +22,6 @@ namespace weft {
 namespace {
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 8> algorithm_names = {
-    "ais", "amax", "igi", "ir", "ic", "tic", "irradiance-cache", "path"};
-constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "tic"};
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
@@ -77,10 +74,13 @@ void check_components(const RenderOptions& options) {
 }
 
 void read_indirect(const CLI::App& command, RenderOptions& options) {
+    if (options.preset && has_indirect_source(options.algorithm) && options.preset->sampling.cached)
+        options.indirect =
+            options.preset->sampling.temporal ? IndirectSource::tic : IndirectSource::ic;
     const auto text = value_of(command, "--indirect");
     if (!text) return;
     options.indirect = static_cast<IndirectSource>(parse_name("--indirect", *text, source_names));
-    if (options.algorithm != Algorithm::ais && options.algorithm != Algorithm::amax)
+    if (!has_indirect_source(options.algorithm))
         throw usage_error("--indirect: is for adaptive sampling, expected --algorithm ais or amax");
 }
 
@@ -94,6 +94,7 @@ void read_temporal(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--cache-records"))
         options.cache_records =
             parse_unsigned("--cache-records", *text, 1, limits::max_cache_records);
+    if (options.preset) options.cache_masks = options.preset->sampling.cache_masks;
     if (const auto text = value_of(command, "--cache-masks"))
         options.cache_masks = parse_name("--cache-masks", *text, switch_names) == 0;
 }
@@ -125,15 +126,55 @@ void read_hemispheres(const CLI::App& command, RenderOptions& options) {
             "--algorithm");
 }
 
+/// The file of settings. What is given beside it comes after and wins.
+void read_preset_file(const CLI::App& command, RenderOptions& options) {
+    const auto text = value_of(command, "--preset");
+    if (!text) return;
+    if (value_of(command, "--quality"))
+        throw usage_error("--quality: says what --preset says, expected one of them");
+    options.preset_file = *text;
+    options.preset = read_preset(*text);
+    options.algorithm = options.preset->algorithm;
+}
+
+/// How many samples the file of settings asks for, where nothing on the command line says when to
+/// end.
+void read_preset_samples(RenderOptions& options) {
+    const bool ends_otherwise =
+        options.spp || options.samples || options.time_seconds || options.target_error;
+    if (options.preset && !ends_otherwise) options.spp = options.preset->samples;
+}
+
+void read_compensation(const CLI::App& command, RenderOptions& options) {
+    options.compensation = is_given(command, "--vpl-compensation");
+    // Another algorithm than the file was made for may know nothing of it.
+    if (options.preset && options.preset->sampling.compensation &&
+        can_compensate(options.algorithm, options.indirect))
+        options.compensation = true;
+}
+
+void refuse_compensation(const RenderOptions& options) {
+    if (!options.compensation) return;
+    if (options.caches_indirect())
+        throw usage_error(
+            "--vpl-compensation: records hold the light of VPLs alone, expected another "
+            "--algorithm and --indirect vpl");
+    if (options.algorithm == Algorithm::path)
+        throw usage_error(
+            "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
+}
+
+void read_quality(const CLI::App& command, RenderOptions& options) {
+    const auto text = value_of(command, "--quality");
+    if (!text) return;
+    options.quality = static_cast<Quality>(parse_name("--quality", *text, quality_names));
+    if (options.algorithm == Algorithm::path)
+        throw usage_error(
+            "--quality: is for virtual lights, expected --spp, --time or --target-error of path "
+            "tracing");
+}
+
 }  // namespace
-
-std::string_view to_string(Algorithm algorithm) {
-    return algorithm_names.at(static_cast<std::size_t>(algorithm));
-}
-
-std::string_view to_string(IndirectSource source) {
-    return source_names.at(static_cast<std::size_t>(source));
-}
 
 std::string_view to_string(Quality quality) {
     return quality_names.at(static_cast<std::size_t>(quality));
@@ -159,9 +200,13 @@ void add_algorithm(CLI::App& render) {
              "Adds by path tracing what virtual lights leave out (not with path or records)");
     add_value(render, "--quality", "NAME",
               "draft, preview or high: how much time the picture is worth (default: preview)");
+    add_value(render, "--preset", "FILE",
+              "Settings from a JSON file, as `weft tradeoff` writes them; options given beside it "
+              "win");
 }
 
 void read_algorithm(const CLI::App& command, RenderOptions& options) {
+    read_preset_file(command, options);
     if (const auto text = value_of(command, "--algorithm"))
         options.algorithm =
             static_cast<Algorithm>(parse_name("--algorithm", *text, algorithm_names));
@@ -171,24 +216,12 @@ void read_algorithm(const CLI::App& command, RenderOptions& options) {
     check_components(options);
     read_indirect(command, options);
     read_temporal(command, options);
-    options.compensation = is_given(command, "--vpl-compensation");
+    read_compensation(command, options);
     read_cache_error(command, options);
     read_hemispheres(command, options);
-    if (options.compensation && options.caches_indirect())
-        throw usage_error(
-            "--vpl-compensation: records hold the light of VPLs alone, expected another "
-            "--algorithm and --indirect vpl");
-    if (options.compensation && options.algorithm == Algorithm::path)
-        throw usage_error(
-            "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
-    if (const auto text = value_of(command, "--quality")) {
-        options.quality = static_cast<Quality>(parse_name("--quality", *text, quality_names));
-        if (options.algorithm == Algorithm::path)
-            throw usage_error(
-                "--quality: is for virtual lights, expected --spp, --time or --target-error of "
-                "path "
-                "tracing");
-    }
+    refuse_compensation(options);
+    read_quality(command, options);
+    read_preset_samples(options);
 }
 
 }  // namespace weft

@@ -3,10 +3,9 @@
 #ifndef WEFT_APP_ALGORITHM_OPTIONS_H
 #define WEFT_APP_ALGORITHM_OPTIONS_H
 
-#include <cstdint>
 #include <string_view>
 
-#include "schedule/frame_plan.h"
+#include "schedule/algorithm.h"
 #include "schedule/quality.h"
 
 namespace CLI {
@@ -17,13 +16,6 @@ namespace weft {
 
 struct RenderOptions;
 
-/// Where adaptive sampling takes indirect light from.
-enum class IndirectSource : std::uint8_t { vpl, ic, tic };
-
-/// The name the command line uses.
-[[nodiscard]] std::string_view to_string(Algorithm algorithm);
-/// The name the command line uses.
-[[nodiscard]] std::string_view to_string(IndirectSource source);
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(Quality quality);
 

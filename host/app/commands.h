@@ -18,6 +18,10 @@ void merge_command(const MergeOptions& options);
 /// `weft compare`: how two pictures differ, on stdout, and a map of it.
 void compare_command(const CompareOptions& options);
 
+/// `weft tradeoff`: what accuracy costs on a scene, in files of a folder and on stdout. Throws
+/// Error (exit code 130) where the user ends it.
+void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics);
+
 /// `weft info`: what a scene holds and calls for, on stdout.
 void info_command(const InfoOptions& options, Diagnostics& diagnostics);
 

@@ -30,6 +30,8 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
         weft::devices_command(*devices);
     } else if (const auto* selftest = std::get_if<weft::SelftestOptions>(&command)) {
         return weft::selftest_command(*selftest);
+    } else if (const auto* tradeoff = std::get_if<weft::TradeoffOptions>(&command)) {
+        weft::tradeoff_command(*tradeoff, diagnostics);
     }
     return weft::ExitCode::success;
 }

@@ -18,6 +18,7 @@
 #include "app/merge_options.h"
 #include "app/overlay_output.h"
 #include "app/selftest_options.h"
+#include "app/tradeoff_options.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
@@ -30,8 +31,8 @@ namespace fs = std::filesystem;
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
-constexpr std::array<std::string_view, 6> command_names = {"render", "merge",   "compare",
-                                                           "info",   "devices", "selftest"};
+constexpr std::array<std::string_view, 7> command_names = {
+    "render", "merge", "compare", "tradeoff", "info", "devices", "selftest"};
 constexpr double max_exposure_ev = 100.0;
 
 void add_render(CLI::App& app) {
@@ -82,6 +83,7 @@ void add_commands(CLI::App& app) {
     add_render(app);
     add_merge(app);
     add_compare(app);
+    add_tradeoff(app);
     CLI::App& info = add_command(app, "info", "Says what a scene holds");
     add_value(info, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
@@ -140,13 +142,13 @@ void check_command(const CLI::App& app, const CLI::App* command) {
     if (!before.empty()) {
         if (before[0][0] == '-' || command != nullptr) refuse_extra(app, before[0]);
         throw usage_error("unknown command " + quote(before[0]) +
-                          ", expected render, merge, compare, info, devices or selftest" +
+                          ", expected render, merge, compare, tradeoff, info, devices or selftest" +
                           did_you_mean(before[0], command_names));
     }
     if (command == nullptr)
         throw usage_error(
-            "no command given, expected render, merge, compare, info, devices or selftest (see "
-            "weft --help)");
+            "no command given, expected render, merge, compare, tradeoff, info, devices or "
+            "selftest (see weft --help)");
     check_values(*command);
     const std::vector<std::string> extras = unknown_arguments(*command);
     const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& extra) {
@@ -269,6 +271,7 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     if (command->get_name() == "render") return read_render(*command);
     if (command->get_name() == "merge") return read_merge(*command);
     if (command->get_name() == "compare") return read_compare(*command);
+    if (command->get_name() == "tradeoff") return read_tradeoff(*command);
     if (command->get_name() == "selftest") return read_selftest(*command);
     if (command->get_name() == "info")
         return InfoOptions{*value_of(*command, "SCENE"), is_given(*command, "--json")};
@@ -297,7 +300,8 @@ nlohmann::json options_json(const RenderOptions& options) {
     if (options.samples) json["samples"] = {options.samples->first, options.samples->end};
     json["target_error"] = json_or_null(options.target_error);
     json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
-    json["quality"] = to_string(options.quality);
+    json["quality"] = options.preset ? nlohmann::json() : to_string(options.quality);
+    json["preset"] = options.preset_file ? json_text(options.preset_file->string()) : nullptr;
     json["indirect"] = to_string(options.indirect);
     json["cache_records"] = json_or_null(options.cache_records);
     json["cache_masks"] = options.cache_masks ? "on" : "off";

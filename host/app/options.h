@@ -17,6 +17,7 @@
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "frame/film_sums.h"
+#include "schedule/preset.h"
 
 namespace weft {
 
@@ -34,13 +35,15 @@ struct RenderOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< ends in .exr or .png, in any case
     Algorithm algorithm = default_algorithm;
-    Quality quality = Quality::preview;
-    IndirectSource indirect = IndirectSource::vpl;  ///< of ais and amax
-    std::optional<std::uint32_t> cache_records;     ///< of tic: most that are kept, 1 and up
-    bool cache_masks = true;                        ///< of tic
-    std::optional<std::uint32_t> cache_rays;        ///< of irradiance_cache: rays of a record
-    std::optional<double> cache_error;              ///< of irradiance_cache: 0 to 1
-    bool compensation = false;                      ///< of all that gather VPLs by pixels
+    Quality quality = Quality::preview;                ///< without a preset
+    std::optional<std::filesystem::path> preset_file;  ///< of settings
+    std::optional<Preset> preset;                      ///< its content
+    IndirectSource indirect = IndirectSource::vpl;     ///< of ais and amax
+    std::optional<std::uint32_t> cache_records;        ///< of tic: most that are kept, 1 and up
+    bool cache_masks = true;                           ///< of tic
+    std::optional<std::uint32_t> cache_rays;           ///< of irradiance_cache: rays of a record
+    std::optional<double> cache_error;                 ///< of irradiance_cache: 0 to 1
+    bool compensation = false;                         ///< of all that gather VPLs by pixels
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
     std::optional<std::uint32_t> threads;  ///< 1 and up
@@ -68,8 +71,7 @@ struct RenderOptions {
     [[nodiscard]] bool names_component(std::string_view name) const;
     /// Whether indirect light comes from irradiance records.
     [[nodiscard]] bool caches_indirect() const {
-        return algorithm == Algorithm::ic || algorithm == Algorithm::irradiance_cache ||
-               indirect == IndirectSource::ic || keeps_records();
+        return weft::caches_indirect(algorithm, indirect);
     }
     /// Whether those outlast their frame.
     [[nodiscard]] bool keeps_records() const {
@@ -136,6 +138,31 @@ struct MergeOptions {
     std::filesystem::path output;              ///< ends in .exr, in any case
 };
 
+enum class ErrorMeasure : std::uint8_t;
+
+/// `weft tradeoff`. What is empty was not given.
+struct TradeoffOptions {
+    std::filesystem::path scene;
+    std::filesystem::path output;  ///< a folder
+    bool quick = false;
+    std::optional<Backend> backend;
+    std::optional<std::string> device;                ///< as RenderOptions::device
+    std::optional<std::uint32_t> threads;             ///< 1 and up
+    std::optional<FilmSize> size;                     ///< else the scene's
+    std::optional<std::string> camera;                ///< else the scene's first
+    std::uint32_t seed = 0;                           ///< of the first picture of each setting
+    std::vector<std::string> algorithms;              ///< only these; empty means all
+    std::uint32_t repetitions = 5;                    ///< pictures of each setting, 2 and up
+    std::uint32_t reference_spp = 1024;               ///< 2 and up
+    std::optional<std::filesystem::path> references;  ///< folder
+    std::vector<double> budgets_ms;                   ///< ascending, each once
+    std::vector<double> errors;                       ///< likewise
+    ErrorMeasure measure{};                           ///< that the front and the advice go by
+    std::optional<std::filesystem::path> peers;       ///< pictures by other renderers
+    bool verify = false;
+    ProgressMode progress = ProgressMode::automatic;
+};
+
 /// `--help` or `--version`: text for standard output, after which the program ends well.
 struct HelpText {
     std::string text;
@@ -143,10 +170,11 @@ struct HelpText {
 
 /// One command, ready to run.
 using ParsedCommand = std::variant<HelpText, RenderOptions, MergeOptions, CompareOptions,
-                                   InfoOptions, DevicesOptions, SelftestOptions>;
+                                   InfoOptions, DevicesOptions, SelftestOptions, TradeoffOptions>;
 
-/// Reads a whole command line, `argv[0]` being the program's name. Looks at no file. Throws Error
-/// (exit code 1) with one line that says which option is wrong and what was expected.
+/// Reads a whole command line, `argv[0]` being the program's name. Looks at no file but that of
+/// --preset. Throws Error with one line: exit code 1, which option is wrong and what was expected;
+/// or exit code 2, what is wrong with that file.
 [[nodiscard]] ParsedCommand parse_command_line(int argc, const char* const* argv);
 
 /// Every option by its name on the command line, for `--stats`; null for what is empty. To record

@@ -40,7 +40,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.height = size.height;
     settings.tile = options.tile;
     settings.seed = options.seed;
-    settings.sampling = sampling_of(options.quality);
+    settings.sampling = options.preset ? options.preset->sampling : sampling_of(options.quality);
     settings.sampling.compensation = options.compensation;
     settings.sampling.cached = options.caches_indirect();
     settings.sampling.temporal = options.keeps_records();

@@ -4,9 +4,12 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 
+#include "base/limits.h"
 #include "device/native/embree_scene.h"
+#include "schedule/preset.h"
 
 namespace weft {
 namespace {
@@ -75,6 +78,13 @@ nlohmann::json scene_json(const FlatScene& scene, const Executor& executor) {
                        {"bytes", bvh->bytes},      {"sah_cost", bvh->sah_cost},
                        {"build_ms", bvh->build_ms}};
     return json;
+}
+
+/// What took effect, as --preset reads it.
+Preset settings_of(const RenderSettings& settings, const FrameRenderer& renderer) {
+    const auto samples =
+        std::clamp<std::uint64_t>(renderer.samples(), 1, limits::max_samples_per_pixel);
+    return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples)};
 }
 
 nlohmann::json plan_json(const FramePlan& plan) {
@@ -156,6 +166,7 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
             {"size", {settings.width, settings.height}},
             {"samples", renderer.samples()},
             {"scene", scene_json(scene, executor)},
+            {"settings", preset_json(settings_of(settings, renderer))},
             {"plan", plan_json(renderer.plan())},
             {"kernels", kernels},
             {"times",

@@ -10,12 +10,13 @@
 #include <csetjmp>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
+#include <exception>
 #include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -63,7 +64,7 @@ double dither_threshold(std::uint32_t x, std::uint32_t y) {
     return (rank + 0.5) / 64.0;
 }
 
-png_byte encode(double linear, double threshold) {
+png_byte encode_value(double linear, double threshold) {
     if (!(linear > 0.0)) return 0;
     const double value = 255.0 * srgb_transfer(std::min(linear, 1.0));
     return static_cast<png_byte>(std::min(255.0, std::floor(value + threshold)));
@@ -73,7 +74,7 @@ png_byte encode(double linear, double threshold) {
 /// encoder allocates belongs to this object, outside of the jump.
 class PngWriter {
   public:
-    explicit PngWriter(const fs::path& path) : file_(path, std::ios::binary | std::ios::trunc) {
+    PngWriter() {
         png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
         if (png_ != nullptr) info_ = png_create_info_struct(png_);
         if (info_ == nullptr) throw std::bad_alloc();
@@ -82,17 +83,17 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    void write(const Image& image, const ColourPlanes& colour, double exposure_ev) {
+    [[nodiscard]] std::vector<std::byte> encode(const Image& image, const ColourPlanes& colour,
+                                                double exposure_ev) {
         width_ = image.width;
         height_ = image.height;
         row_.resize(std::size_t{width_} * 3);
         for (const auto& [key, value] : image.metadata) add_text(key, value);
         const double scale = std::exp2(exposure_ev);
         const bool written = encode_rows([&](std::uint32_t y) { fill_row(colour, scale, y); });
-        if (written) file_.close();
-        if (!written || !file_)
-            throw std::runtime_error(message_[0] != '\0' ? message_.data()
-                                                         : "not all bytes could be written");
+        if (out_of_memory_) throw std::bad_alloc();
+        if (!written) throw std::runtime_error(message_.data());
+        return std::move(bytes_);
     }
 
   private:
@@ -113,7 +114,7 @@ class PngWriter {
             const double threshold = dither_threshold(x, y);
             for (std::size_t c = 0; c < 3; ++c)
                 row_[std::size_t{x} * 3 + c] =
-                    encode(scale * double{colour.plane[c][first + x]}, threshold);
+                    encode_value(scale * double{colour.plane[c][first + x]}, threshold);
         }
     }
 
@@ -135,6 +136,16 @@ class PngWriter {
         return true;
     }
 
+    /// Exceptions must not cross libpng, so that a lack of memory becomes an error of its kind.
+    bool append(std::span<const std::byte> bytes) noexcept {
+        try {
+            bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+        } catch (const std::bad_alloc&) {
+            out_of_memory_ = true;
+        }
+        return !out_of_memory_;
+    }
+
     [[noreturn]] static void on_error(png_structp png, png_const_charp text) {
         auto* self = static_cast<PngWriter*>(png_get_error_ptr(png));
         const std::string_view reason = text;
@@ -144,12 +155,12 @@ class PngWriter {
     static void on_warning(png_structp, png_const_charp) {}
     static void on_write(png_structp png, png_bytep bytes, std::size_t size) {
         auto* self = static_cast<PngWriter*>(png_get_io_ptr(png));
-        self->file_.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
-        if (!self->file_) png_error(png, "not all bytes could be written");
+        if (!self->append(std::as_bytes(std::span(bytes, size)))) png_error(png, "out of memory");
     }
     static void on_flush(png_structp) {}
 
-    std::ofstream file_;
+    std::vector<std::byte> bytes_;
+    bool out_of_memory_ = false;
     png_structp png_ = nullptr;
     png_infop info_ = nullptr;
     std::uint32_t width_ = 0;
@@ -162,15 +173,25 @@ class PngWriter {
 
 }  // namespace
 
-void write_png(const fs::path& path, const Image& image, double exposure_ev) {
+std::vector<std::byte> png_bytes(const Image& image, double exposure_ev) {
     const ColourPlanes colour = find_colour(image);
     if (colour.pixels == 0 || image.width > limits::max_film_edge ||
         image.height > limits::max_film_edge)
+        throw std::invalid_argument("the picture has no colour layer, expected RGB or Y");
+    return PngWriter().encode(image, colour, exposure_ev);
+}
+
+void write_png(const fs::path& path, const Image& image, double exposure_ev) {
+    std::vector<std::byte> bytes;
+    try {
+        bytes = png_bytes(image, exposure_ev);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
         throw Error(ExitCode::output, path.string(),
-                    "cannot be written: the picture has no colour layer, expected RGB or Y");
-    write_file_atomically(path, [&](const fs::path& temporary) {
-        PngWriter(temporary).write(image, colour, exposure_ev);
-    });
+                    std::string("cannot be written: ") + error.what());
+    }
+    write_file_atomically(path, bytes);
 }
 
 double auto_exposure(const Image& image) {

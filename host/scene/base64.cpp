@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/base64.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/error.h"
@@ -44,6 +45,22 @@ std::vector<std::byte> decode_base64(std::string_view text, const std::string& p
         }
     }
     return bytes;
+}
+
+std::string encode_base64(std::span<const std::byte> bytes) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(bytes.size() - i, 3);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (k < count ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k > count ? '=' : digits[bits >> (18 - 6 * k) & 63U];
+    }
+    return text;
 }
 
 }  // namespace weft

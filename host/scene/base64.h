@@ -4,6 +4,7 @@
 #define WEFT_SCENE_BASE64_H
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ namespace weft {
 /// Decodes standard base64 (RFC 4648, `+` and `/`); padding may be missing. Throws Error (exit
 /// code 2) with `place` for any other character or an impossible length.
 [[nodiscard]] std::vector<std::byte> decode_base64(std::string_view text, const std::string& place);
+
+/// Standard base64 with padding, on one line.
+[[nodiscard]] std::string encode_base64(std::span<const std::byte> bytes);
 
 }  // namespace weft
 

@@ -15,11 +15,11 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
 #include "scene/gltf_json.h"
 #include "scene/gltf_nodes.h"
+#include "scene/json_file.h"
 #include "scene/mesh_edit.h"
 
 namespace weft {
@@ -28,45 +28,6 @@ namespace {
 using Json = nlohmann::json;
 using Keys = std::initializer_list<const char*>;
 using Names = std::map<std::string, std::vector<std::uint32_t>>;
-
-/// Parses text of any origin: what is too deep or too much ends the parser before the tree is made.
-Json parse_edits(const std::string& path, std::string_view text) {
-    std::size_t values = 0;
-    const auto watch = [&](int depth, Json::parse_event_t event, const Json&) {
-        const bool opens =
-            event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-        if (opens && depth >= limits::max_nesting)
-            throw input_error(path, "JSON is nested deeper than " +
-                                        std::to_string(limits::max_nesting) + " levels");
-        if (opens || event == Json::parse_event_t::value) ++values;
-        if (values > limits::max_json_values)
-            throw input_error(path, "JSON holds more than " +
-                                        std::to_string(limits::max_json_values) + " values");
-        return true;
-    };
-    try {
-        return Json::parse(text.begin(), text.end(), watch);
-    } catch (const Json::parse_error& error) {
-        const std::string_view before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
-        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-        throw input_error(path + ":" + std::to_string(line), "JSON syntax error");
-    } catch (const Json::exception&) {
-        throw input_error(path, "JSON holds a number that is too large for a double");
-    }
-}
-
-std::string list_of(Keys keys) {
-    std::string list;
-    for (const char* key : keys) list += (list.empty() ? "'" : ", '") + std::string(key) + "'";
-    return list;
-}
-
-/// Refuses keys of `json`, which `value` stands for, that are not in `known`.
-void check_keys(const GltfValue& value, const Json& json, Keys known) {
-    for (const auto& [key, ignored] : json.items())
-        if (std::find(known.begin(), known.end(), key) == known.end())
-            throw value.error("has the unknown key " + quote(key) + ", expected " + list_of(known));
-}
 
 /// The one key of `keys` that an object has.
 std::string only_key(const GltfValue& value, Keys keys) {
@@ -354,12 +315,9 @@ class EditReader {
 }  // namespace
 
 EditTimeline read_scene_edits(const std::filesystem::path& file, Scene& scene) {
-    const std::vector<std::byte> bytes = read_file(file, limits::max_text_file_bytes);
-    const std::string path = file.string();
-    const Json json =
-        parse_edits(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const Json json = read_json_file(file, limits::max_text_file_bytes);
     EditReader reader(scene);
-    reader.read({json, path + "#"}, json);
+    reader.read({json, file.string() + "#"}, json);
     scene.instances.insert(scene.instances.end(), reader.added.begin(), reader.added.end());
     for (const SceneEdit& edit : reader.timeline.edits)
         if (edit.is_of_object())

@@ -30,6 +30,12 @@ class Builder:
         """One mesh placed once."""
         self.place(name, self.mesh(name, material, finish(solids, **how)), at)
 
+    def assembly(self, name, parts, **how):
+        """One mesh of several materials: `parts` lists solids by material."""
+        return self.document.add_mesh(name, [
+            self.document.primitive(finish(solids, **how), self.materials[material])
+            for material, solids in parts.items()])
+
     def light(self, name, material, corners, at=(0.0, 0.0, 0.0)):
         """A rectangle of light."""
         self.place(name, self.mesh(name, material, light_quad(corners)), at)

@@ -105,9 +105,10 @@ def box(lo, hi):
     return positions, [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
 
 
-def plate(columns, rows, front, back, keep=lambda i, j: True):
+def plate(columns, rows, front, back, keep=lambda i, j: True, turned=lambda i, j: False):
     """A sheet of real thickness over a grid of `columns` x `rows` parameters, from which the
-    cells that `keep` refuses are cut out. `front(u, v)` and `back(u, v)` are its two faces."""
+    cells that `keep` refuses are cut out. `front(u, v)` and `back(u, v)` are its two faces; a
+    cell that is `turned` is split along its other diagonal."""
     width, height = len(columns), len(rows)
     positions = [face(u, v) for face in (front, back) for v in rows for u in columns]
 
@@ -123,11 +124,13 @@ def plate(columns, rows, front, back, keep=lambda i, j: True):
             if not kept(i, j):
                 continue
             ring = ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))
+            beyond = ((i, j - 1), (i + 1, j), (i, j + 1), (i - 1, j))
+            if turned(i, j):
+                ring, beyond = ring[1:] + ring[:1], beyond[1:] + beyond[:1]
             a, b, c, d = (at(*p, 0) for p in ring)
             triangles += [(a, b, c), (a, c, d)]
             a, b, c, d = (at(*p, 1) for p in ring)
             triangles += [(a, c, b), (a, d, c)]
-            beyond = ((i, j - 1), (i + 1, j), (i, j + 1), (i - 1, j))
             for k in range(4):
                 if not kept(*beyond[k]):
                     p, q = ring[k], ring[(k + 1) % 4]

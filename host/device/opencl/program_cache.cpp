@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 
 #include "base/error.h"
@@ -93,18 +92,6 @@ void ProgramCache::store(const std::string& key, std::span<const unsigned char> 
 void ProgramCache::remove(const std::string& key) const {
     std::error_code ignored;
     if (!folder_.empty()) std::filesystem::remove(file_of(key), ignored);
-}
-
-std::filesystem::path default_cache_folder() {
-    const auto variable = [](const char* name) {
-        const char* const value = std::getenv(name);
-        return std::filesystem::path(value == nullptr ? "" : value);
-    };
-    if (const auto folder = variable("WEFT_CACHE_DIR"); !folder.empty()) return folder;
-    if (const auto folder = variable("XDG_CACHE_HOME"); folder.is_absolute())
-        return folder / "weft";
-    if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "weft";
-    return {};
 }
 
 }  // namespace weft

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/cache_folder.h"
+
 namespace weft {
 
 /// Compiled programs on disk, keyed by everything they depend on. An entry that is damaged in any
@@ -32,9 +34,6 @@ class ProgramCache {
 
     std::filesystem::path folder_;
 };
-
-/// WEFT_CACHE_DIR, else $XDG_CACHE_HOME/weft, else ~/.cache/weft; empty where none is known.
-[[nodiscard]] std::filesystem::path default_cache_folder();
 
 }  // namespace weft
 

@@ -1,0 +1,99 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BENCH_COMMON_KERNEL_METER_H
+#define WEFT_BENCH_COMMON_KERNEL_METER_H
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "device/executor.h"
+#include "frame/frame_renderer.h"
+
+namespace weft::bench {
+
+/// One call of Executor::run, or several of one kernel together.
+struct KernelUse {
+    KernelId kernel{};
+    std::uint64_t launches = 0;  ///< that the executor cut it into
+    std::uint64_t items = 0;     ///< work-items
+    /// Sizes of the different buffers that it was given, without the acceleration structure: what
+    /// it would move if it touched each byte of them once.
+    std::uint64_t bound_bytes = 0;
+    double ms = 0.0;         ///< on the device
+    std::uint64_t rays = 0;  ///< see add_rays
+
+    /// Takes over what another one of the same kernel took.
+    void add(const KernelUse& other);
+};
+
+/// What went through an executor in some time.
+struct Metered {
+    std::vector<KernelUse> runs;      ///< in order, one for every call of Executor::run
+    std::uint64_t read_bytes = 0;     ///< of buffers that the host mapped to read them
+    std::uint64_t written_bytes = 0;  ///< or to write them
+};
+
+/// Passes everything on to another executor and takes down what each kernel took there.
+class KernelMeter : public Executor {
+  public:
+    /// `inner` must outlive it.
+    explicit KernelMeter(Executor& inner) : inner_(inner) {}
+
+    /// Waits for what still runs; returns what went through since last asked.
+    [[nodiscard]] Metered take();
+
+    [[nodiscard]] const DeviceInfo& device() const override { return inner_.device(); }
+    [[nodiscard]] std::uint32_t lanes() const override { return inner_.lanes(); }
+    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
+                                                   std::string_view what) override {
+        return inner_.allocate(bytes, what);
+    }
+    void with_mapped(Buffer& buffer, Access access,
+                     const std::function<void(std::span<std::byte>)>& use) override;
+    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
+        return inner_.make_scene(geometry);
+    }
+    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override {
+        inner_.update_scene(scene, geometry);
+    }
+    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
+        inner_.build(kernels, features);
+    }
+    bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
+    double take_milliseconds() override;
+    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
+        return inner_.builds();
+    }
+    [[nodiscard]] const BvhStats* bvh() const override { return inner_.bvh(); }
+    [[nodiscard]] double scene_ms() const override { return inner_.scene_ms(); }
+    [[nodiscard]] std::size_t allocated_bytes() const override { return inner_.allocated_bytes(); }
+
+  private:
+    /// Where the caller wants the time of a run.
+    struct Wanted {
+        std::size_t run;
+        double* milliseconds;
+    };
+
+    Executor& inner_;
+    std::deque<KernelUse> runs_;  ///< none moves: the inner executor adds its time there
+    std::vector<Wanted> wanted_;
+    std::uint64_t read_bytes_ = 0;
+    std::uint64_t written_bytes_ = 0;
+};
+
+/// Gives the runs of one frame the rays that its stages counted. Each run is a stage, and stages
+/// are in the order of the runs with work of the host between them, so that a run belongs to the
+/// next stage of the same time. Returns false where that leaves rays or runs over.
+[[nodiscard]] bool add_rays(const FrameStats& frame, std::span<KernelUse> runs);
+
+/// The runs of each kernel as one, those that took longest first.
+[[nodiscard]] std::vector<KernelUse> by_kernel(std::span<const KernelUse> runs);
+
+}  // namespace weft::bench
+
+#endif

@@ -1,0 +1,174 @@
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""What every renderer's program does: sets up, warms up, and renders for each budget.
+
+    NAME_peer.py --probe --variant VARIANT
+    NAME_peer.py --variant VARIANT --scene FOLDER --threads N --budgets SECONDS... -o FOLDER
+
+Writes one JSON line for the renderer and one for each picture; where something fails, a line with
+`problem`. The caller ends a program that takes too long and keeps the lines it has.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import time
+
+PROBE_SECONDS = 0.1  # a first picture this long tells the speed
+MOST_SAMPLES = 1 << 20
+TRIES = 4  # at a number of samples that fits
+
+
+class Peer:
+    """A renderer with a scene, ready to render. Subclasses say how."""
+
+    name = ""  # as tables show it
+    denoised = False
+    version = ""
+    notes = ()
+
+    def render(self, samples, seed):
+        """A picture, height by width by 3, linear, top row first, and the seconds it took, without
+        what is only done once for that number of samples."""
+        raise NotImplementedError
+
+    def close(self):
+        """Removes what the renderer has left."""
+
+    # Of renderers that go on until they are stopped instead: `render_for(seconds)` returns the
+    # same and the samples per pixel.
+    render_for = None
+
+
+class Costs:
+    """Seconds by number of samples, as a line through what was measured last."""
+
+    def __init__(self):
+        self.measured = {}
+
+    def add(self, samples, seconds):
+        self.measured[samples] = seconds
+
+    def samples_for(self, budget):
+        nearest = sorted(self.measured, key=lambda n: abs(self.measured[n] - budget))[:2]
+        first = nearest[0]
+        slope = self.measured[first] / first
+        fixed = 0.0
+        if len(nearest) > 1:
+            other = nearest[1]
+            between = (self.measured[other] - self.measured[first]) / (other - first)
+            if between > 0.0 and self.measured[first] - between * first >= 0.0:
+                slope, fixed = between, self.measured[first] - between * first
+        # A little less than fits: whoever is late by chance must not look better for it.
+        return max(1, min(MOST_SAMPLES, int(0.98 * (budget - fixed) / max(slope, 1e-9))))
+
+
+def render(peer, costs, samples, seed):
+    picture, seconds = peer.render(samples, seed)
+    costs.add(samples, seconds)
+    return picture, seconds
+
+
+def warm_up(peer, costs):
+    """Renders untimed pictures until the speed is known."""
+    peer.render(1, 1)
+    samples = 1
+    while True:
+        _, seconds = render(peer, costs, samples, 1)
+        slow = seconds >= PROBE_SECONDS
+        # Two numbers of samples tell what costs the same for any number.
+        if (slow and len(costs.measured) > 1) or 4 * samples > MOST_SAMPLES:
+            return
+        samples *= 2 if slow else 4
+
+
+def within(peer, costs, budget, seed):
+    """The picture of the most samples found that take no longer than the budget."""
+    best, most = None, MOST_SAMPLES
+    for attempt in range(TRIES):
+        samples = min(most, costs.samples_for(budget))
+        if best is not None and samples == best[1]:
+            break
+        picture, seconds = render(peer, costs, samples, seed + attempt)
+        fits = seconds <= 1.05 * budget
+        if not fits:  # whatever earlier pictures promised
+            most = max(1, int(samples * budget / seconds))
+        if best is None or (fits, samples if fits else -seconds) > best[3]:
+            best = (picture, samples, seconds, (fits, samples if fits else -seconds))
+        if (fits and seconds >= 0.85 * budget) or (samples == 1 and not fits):
+            break
+    return best[:3]
+
+
+def answer(answers, **fields):
+    answers.write(json.dumps(fields) + "\n")
+    answers.flush()
+
+
+def serve(peer, args, answers):
+    from exr_file import write_exr
+    costs = Costs()
+    if peer.render_for:
+        peer.render_for(2.0 * PROBE_SECONDS)
+    else:
+        warm_up(peer, costs)
+    answer(answers, version=peer.version, notes=list(peer.notes))
+    for number, budget in enumerate(args.budgets):
+        if peer.render_for:
+            picture, seconds, samples = peer.render_for(budget)
+        else:
+            picture, samples, seconds = within(peer, costs, budget, 100 * (number + 1))
+        if args.mirror:
+            picture = picture[:, ::-1]
+        file = f"{peer.name}-{budget:g}.exr".lower().replace(", ", "-").replace(" ", "-")
+        write_exr(pathlib.Path(args.output) / file, picture)
+        answer(answers, name=peer.name, budget_s=budget, seconds=seconds, samples=samples,
+               denoised=peer.denoised, picture=file)
+
+
+def parse():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--probe", action="store_true")
+    parser.add_argument("--variant", default="")
+    parser.add_argument("--scene")
+    parser.add_argument("--threads", type=int, default=0)
+    parser.add_argument("--budgets", type=float, nargs="+", default=[])
+    parser.add_argument("-o", "--output")
+    args = parser.parse_args()
+    args.threads = args.threads or len(os.sched_getaffinity(0))
+    return args
+
+
+def main(probe, make_peer):
+    """Runs a renderer's program: `probe(variant)` returns its version or raises, and
+    `make_peer(variant, scene, threads)` a Peer."""
+    # Whatever libraries print goes elsewhere: standard output belongs to the other program.
+    answers = os.fdopen(os.dup(1), "w", buffering=1)
+    os.dup2(2, 1)
+    args = parse()
+    try:
+        if args.probe:
+            answer(answers, version=probe(args.variant))
+            return
+        from exported_scene import ExportedScene
+        scene = ExportedScene(args.scene)
+        args.mirror = scene.camera["mirror_x"]
+        peer = make_peer(args.variant, scene, args.threads)
+        try:
+            serve(peer, args, answers)
+        finally:
+            peer.close()
+    except Exception as error:  # whatever it is, the others go on without this one
+        text = " ".join(str(error).split())[:300]
+        answer(answers, problem=f"{type(error).__name__}: {text}")
+    finally:
+        answers.flush()
+        # Some libraries crash where their threads end after them.
+        os._exit(0)
+
+
+def stopwatch():
+    """Returns a function that tells the seconds since this call."""
+    begin = time.perf_counter()
+    return lambda: time.perf_counter() - begin

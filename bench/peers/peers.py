@@ -1,0 +1,339 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Weft next to other renderers at equal time, on the same triangles, lights and camera.
+
+Every scene is exported once and handed to each renderer that is installed; all render for each
+budget of seconds, set-up left out, and all pictures are compared with a path-traced reference.
+docs/benchmarks.md says how to read the table and what is left out.
+
+Peers are Python packages: mitsuba, bpy (Cycles) and pyluxcore, and Debian's embree-tools.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import platform
+import shutil
+import subprocess
+import sys
+
+from equal_time import Costs, warm_up, within
+from weft_runs import OWN_SETTINGS, Failure, Weft, compare, reference, run
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+EXIT_MISSING = 69  # as ./weft says where a package is missing
+EXIT_OUTPUT = 5
+PEERS = {"mitsuba-scalar": ("mitsuba_peer.py", "scalar_rgb"),
+         "mitsuba-llvm": ("mitsuba_peer.py", "llvm_ad_rgb"),
+         "cycles": ("cycles_peer.py", "plain"),
+         "cycles-denoised": ("cycles_peer.py", "denoised"),
+         "luxcore": ("luxcore_peer.py", "plain"),
+         "embree": ("embree_peer.py", "plain")}
+MEAN_TOLERANCE = 0.02  # beyond it a peer has rendered something else
+DENOISED = ", denoised"  # ends the names of those with a denoiser
+LATE = 1.1  # of a budget: pictures that took longer are late
+JUDGED = (0.3, 1.0)  # budgets of the summary
+PROBE_PATIENCE = 120.0
+SET_UP_PATIENCE = 900.0  # beside the budgets
+TRIES = 10.0  # that many times the budgets at most
+
+
+class Parser(argparse.ArgumentParser):
+    """Fails as Weft's other programs do."""
+
+    def error(self, message):
+        self.exit(1, f"{self.prog}: {message}\n")
+
+
+def parse():
+    parser = Parser(prog="bench peers", description=__doc__.splitlines()[0])
+    parser.add_argument("scenes", nargs="+", type=pathlib.Path, metavar="SCENE")
+    parser.add_argument("--only", nargs="+", choices=PEERS, metavar="NAME",
+                        help="only these peers: " + " ".join(PEERS))
+    parser.add_argument("--budgets", nargs="+", type=float, metavar="SECONDS",
+                        help="default: 0.1 0.3 1 3 10; --quick: 0.3 1")
+    parser.add_argument("--size", type=int, help="width and height, default 512; --quick: 128")
+    parser.add_argument("--threads", type=int, default=0, help="of every renderer; 0: all")
+    parser.add_argument("--backend", help="of Weft")
+    parser.add_argument("--preset", nargs="+", default=[], type=pathlib.Path, metavar="FILE",
+                        help="settings of Weft to measure beside its defaults")
+    parser.add_argument("--peer-python", nargs="+", default=[], metavar="NAME=PROGRAM",
+                        help="another Python for one peer, such as cycles=blender-env/bin/python")
+    parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("peers"),
+                        metavar="DIR", help="folder of pictures, DIR/SCENE/peers.json")
+    parser.add_argument("--reference", type=pathlib.Path, metavar="FILE",
+                        help="of the only scene; default: rendered and kept in --references")
+    parser.add_argument("--references", type=pathlib.Path, metavar="DIR",
+                        default=ROOT / "build" / "references")
+    parser.add_argument("--reference-spp", type=int, help="default 4096; --quick: 256")
+    parser.add_argument("--quick", action="store_true", help="a small picture, two budgets")
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE",
+                        help="machine, versions, all figures and a summary")
+    parser.add_argument("--weft", default=str(ROOT / "build" / "release" / "weft"))
+    parser.add_argument("--export", help="the program export_scene; default: built when needed")
+    args = parser.parse_args()
+    args.size = args.size or (128 if args.quick else 512)
+    args.reference_spp = args.reference_spp or (256 if args.quick else 4096)
+    args.budgets = args.budgets or (list(JUDGED) if args.quick else [0.1, 0.3, 1.0, 3.0, 10.0])
+    check(parser, args)
+    return args
+
+
+def check(parser, args):
+    if not 1 <= args.size <= 8192:
+        parser.error("--size is out of range, expected 1 to 8192")
+    if not all(0.01 <= budget <= 3600.0 for budget in args.budgets):
+        parser.error("--budgets are out of range, expected 0.01 to 3600")
+    if args.reference and len(args.scenes) > 1:
+        parser.error("--reference is for a single scene")
+    pythons = dict(word.partition("=")[::2] for word in args.peer_python)
+    for name in pythons:
+        if name not in PEERS:
+            parser.error(f"--peer-python: no peer '{name}', expected one of: " + " ".join(PEERS))
+    args.peer_python = pythons
+
+
+def child(args, name, *arguments, patience):
+    """The JSON lines of a peer's program, and what went wrong, if anything."""
+    program, variant = PEERS[name]
+    command = [args.peer_python.get(name, sys.executable), "-B", HERE / program,
+               "--variant", variant, *arguments]
+    problem = None
+    try:
+        done = subprocess.run([str(word) for word in command], capture_output=True,
+                              timeout=patience, check=False)
+        output = done.stdout
+        if done.returncode != 0:
+            problem = f"ended with exit code {done.returncode}"
+    except subprocess.TimeoutExpired as error:
+        output, problem = error.stdout or b"", f"was ended after {patience:.0f} s"
+    except OSError as error:
+        output, problem = b"", f"{command[0]}: {error.strerror}"
+    lines = []
+    for line in output.decode(errors="replace").splitlines():
+        try:
+            lines.append(json.loads(line))
+        except ValueError:
+            continue
+    problem = next((line["problem"] for line in lines if "problem" in line), problem)
+    return [line for line in lines if "problem" not in line], problem
+
+
+def installed(args):
+    """Names of the peers that start, with their versions; says why others do not."""
+    versions = {}
+    for name in args.only or PEERS:
+        lines, problem = child(args, name, "--probe", patience=PROBE_PATIENCE)
+        if problem or not lines:
+            print(f"{name}: not available, {problem or 'says nothing'}", file=sys.stderr)
+        else:
+            versions[name] = lines[0]["version"]
+    return versions
+
+
+def export(args, scene, folder):
+    """Writes the scene for the peers, from nothing: what an older run left must not mix in."""
+    shutil.rmtree(folder, ignore_errors=True)
+    program = [args.export] if args.export else [ROOT / "weft", "bench", "export_scene"]
+    run([*program, scene, "-o", folder, "--size", args.size, args.size])
+
+
+def own_pictures(args, scene, folder):
+    """Weft's pictures, every setting at every budget."""
+    settings = dict(OWN_SETTINGS)
+    for preset in args.preset:
+        settings[f"Weft {preset.stem}"] = ["--preset", preset]
+    pictures = []
+    for name, options in settings.items():
+        weft = Weft(args, name, options, scene, folder)
+        costs = Costs()
+        warm_up(weft, costs)
+        for number, budget in enumerate(args.budgets):
+            file, samples, seconds = within(weft, costs, budget, 100 * (number + 1))
+            kept = folder / f"{name}-{budget:g}.exr".lower().replace(" ", "-")
+            os.replace(file, kept)
+            pictures.append({"name": name, "budget_s": budget, "seconds": seconds,
+                             "samples": samples, "denoised": False, "picture": kept.name})
+    for file in folder.glob("weft-*-*-*.exr"):
+        if file.name not in {picture["picture"] for picture in pictures}:
+            file.unlink()
+    return pictures
+
+
+def peer_pictures(args, names, folder):
+    """The peers' pictures of an exported scene, and notes on what they left out."""
+    pictures, notes = [], []
+    for name in names:
+        patience = SET_UP_PATIENCE + TRIES * sum(args.budgets)
+        lines, problem = child(args, name, "--scene", folder / "export", "--threads", args.threads,
+                               "-o", folder, "--budgets", *args.budgets, patience=patience)
+        if problem:
+            notes.append(f"{name}: left out or cut short, {problem}")
+            print(notes[-1], file=sys.stderr)
+        for line in lines:
+            if "picture" in line:
+                pictures.append(line)
+            else:
+                notes += line["notes"]
+    return pictures, notes
+
+
+def judge(pictures):
+    """Marks pictures of renderers whose mean is off, by their longest renderings, and late ones.
+    Denoisers may change the mean: there the same renderer without one is asked."""
+    means = {}
+    for picture in sorted(pictures, key=lambda picture: picture["budget_s"]):
+        means[picture["name"]] = picture["mean_ratio"]
+    for picture in pictures:
+        plain = picture["name"].removesuffix(DENOISED)
+        mean = means.get(plain, means[picture["name"]])
+        # There is no ratio to a black reference.
+        agrees = mean is not None and abs(mean - 1.0) <= MEAN_TOLERANCE
+        picture["comparable"] = plain.startswith("Weft") or agrees
+        picture["late"] = picture["seconds"] > LATE * picture["budget_s"]
+
+
+def best(pictures, budget, wanted):
+    found = [p for p in pictures if p["budget_s"] == budget and p["comparable"] and wanted(p)]
+    return min(found, key=lambda picture: picture["hdrflip"], default=None)
+
+
+def winners(pictures, budget):
+    """The best of Weft in time, and of the peers without and with a denoiser."""
+    own = best(pictures, budget, lambda p: p["name"].startswith("Weft") and not p["late"])
+    plain, denoised = (best(pictures, budget, lambda p: not p["name"].startswith("Weft")
+                            and p["denoised"] == kind) for kind in (False, True))
+    return own, plain, denoised
+
+
+def verdict(pictures, budget):
+    """Of one scene and budget; `wins` is null where there is no peer to compare with."""
+    own, plain, denoised = winners(pictures, budget)
+    result = {"budget_s": budget, "wins": None, "wins_denoised": None}
+    for key, found in (("weft", own), ("peer", plain), ("denoised", denoised)):
+        result[key] = found and {"name": found["name"], "hdrflip": found["hdrflip"]}
+    if plain:
+        result["wins"] = own is not None and own["hdrflip"] < plain["hdrflip"]
+    if denoised:
+        result["wins_denoised"] = own is not None and own["hdrflip"] < denoised["hdrflip"]
+    return result
+
+
+def measure(args, scene, versions):
+    """One scene: writes DIR/SCENE/peers.json and returns what it holds."""
+    folder = args.output / scene.stem
+    folder.mkdir(parents=True, exist_ok=True)
+    export(args, scene, folder / "export")
+    against = reference(args, scene, folder / "export")
+    pictures, notes = peer_pictures(args, versions, folder)
+    pictures = own_pictures(args, scene, folder) + pictures
+    for picture in pictures:
+        picture.update(compare(args, folder / picture["picture"], against))
+    judge(pictures)
+    notes = ["Left out of all times: reading the scene, building the acceleration structure and "
+             "kernels, a warm-up picture, writing files.", *notes]
+    notes += [f"{name}: version {version}" for name, version in versions.items()]
+    result = {"weft_peers": 1, "scene": scene.name, "size": [args.size, args.size],
+              "threads": args.threads, "reference": pathlib.Path(against).name,
+              "pictures": pictures, "notes": notes,
+              "verdicts": [verdict(pictures, budget) for budget in args.budgets]}
+    write_json(folder / "peers.json", result)
+    return result
+
+
+def write_json(path, value):
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_text(json.dumps(value, indent=2) + "\n", encoding="utf-8")
+        os.replace(part, path)
+    except OSError as error:
+        raise Failure(f"{path}: {error.strerror}, expected a file that can be written",
+                      EXIT_OUTPUT) from error
+
+
+def show(result, budgets):
+    """The table of a scene: HDR-FLIP by renderer and budget."""
+    print(f"\n{result['scene']}: HDR-FLIP, * not comparable, + late")
+    print(f"{'':26}" + "".join(f"{budget:>9g} s" for budget in budgets) + f"{'mean':>9}")
+    for name in dict.fromkeys(picture["name"] for picture in result["pictures"]):
+        row, mean = f"{name:26}", None
+        for budget in budgets:
+            found = [p for p in result["pictures"] if (p["name"], p["budget_s"]) == (name, budget)]
+            cell = "-"
+            if found:
+                mean = found[0]["mean_ratio"]
+                marks = ("" if found[0]["comparable"] else "*") + ("+" if found[0]["late"] else "")
+                cell = f"{found[0]['hdrflip']:.4f}{marks}"
+            row += f"{cell:>11}"
+        print(row + (f"{'-':>9}" if mean is None else f"{mean:>9.3f}"))
+    for found in result["verdicts"]:
+        if found["budget_s"] in JUDGED and found["peer"]:
+            winner = found["weft"] if found["wins"] else found["peer"]
+            print(f"{found['budget_s']:g} s: {winner['name']} ({winner['hdrflip']:.4f})")
+    sys.stdout.flush()
+
+
+def summary(results):
+    found = {"scenes": len(results)}
+    for budget in JUDGED:
+        for key, name in (("wins", "weft_wins"), ("wins_denoised", "weft_wins_denoised")):
+            found[f"{name}_{budget:g}s"] = sum(
+                bool(verdict[key]) for result in results for verdict in result["verdicts"]
+                if verdict["budget_s"] == budget)
+    found["scenes_with_peer"] = sum(any(verdict["peer"] for verdict in result["verdicts"])
+                                    for result in results)
+    return found
+
+
+def processor():
+    """The processor's name, of whatever kind the system tells."""
+    try:
+        text = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    except OSError:
+        return platform.machine()
+    names = [line.partition(":")[2].strip() for line in text.splitlines()
+             if line.startswith("model name")]
+    return names[0] if names else platform.machine()
+
+
+def run_all(args):
+    versions = installed(args)
+    if not versions:
+        print(f"bench peers: {sys.executable or 'this Python'} has none of the packages mitsuba, "
+              "bpy and pyluxcore, and there is no program pathtracer of embree-tools; expected at "
+              "least one (--python PROGRAM or WEFT_WITNESS_PYTHON; pip install mitsuba numpy)",
+              file=sys.stderr)
+        return EXIT_MISSING
+    results = []
+    for scene in args.scenes:
+        results.append(measure(args, scene, versions))
+        show(results[-1], args.budgets)
+    print("\n" + json.dumps(summary(results)))
+    if args.json:
+        versions = {**versions, "weft": run([args.weft, "--version"]).strip(),
+                    "python": platform.python_version()}
+        machine = {"processor": processor(), "hardware_threads": os.cpu_count(),
+                   "threads": args.threads}
+        write_json(args.json, {"benchmark": "peers", "quick": args.quick, "size": args.size,
+                               "budgets": args.budgets, "machine": machine, "versions": versions,
+                               "scenes": results, "summary": summary(results)})
+    return 0
+
+
+def main():
+    args = parse()
+    try:
+        return run_all(args)
+    except Failure as failure:
+        print(f"bench peers: {failure}", file=sys.stderr)
+        return failure.code
+    except OSError as error:
+        print(f"bench peers: {error}", file=sys.stderr)
+        return EXIT_OUTPUT
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,248 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "app/choose_executor.h"
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/print.h"
+#include "app/thread_limit.h"
+#include "app/tradeoff_options.h"
+#include "base/cache_folder.h"
+#include "device/native/embree_scene.h"
+#include "device/native/native_executor.h"
+#include "device/shared_scene.h"
+#include "frame/camera_params.h"
+#include "frame/renderer.h"
+#include "image/png.h"
+#include "scene/load_scene.h"
+#include "scene/pose_scene.h"
+#include "tradeoff/advice.h"
+#include "tradeoff/error_values.h"
+#include "tradeoff/measure_points.h"
+#include "tradeoff/peer_pictures.h"
+#include "tradeoff/reference_pictures.h"
+#include "tradeoff/tradeoff_files.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t check_rounds = 3;
+// About what the parts of a run take.
+constexpr double reference_share = 0.3;
+constexpr double measuring_share = 0.6;
+
+[[noreturn]] void end_interrupted() {
+    throw Error(ExitCode::interrupted,
+                "interrupted, nothing was written; the reference is kept for next time");
+}
+
+Scene resting_scene(const fs::path& file, Diagnostics& diagnostics) {
+    Scene scene = load_scene(file, diagnostics);
+    hold_still(scene);
+    return scene;
+}
+
+/// The options with what was chosen where the user chose nothing.
+TradeoffOptions completed(TradeoffOptions options, const Scene& scene) {
+    constexpr FilmSize standard{512, 512};
+    if (!options.size) options.size = scene.film.value_or(standard);
+    if (options.budgets_ms.empty()) options.budgets_ms = {100.0, 300.0, 1000.0};
+    return options;
+}
+
+fs::path references_folder(const TradeoffOptions& options) {
+    if (options.references) return *options.references;
+    const fs::path cache = default_cache_folder();
+    return (cache.empty() ? options.output : cache) / "references";
+}
+
+std::unique_ptr<Executor> executor_of(const TradeoffOptions& options, Diagnostics& diagnostics) {
+    RenderOptions choice;
+    choice.backend = options.backend;
+    choice.device = options.device;
+    choice.threads = options.threads;
+    return choose_executor(choice, diagnostics);
+}
+
+nlohmann::json machine_of(const Executor& executor, const TradeoffOptions& options) {
+    const DeviceInfo& device = executor.device();
+    return {{"processor", native_device_info(NativeTraversal::own_bvh).name},
+            {"threads", options.threads.value_or(std::thread::hardware_concurrency())},
+            {"backend", device.backend},
+            {"device", device.name},
+            {"driver", device.driver},
+            {"device_version", device.version},
+            {"lanes", executor.lanes()},
+            {"weft", WEFT_VERSION},
+            {"embree", embree_version()},
+            {"compiler", __VERSION__}};
+}
+
+/// One run: what is decided is in host/tradeoff, what is done is here.
+class TradeoffRun {
+  public:
+    TradeoffRun(const TradeoffOptions& options, const Scene& scene, Diagnostics& diagnostics)
+        : options_(completed(options, scene)),
+          flat_(flatten(scene)),
+          camera_(choose_camera(scene, flat_, options.camera.value_or(""), diagnostics)),
+          progress_(options.progress, stderr),
+          executor_(executor_of(options, diagnostics)),
+          shared_(*executor_) {
+        if (flat_.lights.empty() && !(flat_.media.radiance > 0.0))
+            throw input_error(scene.source, "no light shines in the scene, expected one that does");
+        options_.camera = camera_.name;
+    }
+
+    TradeoffResult run() {
+        describe();
+        make_reference();
+        if (options_.peers) {
+            PeerPictures peers = read_peer_pictures(*options_.peers, result_.reference.picture);
+            result_.peers = std::move(peers.pictures);
+            result_.peer_notes = std::move(peers.notes);
+        }
+        measure();
+        advise();
+        finish_front();
+        progress_.finish();
+        return std::move(result_);
+    }
+
+  private:
+    void describe() {
+        result_.scene = options_.scene.filename().string();
+        result_.width = options_.size->width;
+        result_.height = options_.size->height;
+        result_.repetitions = options_.repetitions;
+        result_.measure = options_.measure;
+        result_.machine = machine_of(*executor_, options_);
+        result_.command = tradeoff_command_line(options_);
+    }
+
+    void make_reference() {
+        constexpr std::size_t longest_name = 64;
+        progress_.begin_part(0.0, reference_share);
+        ReferencePictures pictures(
+            references_folder(options_), shared_, [](const std::string&) {},
+            [&](double done) {
+                progress_.update(done, "reference");
+                return !interrupt_flag();
+            });
+        ReferenceWish wish;
+        wish.scene = options_.scene.stem().string().substr(0, longest_name);
+        wish.size = result_.width;
+        wish.height = result_.height;
+        wish.spp = options_.reference_spp;
+        wish.with_halves = true;
+        const Reference found = pictures.find(flat_, camera_, wish);
+        TradeoffReference& reference = result_.reference;
+        reference.samples = found.samples;
+        reference.picture = layer_as_beauty(found.image, "");
+        reference.noise_floor = error_values(layer_as_beauty(found.image, first_half_layer),
+                                             layer_as_beauty(found.image, second_half_layer));
+        result_.exposure_ev = auto_exposure(reference.picture);
+    }
+
+    [[nodiscard]] std::vector<Candidate> candidates() const {
+        const SweepScene called_for = sweep_scene(plan_for(flat_, RenderSettings{}));
+        std::vector<Candidate> all =
+            settings_sweep(called_for, options_.quick ? SweepSize::quick : SweepSize::full);
+        const std::vector<std::string>& wanted = options_.algorithms;
+        if (!wanted.empty())
+            std::erase_if(all, [&](const Candidate& candidate) {
+                return std::find(wanted.begin(), wanted.end(), candidate.family) == wanted.end();
+            });
+        if (all.empty())
+            throw usage_error(
+                "--algorithms: names none that the scene calls for in this sweep, expected others");
+        return all;
+    }
+
+    [[nodiscard]] MeasurePlan plan() const {
+        return {.repetitions = options_.repetitions, .seed = options_.seed};
+    }
+
+    Measuring measuring() {
+        return {.make =
+                    [this](const Preset& preset, std::uint32_t seed, bool first_alone) {
+                        const PictureSubject subject{shared_, flat_, camera_, *options_.size,
+                                                     [] { return !interrupt_flag(); }};
+                        MeasuredPicture made = measure_picture(subject, preset, seed, first_alone);
+                        if (interrupt_flag()) end_interrupted();
+                        return made;
+                    },
+                .judge =
+                    [this](const Image& image) {
+                        return error_values(result_.reference.picture, image);
+                    },
+                .report =
+                    [this](double done, const std::string& what) {
+                        if (interrupt_flag()) end_interrupted();
+                        progress_.update(done, what);
+                    }};
+    }
+
+    void measure() {
+        progress_.begin_part(reference_share, measuring_share);
+        const std::vector<Candidate> all = candidates();
+        result_.points = measure_points(all, plan(), measuring(), result_.skipped);
+        if (result_.points.empty())
+            throw Error(ExitCode::device,
+                        "every setting takes too long on this device, expected a smaller --size");
+        mark_front(result_.points, result_.measure);
+    }
+
+    void advise() {
+        if (options_.errors.empty())
+            options_.errors = sensible_errors(result_.points, result_.measure);
+        for (const double budget : options_.budgets_ms)
+            result_.advice.push_back(advice_for_budget(result_.points, result_.measure, budget));
+        for (const double error : options_.errors)
+            result_.advice.push_back(advice_for_error(result_.points, result_.measure, error));
+    }
+
+    /// Pictures were not kept, as there are many: the same seeds give the same bits.
+    void finish_front() {
+        const double begin = reference_share + measuring_share;
+        progress_.begin_part(begin, 1.0 - begin);
+        const Measuring how = measuring();
+        for (TradeoffPoint& point : result_.points) {
+            if (!point.on_front) continue;
+            how.report(0.0, "picture of " + point.name);
+            point.picture = how.make(point.preset, options_.seed, false).image;
+            point.error_map = error_map(result_.reference.picture, point.picture);
+        }
+        if (options_.verify)
+            result_.check = check_front(result_.points, result_.measure, plan(), how, check_rounds);
+    }
+
+    TradeoffOptions options_;
+    FlatScene flat_;
+    Camera camera_;
+    Progress progress_;
+    std::unique_ptr<Executor> executor_;
+    SharedScene shared_;
+    TradeoffResult result_;
+};
+
+}  // namespace
+
+void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics) {
+    const InterruptGuard guard;
+    const ThreadLimit limit(options.threads);
+    prepare_folder(options.output);
+    const Scene scene = resting_scene(options.scene, diagnostics);
+    TradeoffRun run(options, scene, diagnostics);
+    const TradeoffResult result = run.run();
+    write_tradeoff(options.output, result);
+    print_result(tradeoff_text(result));
+}
+
+}  // namespace weft

@@ -1,0 +1,25 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_APP_TRADEOFF_OPTIONS_H
+#define WEFT_APP_TRADEOFF_OPTIONS_H
+
+#include "app/options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace weft {
+
+/// Adds `weft tradeoff` to the command line.
+void add_tradeoff(CLI::App& app);
+
+/// Its options as given. Throws Error (exit code 1).
+[[nodiscard]] TradeoffOptions read_tradeoff(const CLI::App& command);
+
+/// A command line that measures the same again, with what was chosen where nothing was given.
+[[nodiscard]] std::string tradeoff_command_line(const TradeoffOptions& options);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,21 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/cache_folder.h"
+
+#include <cstdlib>
+
+namespace weft {
+
+std::filesystem::path default_cache_folder() {
+    const auto variable = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return std::filesystem::path(value == nullptr ? "" : value);
+    };
+    if (const auto folder = variable("WEFT_CACHE_DIR"); !folder.empty()) return folder;
+    if (const auto folder = variable("XDG_CACHE_HOME"); folder.is_absolute())
+        return folder / "weft";
+    if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "weft";
+    return {};
+}
+
+}  // namespace weft

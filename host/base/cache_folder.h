@@ -1,0 +1,16 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_BASE_CACHE_FOLDER_H
+#define WEFT_BASE_CACHE_FOLDER_H
+
+#include <filesystem>
+
+namespace weft {
+
+/// What Weft keeps between runs: WEFT_CACHE_DIR, else $XDG_CACHE_HOME/weft, else ~/.cache/weft;
+/// empty where none is known.
+[[nodiscard]] std::filesystem::path default_cache_folder();
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,28 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "device/shared_scene.h"
+
+namespace weft {
+namespace {
+
+/// What users hold in place of the scene, which outlives them.
+class Placeholder : public TracedScene {};
+
+}  // namespace
+
+std::unique_ptr<TracedScene> SharedScene::make_scene(const TracedGeometry& geometry) {
+    if (!scene_) scene_ = inner_.make_scene(geometry);
+    return std::make_unique<Placeholder>();
+}
+
+void SharedScene::update_scene(TracedScene&, const TracedGeometry& geometry) {
+    inner_.update_scene(*scene_, geometry);
+}
+
+bool SharedScene::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
+    Launch passed = launch;
+    if (launch.scene != nullptr) passed.scene = scene_.get();
+    return inner_.run(passed, keep_going);
+}
+
+}  // namespace weft

@@ -1,0 +1,15 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "schedule/algorithm.h"
+
+namespace weft {
+
+std::string_view to_string(Algorithm algorithm) {
+    return algorithm_names.at(static_cast<std::size_t>(algorithm));
+}
+
+std::string_view to_string(IndirectSource source) {
+    return source_names.at(static_cast<std::size_t>(source));
+}
+
+}  // namespace weft

@@ -1,0 +1,141 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tradeoff/measure_points.h"
+
+#include <algorithm>
+#include <set>
+
+#include "tradeoff/pareto_front.h"
+#include "tradeoff/prediction_interval.h"
+#include "tradeoff/reference_pictures.h"
+
+namespace weft {
+namespace {
+
+struct Entrant {
+    const Candidate* candidate;
+    double expected_ms;
+};
+
+/// Milliseconds that a picture takes, by its first frame. Compiling is not to count: a frame that
+/// seems slow is made again.
+double expected_ms(const Candidate& candidate, const MeasurePlan& plan, const Measuring& measuring,
+                   double& frame_ms) {
+    double expected = 0.0;
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const MeasuredPicture first = measuring.make(candidate.preset, plan.seed, true);
+        frame_ms = first.ms / std::max(1U, first.frames);
+        expected = frame_ms * candidate.preset.samples;
+        if (expected <= plan.slow_ms) break;
+    }
+    return expected;
+}
+
+std::vector<Entrant> warm_up(std::span<const Candidate> candidates, const MeasurePlan& plan,
+                             const Measuring& measuring, std::vector<std::string>& skipped) {
+    std::vector<Entrant> entrants;
+    std::set<std::string> slow_families;
+    for (const Candidate& candidate : candidates) {
+        measuring.report(0.0, "first frame of " + candidate.name);
+        double frame_ms = 0.0;
+        const bool barred = slow_families.contains(candidate.family);
+        const double expected = barred ? 0.0 : expected_ms(candidate, plan, measuring, frame_ms);
+        if (frame_ms > plan.slow_ms) slow_families.insert(candidate.family);
+        if (barred || expected > plan.slow_ms)
+            skipped.push_back(candidate.name);
+        else
+            entrants.push_back({&candidate, expected});
+    }
+    return entrants;
+}
+
+Interval interval_of(const std::vector<std::vector<double>>& runs, std::size_t measure) {
+    std::vector<double> values;
+    for (const std::vector<double>& run : runs) values.push_back(run.at(measure));
+    return prediction_interval(values);
+}
+
+void summarize(TradeoffPoint& point) {
+    point.ms = prediction_interval(point.runs_ms);
+    for (std::size_t measure = 0; measure < error_measures; ++measure)
+        point.errors.push_back(interval_of(point.runs_errors, measure));
+}
+
+bool within(const Interval& interval, double value) {
+    return value >= interval.low && value <= interval.high;
+}
+
+}  // namespace
+
+std::uint32_t picture_seed(std::uint32_t first, std::uint32_t index) {
+    const std::uint32_t seed = first + index;
+    // Numbers of 32 bits begin again after the last.
+    const bool passed = reference_seed - first <= index;
+    return passed ? seed + 1 : seed;
+}
+
+std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,
+                                          const MeasurePlan& plan, const Measuring& measuring,
+                                          std::vector<std::string>& skipped) {
+    const std::vector<Entrant> entrants = warm_up(candidates, plan, measuring, skipped);
+    double all_ms = 0.0;
+    std::vector<TradeoffPoint> points;
+    for (const Entrant& entrant : entrants) {
+        all_ms += entrant.expected_ms * plan.repetitions;
+        TradeoffPoint point;
+        point.name = entrant.candidate->name;
+        point.family = entrant.candidate->family;
+        point.preset = entrant.candidate->preset;
+        points.push_back(std::move(point));
+    }
+    double done_ms = 0.0;
+    for (std::uint32_t round = 0; round < plan.repetitions; ++round)
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            TradeoffPoint& point = points[i];
+            measuring.report(all_ms > 0.0 ? done_ms / all_ms : 0.0, point.name);
+            const MeasuredPicture made =
+                measuring.make(point.preset, picture_seed(plan.seed, round), false);
+            point.runs_ms.push_back(made.ms);
+            point.runs_errors.push_back(measuring.judge(made.image));
+            if (round == 0) point.rays = made.rays;
+            done_ms += entrants[i].expected_ms;
+        }
+    for (TradeoffPoint& point : points) summarize(point);
+    std::stable_sort(
+        points.begin(), points.end(),
+        [](const TradeoffPoint& a, const TradeoffPoint& b) { return a.ms.median < b.ms.median; });
+    return points;
+}
+
+void mark_front(std::vector<TradeoffPoint>& points, ErrorMeasure measure) {
+    std::vector<CostAndError> values;
+    for (const TradeoffPoint& point : points)
+        values.push_back(
+            {point.ms.median, point.errors.at(static_cast<std::size_t>(measure)).median});
+    const std::vector<bool> on_front = pareto_front(values);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].on_front = on_front[i];
+}
+
+FrontCheck check_front(std::span<const TradeoffPoint> points, ErrorMeasure measure,
+                       const MeasurePlan& plan, const Measuring& measuring, std::uint32_t rounds) {
+    FrontCheck check;
+    const auto kind = static_cast<std::size_t>(measure);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].on_front) check.points.push_back({i, {}, {}});
+    const auto all = static_cast<double>(check.points.size() * rounds);
+    for (std::uint32_t round = 0; round < rounds; ++round)
+        for (FrontCheck::Point& checked : check.points) {
+            const TradeoffPoint& point = points[checked.point];
+            measuring.report(check.pictures / all, "again: " + point.name);
+            const MeasuredPicture made = measuring.make(
+                point.preset, picture_seed(plan.seed, plan.repetitions + round), false);
+            checked.ms.push_back(made.ms);
+            checked.errors.push_back(measuring.judge(made.image).at(kind));
+            ++check.pictures;
+            if (within(point.ms, made.ms)) ++check.times_within;
+            if (within(point.errors.at(kind), checked.errors.back())) ++check.errors_within;
+        }
+    return check;
+}
+
+}  // namespace weft

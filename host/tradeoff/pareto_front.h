@@ -1,0 +1,23 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TRADEOFF_PARETO_FRONT_H
+#define WEFT_TRADEOFF_PARETO_FRONT_H
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Something that costs time and errs.
+struct CostAndError {
+    double cost = 0.0;
+    double error = 0.0;
+};
+
+/// For each point, whether no other is at most as costly and at most as wrong, and better in one of
+/// both. Of equal points all are on the front or none. Values are finite.
+[[nodiscard]] std::vector<bool> pareto_front(std::span<const CostAndError> points);
+
+}  // namespace weft
+
+#endif

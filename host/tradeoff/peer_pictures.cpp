@@ -1,0 +1,106 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tradeoff/peer_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/file.h"
+#include "base/limits.h"
+#include "image/load_image.h"
+#include "scene/json_file.h"
+#include "tradeoff/error_values.h"
+
+namespace weft {
+namespace {
+
+constexpr std::size_t max_file_bytes = std::size_t{1} << 20;
+constexpr std::size_t max_pictures = 1000;
+constexpr std::size_t max_notes = 100;
+constexpr std::size_t max_note_bytes = 2000;
+constexpr double seconds_per_year = 365.0 * 24.0 * 3600.0;
+
+double number_of(const GltfValue& value, const char* key, double least, double most) {
+    const GltfValue member = value.at(key);
+    const double number = member.as_number();
+    if (!(number >= least && number <= most))
+        throw member.error(
+            fmt::format("is {}, expected a number from {} to {}", number, least, most));
+    return number;
+}
+
+std::string text_of(const GltfValue& value, std::size_t most) {
+    const std::string& text = value.as_string();
+    if (text.empty() || text.size() > most)
+        throw value.error(fmt::format("has {} bytes, expected 1 to {}", text.size(), most));
+    return text;
+}
+
+/// The beauty of a picture as RGB, without what else its file holds, such as opacity.
+Image colours_of(const Image& image, const Image& reference, const std::string& place) {
+    if (image.width != reference.width || image.height != reference.height)
+        throw input_error(place, fmt::format("is of {} x {} pixels, expected {} x {}", image.width,
+                                             image.height, reference.width, reference.height));
+    const Layer* const layer = image.find("");
+    if (layer == nullptr || !layer->channels.starts_with("RGB"))
+        throw input_error(place, "has no channels R, G and B");
+    const std::size_t count = 3 * std::size_t{image.width} * image.height;
+    Layer colours{.name = "", .channels = "RGB", .values = {}};
+    colours.values.assign(layer->values.begin(),
+                          layer->values.begin() + static_cast<std::ptrdiff_t>(count));
+    if (!std::all_of(colours.values.begin(), colours.values.end(),
+                     [](float value) { return std::isfinite(value); }))
+        throw input_error(place, "holds values that are not finite");
+    return {.width = image.width, .height = image.height, .layers = {colours}, .metadata = {}};
+}
+
+PeerPoint read_picture(const std::filesystem::path& file, const GltfValue& value,
+                       const nlohmann::json& json, const Image& reference) {
+    PeerPoint peer;
+    peer.name = text_of(value.at("name"), limits::max_name_bytes);
+    check_keys(value, json, {"name", "budget_s", "seconds", "samples", "denoised", "picture"});
+    peer.budget_s = number_of(value, "budget_s", 0.0, seconds_per_year);
+    peer.seconds = number_of(value, "seconds", 0.0, seconds_per_year);
+    if (value.find("samples"))
+        peer.samples = number_of(value, "samples", 0.0, limits::max_samples_per_pixel);
+    peer.denoised = value.bool_or("denoised", false);
+    const GltfValue name = value.at("picture");
+    const std::filesystem::path path =
+        resolve_reference(file, name.as_string(), name.place(), false);
+    peer.picture = colours_of(load_image(path), reference, path.string());
+    peer.errors = error_values(reference, peer.picture);
+    return peer;
+}
+
+std::size_t size_of(const GltfValue& list, std::size_t most) {
+    const std::size_t count = list.size();
+    if (count > most)
+        throw list.error(fmt::format("has {} elements, expected at most {}", count, most));
+    return count;
+}
+
+}  // namespace
+
+PeerPictures read_peer_pictures(const std::filesystem::path& file, const Image& reference) {
+    const nlohmann::json json = read_json_file(file, max_file_bytes);
+    const GltfValue value(json, file.string() + "#");
+    const GltfValue version = value.at("weft_peers");
+    if (version.as_integer() != 1)
+        throw version.error(fmt::format("is version {}, expected 1", version.as_integer()));
+    check_keys(value, json, {"weft_peers", "pictures", "notes"});
+    PeerPictures peers;
+    const GltfValue pictures = value.at("pictures");
+    for (std::size_t i = 0; i < size_of(pictures, max_pictures); ++i)
+        peers.pictures.push_back(
+            read_picture(file, pictures.element(i), json.at("pictures")[i], reference));
+    if (const auto notes = value.find("notes"))
+        for (std::size_t i = 0; i < size_of(*notes, max_notes); ++i)
+            peers.notes.push_back(text_of(notes->element(i), max_note_bytes));
+    return peers;
+}
+
+}  // namespace weft

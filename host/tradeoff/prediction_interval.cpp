@@ -1,0 +1,68 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tradeoff/prediction_interval.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace weft {
+
+double student_t_coverage(double t, std::uint32_t degrees) {
+    const double angle = std::atan(t / std::sqrt(static_cast<double>(degrees)));
+    const double cosine = std::cos(angle);
+    const bool odd = degrees % 2 == 1;
+    double term = odd ? cosine : 1.0;
+    double sum = degrees == 1 ? 0.0 : term;
+    for (std::uint32_t k = odd ? 3 : 2; k + 1 < degrees; k += 2) {
+        term *= cosine * cosine * (k - 1.0) / k;
+        sum += term;
+    }
+    sum *= std::sin(angle);
+    return odd ? 2.0 / std::numbers::pi * (angle + sum) : sum;
+}
+
+double student_t_quantile(double coverage, std::uint32_t degrees) {
+    double low = 0.0;
+    double high = 1.0;
+    while (student_t_coverage(high, degrees) < coverage) high *= 2.0;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (student_t_coverage(middle, degrees) < coverage ? low : high) = middle;
+    }
+    return high;
+}
+
+double median(std::span<const double> values) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t half = sorted.size() / 2;
+    return sorted.size() % 2 == 1 ? sorted.at(half) : 0.5 * (sorted.at(half - 1) + sorted.at(half));
+}
+
+Interval prediction_interval(std::span<const double> values, double coverage) {
+    if (values.size() < 2) throw std::invalid_argument("an interval needs two measurements");
+    const bool logarithmic =
+        std::all_of(values.begin(), values.end(), [](double value) { return value > 0.0; });
+    std::vector<double> samples(values.begin(), values.end());
+    if (logarithmic)
+        for (double& sample : samples) sample = std::log(sample);
+    const auto count = static_cast<double>(samples.size());
+    double mean = 0.0;
+    for (const double sample : samples) mean += sample / count;
+    double squares = 0.0;
+    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
+    const double deviation = std::sqrt(squares / (count - 1.0));
+    const auto degrees = static_cast<std::uint32_t>(samples.size() - 1);
+    const double reach =
+        student_t_quantile(coverage, degrees) * deviation * std::sqrt(1.0 + 1.0 / count);
+    const Interval ends = logarithmic
+                              ? Interval{0.0, std::exp(mean - reach), std::exp(mean + reach)}
+                              : Interval{0.0, std::max(0.0, mean - reach), mean + reach};
+    return {median(values), ends.low, ends.high};
+}
+
+}  // namespace weft

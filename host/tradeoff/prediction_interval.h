@@ -1,0 +1,30 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TRADEOFF_PREDICTION_INTERVAL_H
+#define WEFT_TRADEOFF_PREDICTION_INTERVAL_H
+
+#include <cstdint>
+#include <span>
+
+#include "tradeoff/tradeoff_result.h"
+
+namespace weft {
+
+/// Probability that a variable with Student's t distribution lies in [-t, t], t >= 0, of `degrees`
+/// degrees of freedom, 1 and up (Abramowitz and Stegun 26.7.3 and 26.7.4).
+[[nodiscard]] double student_t_coverage(double t, std::uint32_t degrees);
+
+/// The t for which that is `coverage`, in (0, 1).
+[[nodiscard]] double student_t_quantile(double coverage, std::uint32_t degrees);
+
+/// The middle value of at least one, or the mean of the two in the middle.
+[[nodiscard]] double median(std::span<const double> values);
+
+/// Where one further measurement lies with a confidence of `coverage`, after these independent
+/// ones, at least two, none negative: mean +- t s sqrt(1 + 1/n) of their logarithms. Where one of
+/// them is 0 it is that of the values themselves, cut off at 0.
+[[nodiscard]] Interval prediction_interval(std::span<const double> values, double coverage = 0.95);
+
+}  // namespace weft
+
+#endif

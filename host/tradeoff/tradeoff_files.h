@@ -1,0 +1,33 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TRADEOFF_TRADEOFF_FILES_H
+#define WEFT_TRADEOFF_TRADEOFF_FILES_H
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "tradeoff/tradeoff_result.h"
+
+namespace weft {
+
+/// Everything but pictures: what was measured, on what machine, and what follows from it.
+[[nodiscard]] nlohmann::json tradeoff_json(const TradeoffResult& result);
+
+/// A head, and a row for each point: name, family, whether it is on the front, times, errors and
+/// their intervals.
+[[nodiscard]] std::string tradeoff_csv(const TradeoffResult& result);
+
+/// The front as a table for people, and the sentences of advice below it.
+[[nodiscard]] std::string tradeoff_text(const TradeoffResult& result);
+
+/// Makes a folder where it is missing. Throws Error (exit code 5).
+void prepare_folder(const std::filesystem::path& folder);
+
+/// Writes tradeoff.json, tradeoff.csv, index.html and the files of settings that the advice names
+/// into a folder that is there. Throws Error (exit code 5).
+void write_tradeoff(const std::filesystem::path& folder, const TradeoffResult& result);
+
+}  // namespace weft
+
+#endif

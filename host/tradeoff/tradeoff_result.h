@@ -1,0 +1,122 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TRADEOFF_TRADEOFF_RESULT_H
+#define WEFT_TRADEOFF_TRADEOFF_RESULT_H
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "schedule/preset.h"
+
+namespace weft {
+
+/// The errors that settings are judged by, each 0 for a perfect picture.
+enum class ErrorMeasure : std::uint8_t {
+    hdrflip,  ///< mean HDR-FLIP, 0 to 1
+    vdp75,    ///< HDR-VDP, percent of pixels seen to differ with P >= 75 %, published protocol
+    vdp95,    ///< the same with P >= 95 %
+    vdp75_display,  ///< on a display of 100 cd/m^2 at value 1
+    vdp95_display,
+    relmse,
+    bias,  ///< magnitude of the relative error of the picture's mean
+};
+inline constexpr std::size_t error_measures = 7;
+
+/// The median of repeated measurements, and where one more will lie.
+struct Interval {
+    double median = 0.0;
+    /// Ends of the interval that holds a further measurement with a confidence of 95 %, under
+    /// logarithms that are normally distributed.
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// What one setting takes and how far its pictures are from the reference.
+struct TradeoffPoint {
+    std::string name;    ///< unique, such as "ais threshold 20"
+    std::string family;  ///< what its curve in plots joins: the algorithm, such as "ais" or "path"
+    Preset preset;
+    Interval ms;                                   ///< wall time of the frames of a picture
+    std::vector<Interval> errors;                  ///< by ErrorMeasure, error_measures of them
+    std::vector<double> runs_ms;                   ///< raw times, one for each seed
+    std::vector<std::vector<double>> runs_errors;  ///< raw errors by seed, each by ErrorMeasure
+    std::uint64_t rays = 0;                        ///< of one picture
+    bool on_front = false;  ///< no other point is both faster and nearer by the chosen measure
+    Image picture;          ///< beauty layer, of the first seed; kept for points on the front
+    std::vector<float> error_map;  ///< HDR-FLIP by pixel, row-major; kept for points on the front
+};
+
+/// A picture that another renderer made, or Weft in the same time.
+struct PeerPoint {
+    std::string name;       ///< renderer, variant and denoiser
+    double budget_s = 0.0;  ///< what it was to take
+    double seconds = 0.0;   ///< what it took, set-up left out
+    double samples = 0.0;   ///< per pixel, 0 where unknown
+    bool denoised = false;
+    std::vector<double> errors;  ///< by ErrorMeasure
+    Image picture;
+};
+
+/// One sentence of advice, and the point it names.
+struct TradeoffAdvice {
+    /// Either is given: milliseconds that a picture may take, or the error it may have.
+    std::optional<double> budget_ms, error;
+    std::optional<std::size_t> point;  ///< index into points; none where nothing keeps to it
+    std::string sentence;
+    std::string preset_file;  ///< name beside the page; empty where there is no point
+};
+
+/// The reference, and what it leaves uncertain.
+struct TradeoffReference {
+    std::uint64_t samples = 0;  ///< per pixel
+    /// One half of its samples against the other, by ErrorMeasure: errors below a small multiple
+    /// mean nothing.
+    std::vector<double> noise_floor;
+    Image picture;
+};
+
+/// Points on the front, rendered again after everything else was decided.
+struct FrontCheck {
+    struct Point {
+        std::size_t point = 0;       ///< index into points
+        std::vector<double> ms;      ///< one for each new seed
+        std::vector<double> errors;  ///< likewise, by the chosen measure
+    };
+    std::vector<Point> points;
+    std::uint32_t pictures = 0;
+    std::uint32_t times_within = 0;   ///< of those: inside of the interval of their point
+    std::uint32_t errors_within = 0;  ///< likewise
+};
+
+/// All of one `weft tradeoff`.
+struct TradeoffResult {
+    std::string scene;  ///< file name
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    double exposure_ev = 0.0;  ///< of all thumbnails
+    std::uint32_t repetitions = 0;
+    ErrorMeasure measure = ErrorMeasure::hdrflip;  ///< that the front and the advice go by
+    nlohmann::json machine;  ///< processor, device, driver, versions: names and values
+    std::string command;     ///< that makes this again
+    TradeoffReference reference;
+    std::vector<TradeoffPoint> points;  ///< by rising time
+    std::vector<PeerPoint> peers;
+    std::vector<std::string> peer_notes;
+    std::vector<TradeoffAdvice> advice;
+    std::vector<std::string> skipped;  ///< names of settings that were too slow to measure
+    std::optional<FrontCheck> check;   ///< where it was asked for
+};
+
+/// Name in JSON and CSV, such as "hdrflip" or "vdp75_display".
+[[nodiscard]] const char* to_string(ErrorMeasure measure);
+/// Name for people, such as "HDR-VDP 75 % (display)".
+[[nodiscard]] const char* label(ErrorMeasure measure);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,114 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tradeoff/advice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace weft {
+namespace {
+
+constexpr ErrorMeasure measure = ErrorMeasure::relmse;
+
+TradeoffPoint point_of(const std::string& name, const Interval& ms, double error) {
+    TradeoffPoint point;
+    point.name = name;
+    point.ms = ms;
+    point.errors.assign(error_measures, Interval{1.0, 1.0, 1.0});
+    point.errors[static_cast<std::size_t>(measure)] = {error, 0.9 * error, 1.1 * error};
+    point.on_front = true;
+    return point;
+}
+
+std::vector<TradeoffPoint> some_points() {
+    return {point_of("fast", {50.0, 48.0, 52.0}, 0.4),
+            point_of("steady", {280.0, 270.0, 290.0}, 0.1),
+            point_of("unsteady", {290.0, 200.0, 400.0}, 0.05),
+            point_of("slow", {2500.0, 2400.0, 2600.0}, 0.01)};
+}
+
+TEST(Advice, ABudgetGetsTheLeastErrorThatKeepsToIt) {
+    const auto points = some_points();
+    const TradeoffAdvice advice = advice_for_budget(points, measure, 300.0);
+    // The better one may take 400 ms.
+    EXPECT_EQ(advice.point, 1U);
+    EXPECT_EQ(advice.budget_ms, 300.0);
+    EXPECT_FALSE(advice.error);
+    EXPECT_EQ(advice.preset_file, "preset-300ms.json");
+    EXPECT_EQ(advice.sentence.find("for 300 ms the best is steady, with relMSE 0.1 (95 % of "
+                                   "pictures: 0.09 to 0.11)"),
+              0U)
+        << advice.sentence;
+    EXPECT_EQ(advice_for_budget(points, measure, 340.0).point, 2U);
+    EXPECT_EQ(advice_for_budget(points, measure, 10e3).preset_file, "preset-10s.json");
+    EXPECT_EQ(advice_for_budget(points, measure, 1234.0).preset_file, "preset-1.234s.json");
+}
+
+TEST(Advice, SaysWhatIsFastestWhereNothingIsFastEnough) {
+    const TradeoffAdvice advice = advice_for_budget(some_points(), measure, 49.0);
+    EXPECT_FALSE(advice.point);
+    EXPECT_TRUE(advice.preset_file.empty());
+    EXPECT_NE(advice.sentence.find("the fastest is fast"), std::string::npos) << advice.sentence;
+}
+
+TEST(Advice, AnErrorGetsTheCheapestThatReachesIt) {
+    const auto points = some_points();
+    const TradeoffAdvice advice = advice_for_error(points, measure, 0.1);
+    EXPECT_EQ(advice.point, 1U);
+    EXPECT_EQ(advice.error, 0.1);
+    EXPECT_FALSE(advice.budget_ms);
+    EXPECT_EQ(advice.preset_file, "preset-error-0.1.json");
+    EXPECT_EQ(advice.sentence.find("for relMSE of at most 0.1 the cheapest is steady, in 280 ms"),
+              0U)
+        << advice.sentence;
+    EXPECT_EQ(advice_for_error(points, measure, 0.09).point, 2U);
+    const TradeoffAdvice none = advice_for_error(points, measure, 0.001);
+    EXPECT_FALSE(none.point);
+    EXPECT_NE(none.sentence.find("the best is slow"), std::string::npos) << none.sentence;
+}
+
+TEST(Advice, TimesReadWell) {
+    EXPECT_EQ(time_text(3.14159), "3.14 ms");
+    EXPECT_EQ(time_text(999.4), "999 ms");
+    EXPECT_EQ(time_text(999.6), "1 s");
+    EXPECT_EQ(time_text(2500.0), "2.5 s");
+    EXPECT_EQ(time_text(1e6), "1000 s");
+    EXPECT_EQ(time_text(12345e3), "12345 s");
+}
+
+TEST(Advice, SensibleErrorsLieWithinTheFront) {
+    auto points = some_points();
+    points.push_back(point_of("beaten", {9e3, 8e3, 1e4}, 7.0));
+    points.back().on_front = false;
+    const std::vector<double> errors = sensible_errors(points, measure);
+    ASSERT_EQ(errors.size(), 3U);
+    for (const double error : errors) {
+        EXPECT_GT(error, 0.01);
+        EXPECT_LT(error, 0.4);
+        EXPECT_TRUE(advice_for_error(points, measure, error).point);
+    }
+    // 0.01 to 0.4 is a factor of 40, of which the middle is the root.
+    EXPECT_NEAR(errors[1], 0.01 * std::sqrt(40.0), 0.0005 + 1e-12);
+    EXPECT_TRUE(std::is_sorted(errors.rbegin(), errors.rend()));
+}
+
+TEST(Advice, NoErrorsWhereThereIsNoRange) {
+    EXPECT_TRUE(
+        sensible_errors(std::vector{point_of("only", {1.0, 1.0, 1.0}, 0.5)}, measure).empty());
+    EXPECT_TRUE(sensible_errors(std::vector{point_of("a", {1.0, 1.0, 1.0}, 0.0),
+                                            point_of("b", {2.0, 2.0, 2.0}, 0.0)},
+                                measure)
+                    .empty());
+    // All that rounding to two digits leaves between the two is nothing.
+    const std::vector<double> close = sensible_errors(
+        std::vector{point_of("a", {1.0, 1.0, 1.0}, 0.5012), point_of("b", {2.0, 2.0, 2.0}, 0.5011)},
+        measure);
+    EXPECT_TRUE(close.empty());
+}
+
+}  // namespace
+}  // namespace weft
