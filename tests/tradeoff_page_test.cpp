@@ -47,6 +47,7 @@ TradeoffResult made_up() {
     result.height = 4;
     result.repetitions = 3;
     result.machine = {{"processor", "four cores"}, {"versions", {{"weft", "1"}}}};
+    result.picture_options = " --size 64x48";
     result.command = "weft tradeoff nave.gltf";
     result.reference = {.samples = 1024,
                         .noise_floor = std::vector<double>(error_measures, 0.001),
@@ -106,7 +107,7 @@ TEST(TradeoffPage, ShowsEveryPoint) {
             << "a point in every plot";
     }
     EXPECT_EQ(page.count("//svg[@class='plot']"), error_measures);
-    EXPECT_TRUE(page.holds("weft render nave.gltf --preset 300ms.json -o out.exr"));
+    EXPECT_TRUE(page.holds("weft render nave.gltf --preset 300ms.json --size 64x48 -o out.exr"));
     EXPECT_TRUE(page.holds("For 300 ms the best is ais 2."));
     EXPECT_TRUE(page.holds("four cores"));
     EXPECT_EQ(page.text(), tradeoff_page(result));

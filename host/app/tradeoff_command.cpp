@@ -124,6 +124,7 @@ class TradeoffRun {
         result_.measure = options_.measure;
         result_.machine = machine_of(*executor_, options_);
         result_.command = tradeoff_command_line(options_);
+        result_.picture_options = tradeoff_picture_options(options_);
     }
 
     void make_reference() {

@@ -155,15 +155,21 @@ TradeoffOptions read_tradeoff(const CLI::App& command) {
     return options;
 }
 
-std::string tradeoff_command_line(const TradeoffOptions& options) {
-    std::string line = "weft tradeoff " + word(options.scene.string());
-    if (options.quick) line += " --quick";
+std::string tradeoff_picture_options(const TradeoffOptions& options) {
+    std::string line;
     if (options.size)
         line += fmt::format(" --size {}x{}", options.size->width, options.size->height);
     if (options.camera) line += " --camera " + word(*options.camera);
     if (options.backend) line += fmt::format(" --backend {}", to_string(*options.backend));
     if (options.device) line += " --device " + word(*options.device);
     if (options.threads) line += fmt::format(" --threads {}", *options.threads);
+    return line;
+}
+
+std::string tradeoff_command_line(const TradeoffOptions& options) {
+    std::string line = "weft tradeoff " + word(options.scene.string());
+    if (options.quick) line += " --quick";
+    line += tradeoff_picture_options(options);
     if (!options.algorithms.empty())
         line += fmt::format(" --algorithms {}", fmt::join(options.algorithms, ","));
     line += fmt::format(" --measure {} --repetitions {} --reference-spp {} --seed {}",

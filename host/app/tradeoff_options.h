@@ -17,6 +17,9 @@ void add_tradeoff(CLI::App& app);
 /// Its options as given. Throws Error (exit code 1).
 [[nodiscard]] TradeoffOptions read_tradeoff(const CLI::App& command);
 
+/// What of them `weft render` takes to make the same pictures by a preset; begins with a space.
+[[nodiscard]] std::string tradeoff_picture_options(const TradeoffOptions& options);
+
 /// A command line that measures the same again, with what was chosen where nothing was given.
 [[nodiscard]] std::string tradeoff_command_line(const TradeoffOptions& options);
 

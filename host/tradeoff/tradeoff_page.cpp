@@ -58,9 +58,10 @@ std::string answers(const TradeoffResult& result) {
         text += "<li>" + text_element("p", advice.sentence);
         if (!advice.preset_file.empty())
             text += "<pre>" +
-                    text_element("code", fmt::format("weft render {} --preset {} -o out.exr",
+                    text_element("code", fmt::format("weft render {} --preset {}{} -o out.exr",
                                                      shell_word(result.scene),
-                                                     shell_word(advice.preset_file))) +
+                                                     shell_word(advice.preset_file),
+                                                     result.picture_options)) +
                     "</pre>";
         text += "</li>\n";
     }

@@ -101,8 +101,9 @@ struct TradeoffResult {
     double exposure_ev = 0.0;  ///< of all thumbnails
     std::uint32_t repetitions = 0;
     ErrorMeasure measure = ErrorMeasure::hdrflip;  ///< that the front and the advice go by
-    nlohmann::json machine;  ///< processor, device, driver, versions: names and values
-    std::string command;     ///< that makes this again
+    nlohmann::json machine;       ///< processor, device, driver, versions: names and values
+    std::string command;          ///< that makes this again
+    std::string picture_options;  ///< of `weft render`, that presets leave open: size, device
     TradeoffReference reference;
     std::vector<TradeoffPoint> points;  ///< by rising time
     std::vector<PeerPoint> peers;
