@@ -258,7 +258,7 @@ int run(const Settings& settings) {
         [&](const nlohmann::json& scenes) { return tables_summary(scenes, published); });
     if (settings.resume)
         report.resume({"benchmark", "size", "repetitions", "moving_frames", "quality", "methods",
-                       "errors", "reference_spp", "device"});
+                       "errors", "reference_spp", "versions", "device"});
     print(tables_legend());
     int status = 0;
     const std::vector<AdaptiveSource> sources = wanted_scenes(settings);

@@ -39,9 +39,9 @@ TEST(Advice, ABudgetGetsTheLeastErrorThatKeepsToIt) {
     EXPECT_EQ(advice.budget_ms, 300.0);
     EXPECT_FALSE(advice.error);
     EXPECT_EQ(advice.preset_file, "preset-300ms.json");
-    EXPECT_EQ(advice.sentence.find("for 300 ms the best is steady, with relMSE 0.1 (95 % of "
-                                   "pictures: 0.09 to 0.11)"),
-              0U)
+    EXPECT_EQ(
+        advice.sentence.find("for 300 ms the best is steady, with relMSE 0.1 (95 %: 0.09 to 0.11)"),
+        0U)
         << advice.sentence;
     EXPECT_EQ(advice_for_budget(points, measure, 340.0).point, 2U);
     EXPECT_EQ(advice_for_budget(points, measure, 10e3).preset_file, "preset-10s.json");

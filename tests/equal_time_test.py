@@ -78,5 +78,22 @@ class Verdict(unittest.TestCase):
         self.assertFalse(found["wins_denoised"])
 
 
+class HandedOver(unittest.TestCase):
+    def test_is_what_weft_reads_and_no_more(self):
+        def picture(name, comparable):
+            return {"name": name, "budget_s": 0.3, "seconds": 0.29, "samples": 4,
+                    "denoised": False, "picture": "a.exr", "mean_ratio": 1.0, "hdrflip": 0.1,
+                    "comparable": comparable, "late": False}
+        found = peers.handed_over([picture("Weft path", True), picture("Other", True),
+                                   picture("Dark", False)], ["a note"])
+        # The keys that host/tradeoff/peer_pictures.cpp knows.
+        self.assertEqual(set(found), {"weft_peers", "pictures", "notes"})
+        self.assertEqual([set(one) for one in found["pictures"]],
+                         [{"name", "budget_s", "seconds", "samples", "denoised", "picture"}])
+        self.assertEqual(found["pictures"][0]["name"], "Other")
+        self.assertEqual(len(found["notes"]), 2)
+        self.assertTrue(found["notes"][1].startswith("Dark: "))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -159,6 +159,20 @@ TEST(FramePlan, EveryKindOfLightAloneCallsForIndirectLight) {
     }
 }
 
+TEST(FramePlan, SamplesOfManyLightsAreCountedBeyond32Bits) {
+    SamplingSettings settings;
+    settings.samples_per_light = 1U << 14;
+    settings.max_samples_per_set = 1U << 14;
+    SceneStatistics scene = room();
+    // 2^32 samples would be none, and a light more those of one light.
+    for (const std::uint32_t lights : {1U << 18, (1U << 18) + 1}) {
+        scene.area_lights = lights;
+        const FramePlan plan = plan_frames(Algorithm::igi, settings, scene);
+        EXPECT_EQ(plan.samples_per_light, 0U);
+        EXPECT_EQ(plan.samples_per_set, 1U << 14);
+    }
+}
+
 TEST(FramePlan, WhatTheUserLeavesOutCostsNothing) {
     SceneStatistics scene = room();
     scene.punctual_lights = 2;

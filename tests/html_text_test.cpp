@@ -60,15 +60,5 @@ TEST(HtmlText, CutsAtCharacters) {
     EXPECT_EQ(cut_text("\xC3\xA9\xC3\xA9\xC3\xA9", 2), "\xC3\xA9\xE2\x80\xA6");
 }
 
-TEST(HtmlText, QuotesForTheShell) {
-    EXPECT_EQ(shell_word("scenes/office.gltf"), "scenes/office.gltf");
-    EXPECT_EQ(shell_word("two words"), "'two words'");
-    EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
-    EXPECT_EQ(shell_word("$(reboot);`x`"), "'$(reboot);`x`'");
-    EXPECT_EQ(shell_word("-o"), "./-o");
-    EXPECT_EQ(shell_word("-o x"), "'./-o x'");
-    EXPECT_EQ(shell_word(""), "''");
-}
-
 }  // namespace
 }  // namespace weft

@@ -49,10 +49,15 @@ TEST(PredictionInterval, TwoMeasurementsGiveAClosedForm) {
 }
 
 TEST(PredictionInterval, EqualMeasurementsLeaveNoDoubt) {
-    const Interval interval = prediction_interval(std::array{5.0, 5.0, 5.0});
-    EXPECT_DOUBLE_EQ(interval.median, 5.0);
-    EXPECT_NEAR(interval.low, 5.0, 1e-14);
-    EXPECT_NEAR(interval.high, 5.0, 1e-14);
+    for (const double value : {5.0, 6.57132387963843e-05}) {
+        const Interval interval = prediction_interval(std::array{value, value, value});
+        EXPECT_EQ(interval.median, value);
+        // The same once more lies within, whatever rounding does.
+        EXPECT_LE(interval.low, value);
+        EXPECT_GE(interval.high, value);
+        EXPECT_NEAR(interval.low, value, 1e-14 * value);
+        EXPECT_NEAR(interval.high, value, 1e-14 * value);
+    }
 }
 
 TEST(PredictionInterval, IsAsWideInRatioWhateverTheUnit) {

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "image/exr.h"
@@ -169,10 +171,16 @@ TEST_F(TradeoffCommand, AnInterruptedReferenceIsKept) {
     for (std::string& argument : arguments)
         if (argument == "none") argument = "plain";
     test::RunningProgram program(arguments);
+    // The first line comes as the reference begins; a sample of all pixels takes milliseconds.
     ASSERT_TRUE(program.wait_for_lines(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     program.send(SIGINT);
     EXPECT_EQ(program.wait(), 130) << program.err();
     EXPECT_FALSE(fs::exists(at("out/tradeoff.json")));
+    std::size_t parts = 0;
+    for (const auto& entry : fs::directory_iterator(at("references")))
+        parts += entry.path().extension() == ".part" ? 1 : 0;
+    EXPECT_EQ(parts, 1U) << program.err();
 }
 
 }  // namespace

@@ -117,6 +117,7 @@ TEST(TradeoffOptions, RefusesWhatMakesNoSense) {
         EXPECT_EQ(refused({"--budget", text}).find("--budget: "), 0U) << text;
     EXPECT_EQ(refused({"--measure", "psnr"}).find("--measure: "), 0U);
     EXPECT_EQ(refused({"--size", "16384x16384"}).find("--size: "), 0U);
+    EXPECT_EQ(refused({"--size", "1x2"}).find("--size: "), 0U);
     EXPECT_EQ(refused({"--quality", "high"}).find("unknown option '--quality'"), 0U);
 }
 

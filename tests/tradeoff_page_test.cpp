@@ -43,6 +43,8 @@ TradeoffPoint point_of(const std::string& name, double ms, double error, bool on
 TradeoffResult made_up() {
     TradeoffResult result;
     result.scene = "nave.gltf";
+    result.scene_path = "scenes/nave.gltf";
+    result.folder = "out";
     result.width = 8;
     result.height = 4;
     result.repetitions = 3;
@@ -107,7 +109,8 @@ TEST(TradeoffPage, ShowsEveryPoint) {
             << "a point in every plot";
     }
     EXPECT_EQ(page.count("//svg[@class='plot']"), error_measures);
-    EXPECT_TRUE(page.holds("weft render nave.gltf --preset 300ms.json --size 64x48 -o out.exr"));
+    EXPECT_TRUE(
+        page.holds("weft render scenes/nave.gltf --preset out/300ms.json --size 64x48 -o out.exr"));
     EXPECT_TRUE(page.holds("For 300 ms the best is ais 2."));
     EXPECT_TRUE(page.holds("four cores"));
     EXPECT_EQ(page.text(), tradeoff_page(result));

@@ -136,15 +136,17 @@ std::uint64_t number_in(const char* file, const std::string& key) {
 ScalingAxis affordable(const ScalingAxis& axis, const ScalingRun& run, AxisFrames& result) {
     ScalingAxis kept = axis;
     kept.points.clear();
+    std::uint64_t taken = 0;  // all points live at once
     for (const ScalingPoint& point : axis.points) {
-        if (run.memory_bytes == 0 || point.memory_bytes <= run.memory_bytes) {
+        if (run.memory_bytes == 0 || taken + point.memory_bytes <= run.memory_bytes) {
+            taken += point.memory_bytes;
             kept.points.push_back(point);
             continue;
         }
         result.left_out.push_back(
             fmt::format("{:.3g} {}: needs about {:.1f} GB of host memory, {:.1f} GB are free",
                         point.x, axis.unit, static_cast<double>(point.memory_bytes) * 1e-9,
-                        static_cast<double>(run.memory_bytes) * 1e-9));
+                        static_cast<double>(run.memory_bytes - taken) * 1e-9));
         run.say(result.left_out.back());
     }
     return kept;

@@ -24,6 +24,7 @@ from weft_runs import OWN_SETTINGS, Failure, Weft, compare, reference, run
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+HANDED_OVER = ("name", "budget_s", "seconds", "samples", "denoised", "picture")
 EXIT_MISSING = 69  # as ./weft says where a package is missing
 EXIT_OUTPUT = 5
 PEERS = {"mitsuba-scalar": ("mitsuba_peer.py", "scalar_rgb"),
@@ -236,12 +237,23 @@ def measure(args, scene, versions):
     notes = ["Left out of all times: reading the scene, building the acceleration structure and "
              "kernels, a warm-up picture, writing files.", *notes]
     notes += [f"{name}: version {version}" for name, version in versions.items()]
-    result = {"weft_peers": 1, "scene": scene.name, "size": [args.size, args.size],
+    result = {"scene": scene.name, "size": [args.size, args.size],
               "threads": args.threads, "reference": pathlib.Path(against).name,
               "pictures": pictures, "notes": notes,
               "verdicts": [verdict(pictures, budget) for budget in args.budgets]}
-    write_json(folder / "peers.json", result)
+    write_json(folder / "peers.json", handed_over(pictures, notes))
     return result
+
+
+def handed_over(pictures, notes):
+    """What `weft tradeoff --peers` reads: pictures of others that show the same light."""
+    others = [picture for picture in pictures if not picture["name"].startswith("Weft")]
+    different = sorted({picture["name"] for picture in others if not picture["comparable"]})
+    return {"weft_peers": 1,
+            "pictures": [{key: picture[key] for key in HANDED_OVER if key in picture}
+                         for picture in others if picture["comparable"]],
+            "notes": notes + [f"{name}: left out, its mean is off by more than "
+                              f"{100 * MEAN_TOLERANCE:g} %" for name in different]}
 
 
 def write_json(path, value):
@@ -280,9 +292,10 @@ def summary(results):
     found = {"scenes": len(results)}
     for budget in JUDGED:
         for key, name in (("wins", "weft_wins"), ("wins_denoised", "weft_wins_denoised")):
-            found[f"{name}_{budget:g}s"] = sum(
-                bool(verdict[key]) for result in results for verdict in result["verdicts"]
-                if verdict["budget_s"] == budget)
+            judged = [verdict[key] for result in results for verdict in result["verdicts"]
+                      if verdict["budget_s"] == budget and verdict[key] is not None]
+            found[f"{name}_{budget:g}s"] = sum(judged) if judged else None
+            found[f"{name}_{budget:g}s_of"] = len(judged)
     found["scenes_with_peer"] = sum(any(verdict["peer"] for verdict in result["verdicts"])
                                     for result in results)
     return found

@@ -141,8 +141,9 @@ def make(report, output):
              "[benchmarks](../benchmarks.md#scaling) says how.", "",
              f'{report_file.about(report)} Frames on the backend {device["backend"]} '
              f'({device["name"]}), {report["size"]} × {report["size"]} pixels where these are not '
-             f'what is varied, medians of {report["repetitions"]} frames; references of '
-             f'{report["reference_spp"]} samples per pixel.', ""]
+             f'what is varied, medians of {report["repetitions"]} frames'
+             + (f'; references of {report["reference_spp"]} samples per pixel.'
+                if report["reference_spp"] else "."), ""]
     parts += [axis_part(axis, output, files) for axis in report["axes"]]
     files[output] = "\n".join(parts)
     for file, text in files.items():

@@ -137,6 +137,12 @@ def command(report, to):
               f'--reference-spp {report["reference_spp"]}']
     if len(report["methods"]) < len(ALL_METHODS):
         words.append("--methods " + " ".join(report["methods"]))
+    if report["machine"].get("threads"):
+        words.append(f'--threads {report["machine"]["threads"]}')
+    if not report.get("errors", True):
+        words.append("--no-errors")
+    if not report["quick"]:
+        words.append("--sets " + " ".join(sorted({scene["set"] for scene in report["scenes"]})))
     return " ".join([*words, "--resume", to])
 
 
@@ -178,7 +184,8 @@ def tables_page(report):
         "to none of them. The published times of components add up to more than those of whole "
         "frames, so they hold what components share; the columns \"alone\" of the next table "
         "compare frames with one light alone, all included, which do so as well. FULL is the wall "
-        "time of whole frames; TIC that of frames in which a small box moves, without media.", "", tables_by_set(report, "fps", FPS, 2), "",
+        "time of whole frames; TIC that of frames in which a small box moves, without media and "
+        "without bringing the scene up to date.", "", tables_by_set(report, "fps", FPS, 2), "",
         "## Speed-ups", "",
         "Of A over A-MAX unless the column says otherwise: medians over the repetitions of the "
         "ratios within each. \"processor\": by processor time.", "",
@@ -224,8 +231,9 @@ def errors_page(report, high):
             parts += ["", f"### {title}", "", frame_shares.error_table(scenes_of(report, name))]
     if high:
         parts += ["", "## At a higher quality", "",
-                  f'Errors of A at `--quality {high["quality"]}`, percent of the pixels. The stretch '
-                  f"is {frame_shares.STRETCH_DISPLAY:g} % on a display (75 %).", "", "```sh",
+                  f'Errors of A at `--quality {high["quality"]}`, percent of the pixels. The '
+                  f"stretch is {frame_shares.STRETCH_DISPLAY:g} % on a display (75 %).", "",
+                  "```sh",
                   command(high, f"--json docs/results/{HIGH}"), "```"]
         for name, title in SETS:
             if scenes_of(high, name):

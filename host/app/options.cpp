@@ -216,10 +216,13 @@ RenderOptions read_render(const CLI::App& command) {
     if (const auto text = value_of(command, "--progress"))
         options.progress =
             static_cast<ProgressMode>(parse_name("--progress", *text, progress_names));
-    for (const fs::path& other : {options.output, options.scene})
-        if (options.stats && options.stats->lexically_normal() == other.lexically_normal())
-            throw usage_error("--stats: names the same file as " +
-                              std::string(other == options.scene ? "the scene" : "--output"));
+    const std::array<std::pair<const char*, fs::path>, 3> others{
+        {{"--output", options.output},
+         {"the scene", options.scene},
+         {"--preset", options.preset_file.value_or(fs::path())}}};
+    for (const auto& [name, file] : others)
+        if (options.stats && options.stats->lexically_normal() == file.lexically_normal())
+            throw usage_error(std::string("--stats: names the same file as ") + name);
     read_frames(command, options);
     read_overlays(command, options);
     return options;

@@ -13,6 +13,7 @@
 #include "app/thread_limit.h"
 #include "app/tradeoff_options.h"
 #include "base/cache_folder.h"
+#include "base/quote.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_executor.h"
 #include "device/shared_scene.h"
@@ -54,13 +55,26 @@ TradeoffOptions completed(TradeoffOptions options, const Scene& scene) {
     constexpr FilmSize standard{512, 512};
     if (!options.size) options.size = scene.film.value_or(standard);
     if (options.budgets_ms.empty()) options.budgets_ms = {100.0, 300.0, 1000.0};
+    check_comparable(*options.size);
     return options;
 }
 
-fs::path references_folder(const TradeoffOptions& options) {
+/// Where references are kept; those of another version are others. A cache that cannot be written
+/// to is done without.
+fs::path references_folder(const TradeoffOptions& options, Diagnostics& diagnostics) {
     if (options.references) return *options.references;
     const fs::path cache = default_cache_folder();
-    return (cache.empty() ? options.output : cache) / "references";
+    if (!cache.empty()) {
+        fs::path folder = cache / "references" / WEFT_VERSION;
+        try {
+            prepare_folder(folder);
+            return folder;
+        } catch (const Error& error) {
+            diagnostics.warn("", std::string(error.what()) + "; the reference is kept in " +
+                                     quote(options.output.string()));
+        }
+    }
+    return options.output / "references";
 }
 
 std::unique_ptr<Executor> executor_of(const TradeoffOptions& options, Diagnostics& diagnostics) {
@@ -73,8 +87,9 @@ std::unique_ptr<Executor> executor_of(const TradeoffOptions& options, Diagnostic
 
 nlohmann::json machine_of(const Executor& executor, const TradeoffOptions& options) {
     const DeviceInfo& device = executor.device();
+    const std::uint32_t processors = std::max(1U, std::thread::hardware_concurrency());
     return {{"processor", native_device_info(NativeTraversal::own_bvh).name},
-            {"threads", options.threads.value_or(std::thread::hardware_concurrency())},
+            {"threads", std::min(options.threads.value_or(processors), processors)},
             {"backend", device.backend},
             {"device", device.name},
             {"driver", device.driver},
@@ -92,15 +107,19 @@ class TradeoffRun {
         : options_(completed(options, scene)),
           flat_(flatten(scene)),
           camera_(choose_camera(scene, flat_, options.camera.value_or(""), diagnostics)),
+          references_(references_folder(options, diagnostics)),
           progress_(options.progress, stderr),
           executor_(executor_of(options, diagnostics)),
           shared_(*executor_) {
         if (flat_.lights.empty() && !(flat_.media.radiance > 0.0))
             throw input_error(scene.source, "no light shines in the scene, expected one that does");
-        options_.camera = camera_.name;
+        // One that was made up for a scene without cameras cannot be asked for by name.
+        if (!scene.cameras.empty()) options_.camera = camera_.name;
     }
 
     TradeoffResult run() {
+        // What can be wrong is to be known before the reference, which may take hours.
+        const std::vector<Candidate> all = candidates();
         describe();
         make_reference();
         if (options_.peers) {
@@ -108,7 +127,7 @@ class TradeoffRun {
             result_.peers = std::move(peers.pictures);
             result_.peer_notes = std::move(peers.notes);
         }
-        measure();
+        measure(all);
         advise();
         finish_front();
         progress_.finish();
@@ -118,6 +137,8 @@ class TradeoffRun {
   private:
     void describe() {
         result_.scene = options_.scene.filename().string();
+        result_.scene_path = options_.scene.string();
+        result_.folder = options_.output.string();
         result_.width = options_.size->width;
         result_.height = options_.size->height;
         result_.repetitions = options_.repetitions;
@@ -131,7 +152,7 @@ class TradeoffRun {
         constexpr std::size_t longest_name = 64;
         progress_.begin_part(0.0, reference_share);
         ReferencePictures pictures(
-            references_folder(options_), shared_, [](const std::string&) {},
+            references_, shared_, [](const std::string&) {},
             [&](double done) {
                 progress_.update(done, "reference");
                 return !interrupt_flag();
@@ -190,9 +211,8 @@ class TradeoffRun {
                     }};
     }
 
-    void measure() {
+    void measure(const std::vector<Candidate>& all) {
         progress_.begin_part(reference_share, measuring_share);
-        const std::vector<Candidate> all = candidates();
         result_.points = measure_points(all, plan(), measuring(), result_.skipped);
         if (result_.points.empty())
             throw Error(ExitCode::device,
@@ -217,7 +237,7 @@ class TradeoffRun {
         for (TradeoffPoint& point : result_.points) {
             if (!point.on_front) continue;
             how.report(0.0, "picture of " + point.name);
-            point.picture = how.make(point.preset, options_.seed, false).image;
+            point.picture = how.make(point.preset, picture_seed(options_.seed, 0), false).image;
             point.error_map = error_map(result_.reference.picture, point.picture);
         }
         if (options_.verify)
@@ -227,6 +247,7 @@ class TradeoffRun {
     TradeoffOptions options_;
     FlatScene flat_;
     Camera camera_;
+    fs::path references_;
     Progress progress_;
     std::unique_ptr<Executor> executor_;
     SharedScene shared_;

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "app/command_line.h"
 #include "app/device_options.h"
 #include "app/parse_values.h"
 #include "base/limits.h"
+#include "base/shell_word.h"
 #include "tradeoff/tradeoff_result.h"
 
 namespace weft {
@@ -48,8 +50,12 @@ void sort_out(std::vector<double>& values) {
 }
 
 void read_questions(const CLI::App& command, TradeoffOptions& options) {
-    for (const std::string& text : values_of(command, "--budget"))
-        options.budgets_ms.push_back(1000.0 * parse_duration("--budget", text));
+    // What rounding of units adds is no part of what was asked for.
+    constexpr double parts = 1e6;  // of a millisecond
+    for (const std::string& text : values_of(command, "--budget")) {
+        const double ms = 1000.0 * parse_duration("--budget", text);
+        options.budgets_ms.push_back(std::max(std::round(ms * parts), 1.0) / parts);
+    }
     for (const std::string& text : values_of(command, "--error"))
         options.errors.push_back(parse_number("--error", text, least_error, max_error));
     sort_out(options.budgets_ms);
@@ -75,16 +81,6 @@ void read_measurement(const CLI::App& command, TradeoffOptions& options) {
         options.threads = parse_unsigned("--threads", *text, 1, limits::max_threads);
     if (const auto text = value_of(command, "--algorithms"))
         options.algorithms = parse_name_list("--algorithms", *text, measured_algorithms);
-}
-
-/// A word of a command line, in quotes where a shell would take it apart.
-std::string word(const std::string& text) {
-    constexpr std::string_view plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:,+=@%";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 }  // namespace
@@ -139,11 +135,7 @@ TradeoffOptions read_tradeoff(const CLI::App& command) {
     options.device = read_device(command);
     if (const auto text = value_of(command, "--size")) {
         options.size = parse_size("--size", *text);
-        if (std::size_t{options.size->width} * options.size->height > limits::max_hdr_vdp_pixels)
-            throw usage_error(
-                fmt::format("--size: has more than {} pixels, which are too many to "
-                            "measure errors of",
-                            limits::max_hdr_vdp_pixels));
+        check_comparable(*options.size);
     }
     options.camera = value_of(command, "--camera");
     read_measurement(command, options);
@@ -155,19 +147,28 @@ TradeoffOptions read_tradeoff(const CLI::App& command) {
     return options;
 }
 
+void check_comparable(const FilmSize& size) {
+    if (size.width < 2 || size.height < 2 ||
+        std::size_t{size.width} * size.height > limits::max_hdr_vdp_pixels)
+        throw usage_error(fmt::format(
+            "--size: pictures of {} x {} pixels cannot be compared, expected at least 2 x 2 and at "
+            "most {} pixels",
+            size.width, size.height, limits::max_hdr_vdp_pixels));
+}
+
 std::string tradeoff_picture_options(const TradeoffOptions& options) {
     std::string line;
     if (options.size)
         line += fmt::format(" --size {}x{}", options.size->width, options.size->height);
-    if (options.camera) line += " --camera " + word(*options.camera);
+    if (options.camera) line += " --camera " + shell_word(*options.camera);
     if (options.backend) line += fmt::format(" --backend {}", to_string(*options.backend));
-    if (options.device) line += " --device " + word(*options.device);
+    if (options.device) line += " --device " + shell_word(*options.device);
     if (options.threads) line += fmt::format(" --threads {}", *options.threads);
     return line;
 }
 
 std::string tradeoff_command_line(const TradeoffOptions& options) {
-    std::string line = "weft tradeoff " + word(options.scene.string());
+    std::string line = "weft tradeoff " + shell_file(options.scene.string());
     if (options.quick) line += " --quick";
     line += tradeoff_picture_options(options);
     if (!options.algorithms.empty())
@@ -177,7 +178,7 @@ std::string tradeoff_command_line(const TradeoffOptions& options) {
                         options.seed);
     for (const double budget : options.budgets_ms) line += fmt::format(" --budget {}ms", budget);
     for (const double error : options.errors) line += fmt::format(" --error {}", error);
-    if (options.peers) line += " --peers " + word(options.peers->string());
+    if (options.peers) line += " --peers " + shell_file(options.peers->string());
     if (options.verify) line += " --verify";
     return line;
 }

@@ -17,6 +17,9 @@ void add_tradeoff(CLI::App& app);
 /// Its options as given. Throws Error (exit code 1).
 [[nodiscard]] TradeoffOptions read_tradeoff(const CLI::App& command);
 
+/// Throws Error (exit code 1) where the metrics cannot compare pictures of that size.
+void check_comparable(const FilmSize& size);
+
 /// What of them `weft render` takes to make the same pictures by a preset; begins with a space.
 [[nodiscard]] std::string tradeoff_picture_options(const TradeoffOptions& options);
 

@@ -104,8 +104,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.cache_records = settings.cache_records;
     plan.cache_error = settings.cache_error;
     if (scene.direct || plan.media_light) {
-        const bool all_lights =
-            scene.area_lights * settings.samples_per_light <= settings.max_samples_per_set;
+        const bool all_lights = std::uint64_t{scene.area_lights} * settings.samples_per_light <=
+                                settings.max_samples_per_set;
         plan.samples_per_light = all_lights ? settings.samples_per_light : 0;
         plan.samples_per_set = all_lights ? scene.area_lights * settings.samples_per_light
                                           : settings.max_samples_per_set;

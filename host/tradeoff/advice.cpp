@@ -11,8 +11,6 @@
 namespace weft {
 namespace {
 
-constexpr double most_over_budget = 1.2;
-
 const Interval& error_of(const TradeoffPoint& point, ErrorMeasure measure) {
     return point.errors.at(static_cast<std::size_t>(measure));
 }
@@ -29,19 +27,19 @@ std::optional<std::size_t> best_of(std::span<const TradeoffPoint> points, const 
 
 std::string error_text(const TradeoffPoint& point, ErrorMeasure measure) {
     const Interval& error = error_of(point, measure);
-    return fmt::format("with {} {:.3g} (95 % of pictures: {:.3g} to {:.3g})", label(measure),
-                       error.median, error.low, error.high);
+    return fmt::format("with {} {:.3g} (95 %: {:.3g} to {:.3g})", label(measure), error.median,
+                       error.low, error.high);
 }
 
 std::string taken_text(const TradeoffPoint& point) {
-    return fmt::format("in {} (95 % of pictures: {} to {})", time_text(point.ms.median),
+    return fmt::format("in {} (95 %: {} to {})", time_text(point.ms.median),
                        time_text(point.ms.low), time_text(point.ms.high));
 }
 
 /// A budget as it was given, not rounded as measurements are.
 std::string budget_text(double ms, const char* space) {
-    if (ms < 1000.0) return fmt::format("{:g}{}ms", ms, space);
-    return fmt::format("{:g}{}s", ms / 1000.0, space);
+    if (ms < 1000.0) return fmt::format("{:.15g}{}ms", ms, space);
+    return fmt::format("{:.15g}{}s", ms / 1000.0, space);
 }
 
 double two_digits(double value) {
@@ -81,10 +79,11 @@ TradeoffAdvice advice_for_budget(std::span<const TradeoffPoint> points, ErrorMea
     const TradeoffPoint& fastest = *std::min_element(
         points.begin(), points.end(),
         [](const TradeoffPoint& a, const TradeoffPoint& b) { return a.ms.median < b.ms.median; });
-    advice.sentence = fmt::format(
-        "for {} nothing that was measured is fast enough: the fastest is "
-        "{}, {}, {}",
-        budget, fastest.name, error_text(fastest, measure), taken_text(fastest));
+    const char* const short_of =
+        fastest.ms.median <= budget_ms ? "certain enough to keep to it" : "fast enough";
+    advice.sentence =
+        fmt::format("for {} nothing that was measured is {}: the fastest is {}, {}, {}", budget,
+                    short_of, fastest.name, error_text(fastest, measure), taken_text(fastest));
     return advice;
 }
 
@@ -99,9 +98,9 @@ TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points, ErrorMeas
     if (advice.point) {
         const TradeoffPoint& best = points[*advice.point];
         advice.sentence =
-            fmt::format("for {} of at most {:g} the cheapest is {}, {}, {}", label(measure), error,
-                        best.name, taken_text(best), error_text(best, measure));
-        advice.preset_file = fmt::format("preset-error-{:g}.json", error);
+            fmt::format("for {} of at most {:.15g} the cheapest is {}, {}, {}", label(measure),
+                        error, best.name, taken_text(best), error_text(best, measure));
+        advice.preset_file = fmt::format("preset-error-{:.15g}.json", error);
         return advice;
     }
     const TradeoffPoint& nearest = *std::min_element(
@@ -109,7 +108,8 @@ TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points, ErrorMeas
             return error_of(a, measure).median < error_of(b, measure).median;
         });
     advice.sentence = fmt::format(
-        "for {} of at most {:g} nothing that was measured is good enough: the best is {}, {}, {}",
+        "for {} of at most {:.15g} nothing that was measured is good enough: the best is {}, {}, "
+        "{}",
         label(measure), error, nearest.name, error_text(nearest, measure), taken_text(nearest));
     return advice;
 }

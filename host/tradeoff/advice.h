@@ -11,6 +11,9 @@
 
 namespace weft {
 
+/// What the upper end of an interval may be, in budgets.
+inline constexpr double most_over_budget = 1.2;
+
 /// The point of least error whose time keeps to a budget in milliseconds: its median is at most
 /// that, and the upper end of its interval at most a fifth more. A name for people is in the
 /// sentence; where no point keeps to it, the sentence says which is the fastest. `points` holds one

@@ -110,23 +110,6 @@ std::string cut_text(std::string_view text, std::size_t characters) {
     return result;
 }
 
-std::string shell_word(std::string_view word) {
-    constexpr std::string_view safe =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+=:,@%-";
-    // A file of that name would be taken for an option.
-    const std::string prefix = word.starts_with('-') ? "./" : "";
-    if (!word.empty() && word.find_first_not_of(safe) == std::string_view::npos)
-        return prefix + std::string(word);
-    std::string result = "'" + prefix;
-    for (const char c : word) {
-        if (c == '\'')
-            result += "'\\''";
-        else
-            result += c;
-    }
-    return result + "'";
-}
-
 std::string png_uri(std::span<const std::byte> bytes) {
     return "data:image/png;base64," + encode_base64(bytes);
 }

@@ -32,9 +32,6 @@ namespace weft {
 /// Text cut to so many characters, the last of them an ellipsis where something is missing.
 [[nodiscard]] std::string cut_text(std::string_view text, std::size_t characters);
 
-/// A word as a POSIX shell reads it back, in single quotes where it needs them.
-[[nodiscard]] std::string shell_word(std::string_view word);
-
 /// A `data:` URI of the bytes of a PNG file.
 [[nodiscard]] std::string png_uri(std::span<const std::byte> bytes);
 

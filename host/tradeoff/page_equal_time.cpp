@@ -113,9 +113,10 @@ std::string equal_time_section(const TradeoffResult& result) {
         if (std::isfinite(peer.budget_s)) budgets.insert(peer.budget_s);
     if (!budgets.empty())
         text += fmt::format(
-            "<p>Other renderers with the same scene, size and number of threads, beside the "
-            "setting of the front with the lowest {} whose median time is within the budget. Each "
-            "table has the lowest error first. Set-up is outside of the time for all alike. "
+            "<p>Other renderers' pictures of this view, as the file that names them says, beside "
+            "the setting of the front with the lowest {} whose median time is within the budget, "
+            "and the end of its interval within 1.2 of it. Each table has the lowest error first. "
+            "Set-up is outside of the time for all alike. "
             "Denoised pictures are marked; they are no estimate of the light any more.</p>\n",
             escape_markup(label(result.measure)));
     for (const double budget_s : budgets) {

@@ -65,8 +65,8 @@ std::string front_section(const TradeoffResult& result) {
     text += fmt::format(
         "<p>Settings that no other beats both in time and by {}, with the interval that holds one "
         "more measurement with a confidence of 95 % below each median. The last line compares one "
-        "half of the reference's samples with the other: errors below a small multiple of it mean "
-        "nothing.</p>\n",
+        "half of the reference's samples with the other, which is twice the noise of the whole "
+        "reference, and in relMSE four times.</p>\n",
         escape_markup(label(result.measure)));
     text += "<div class=\"wide\"><table>\n<caption>Pareto front by rising time</caption>\n";
     text += "<thead><tr><th scope=\"col\">setting</th><th scope=\"col\">time</th>" +

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "tradeoff/advice.h"
 #include "tradeoff/html_text.h"
 
 namespace weft {
@@ -72,7 +73,8 @@ const TradeoffPoint* best_within(const TradeoffResult& result, double ms) {
     const TradeoffPoint* best = nullptr;
     for (const TradeoffPoint* point : front_of(result)) {
         const double error = error_of(*point, result.measure).median;
-        if (!(point->ms.median <= ms) || !std::isfinite(error)) continue;
+        if (!(point->ms.median <= ms) || !(point->ms.high <= most_over_budget * ms)) continue;
+        if (!std::isfinite(error)) continue;
         if (best == nullptr || error < error_of(*best, result.measure).median) best = point;
     }
     return best;

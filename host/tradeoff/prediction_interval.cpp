@@ -62,7 +62,9 @@ Interval prediction_interval(std::span<const double> values, double coverage) {
     const Interval ends = logarithmic
                               ? Interval{0.0, std::exp(mean - reach), std::exp(mean + reach)}
                               : Interval{0.0, std::max(0.0, mean - reach), mean + reach};
-    return {median(values), ends.low, ends.high};
+    const double middle = median(values);
+    // Rounding must not put what was measured outside.
+    return {middle, std::min(ends.low, middle), std::max(ends.high, middle)};
 }
 
 }  // namespace weft

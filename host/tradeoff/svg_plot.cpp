@@ -149,13 +149,19 @@ class PlotWriter {
             if (!fits(point)) continue;
             const double x = across(point.x);
             const double y = down(point.y);
-            if (whole(point.x_bar, plot_.x.scale))
-                path +=
-                    fmt::format("M{0:.2f} {2:.2f}v6M{0:.2f} {3:.2f}H{1:.2f}m0 -3v6",
-                                across(point.x_bar->low), across(point.x_bar->high), y - 3.0, y);
-            if (whole(point.y_bar, plot_.y.scale))
-                path += fmt::format("M{2:.2f} {0:.2f}h6M{3:.2f} {0:.2f}V{1:.2f}m-3 0h6",
-                                    down(point.y_bar->low), down(point.y_bar->high), x - 3.0, x);
+            // A bar that goes on beyond an axis has no end to mark.
+            if (whole(point.x_bar, plot_.x.scale)) {
+                const auto& [low, high] = *point.x_bar;
+                if (low >= x_.low()) path += fmt::format("M{:.2f} {:.2f}v6", across(low), y - 3.0);
+                path += fmt::format("M{:.2f} {:.2f}H{:.2f}", across(low), y, across(high));
+                if (high <= x_.high()) path += "m0 -3v6";
+            }
+            if (whole(point.y_bar, plot_.y.scale)) {
+                const auto& [low, high] = *point.y_bar;
+                if (low >= y_.low()) path += fmt::format("M{:.2f} {:.2f}h6", x - 3.0, down(low));
+                path += fmt::format("M{:.2f} {:.2f}V{:.2f}", x, down(low), down(high));
+                if (high <= y_.high()) path += "m-3 0h6";
+            }
         }
         if (path.empty()) return;
         add("<path class=\"plot-bar {}\" d=\"{}\"/>\n", classes_of(series), path);
@@ -197,7 +203,7 @@ class PlotWriter {
                     std::count_if(series.points.begin(), series.points.end(),
                                   [this](const PlotPoint& point) { return !fits(point); }));
         if (missing == 0) return;
-        add(R"(<text class="plot-note" x="{:.2f}" y="18" text-anchor="end">)",
+        add(R"(<text class="plot-note" x="{:.2f}" y="29" text-anchor="end">)",
             frame_.left + frame_.width);
         add("{} {} no place on these axes</text>\n", missing,
             missing == 1 ? "point has" : "points have");

@@ -178,6 +178,9 @@ void prepare_folder(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder, error))
         throw Error(ExitCode::output, folder.string(), "is no folder, expected one to write to");
+    const std::filesystem::path probe = folder / ".weft-probe";
+    write_file_atomically(probe, std::span<const std::byte>{});
+    std::filesystem::remove(probe, error);
 }
 
 void write_tradeoff(const std::filesystem::path& folder, const TradeoffResult& result) {

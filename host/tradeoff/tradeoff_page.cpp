@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <set>
 #include <string_view>
 
+#include "base/shell_word.h"
 #include "tradeoff/html_text.h"
 #include "tradeoff/page_equal_time.h"
 #include "tradeoff/page_method.h"
@@ -57,12 +59,16 @@ std::string answers(const TradeoffResult& result) {
     for (const TradeoffAdvice& advice : result.advice) {
         text += "<li>" + text_element("p", advice.sentence);
         if (!advice.preset_file.empty())
-            text += "<pre>" +
-                    text_element("code", fmt::format("weft render {} --preset {}{} -o out.exr",
-                                                     shell_word(result.scene),
-                                                     shell_word(advice.preset_file),
-                                                     result.picture_options)) +
-                    "</pre>";
+            text +=
+                "<pre>" +
+                text_element(
+                    "code",
+                    fmt::format(
+                        "weft render {} --preset {}{} -o out.exr", shell_file(result.scene_path),
+                        shell_file(
+                            (std::filesystem::path(result.folder) / advice.preset_file).string()),
+                        result.picture_options)) +
+                "</pre>";
         text += "</li>\n";
     }
     return text + "</ul>\n</section>\n";

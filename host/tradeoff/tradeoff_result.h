@@ -74,8 +74,8 @@ struct TradeoffAdvice {
 /// The reference, and what it leaves uncertain.
 struct TradeoffReference {
     std::uint64_t samples = 0;  ///< per pixel
-    /// One half of its samples against the other, by ErrorMeasure: errors below a small multiple
-    /// mean nothing.
+    /// One half of its samples against the other, by ErrorMeasure: twice the noise of the whole,
+    /// and in relMSE four times. Errors of the size that this leaves mean nothing.
     std::vector<double> noise_floor;
     Image picture;
 };
@@ -95,7 +95,9 @@ struct FrontCheck {
 
 /// All of one `weft tradeoff`.
 struct TradeoffResult {
-    std::string scene;  ///< file name
+    std::string scene;       ///< file name
+    std::string scene_path;  ///< as the command line names it
+    std::string folder;      ///< of presets and page, likewise
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     double exposure_ev = 0.0;  ///< of all thumbnails
