@@ -60,6 +60,17 @@ TEST(PredictionInterval, EqualMeasurementsLeaveNoDoubt) {
     }
 }
 
+TEST(PredictionInterval, OnALinearScaleIsOfTheValuesThemselves) {
+    const std::array values{1e-6, 2.0, 4.0 - 1e-6};
+    const Interval interval = prediction_interval(values, 0.95, IntervalScale::linear);
+    EXPECT_EQ(interval.median, 2.0);
+    EXPECT_EQ(interval.low, 0.0);
+    const double deviation = 2.0 - 1e-6;
+    EXPECT_NEAR(interval.high, 2.0 + student_t_quantile(0.95, 2) * deviation * std::sqrt(4.0 / 3.0),
+                1e-12);
+    EXPECT_GT(prediction_interval(values).high, 1e9 * interval.high);
+}
+
 TEST(PredictionInterval, IsAsWideInRatioWhateverTheUnit) {
     const Interval small = prediction_interval(std::array{1e-9, 1.5e-9, 3e-9});
     const Interval large = prediction_interval(std::array{1e9, 1.5e9, 3e9});

@@ -52,7 +52,11 @@ std::vector<Entrant> warm_up(std::span<const Candidate> candidates, const Measur
 Interval interval_of(const std::vector<std::vector<double>>& runs, std::size_t measure) {
     std::vector<double> values;
     for (const std::vector<double>& run : runs) values.push_back(run.at(measure));
-    return prediction_interval(values);
+    // A magnitude near 0 has a logarithm anywhere.
+    return prediction_interval(values, 0.95,
+                               measure == static_cast<std::size_t>(ErrorMeasure::bias)
+                                   ? IntervalScale::linear
+                                   : IntervalScale::logarithmic);
 }
 
 void summarize(TradeoffPoint& point) {

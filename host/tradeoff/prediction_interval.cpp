@@ -43,9 +43,10 @@ double median(std::span<const double> values) {
     return sorted.size() % 2 == 1 ? sorted.at(half) : 0.5 * (sorted.at(half - 1) + sorted.at(half));
 }
 
-Interval prediction_interval(std::span<const double> values, double coverage) {
+Interval prediction_interval(std::span<const double> values, double coverage, IntervalScale scale) {
     if (values.size() < 2) throw std::invalid_argument("an interval needs two measurements");
     const bool logarithmic =
+        scale == IntervalScale::logarithmic &&
         std::all_of(values.begin(), values.end(), [](double value) { return value > 0.0; });
     std::vector<double> samples(values.begin(), values.end());
     if (logarithmic)

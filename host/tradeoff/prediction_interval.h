@@ -20,10 +20,15 @@ namespace weft {
 /// The middle value of at least one, or the mean of the two in the middle.
 [[nodiscard]] double median(std::span<const double> values);
 
+/// What scatters normally: values of one sign, or those whose sign chance decides, such as the
+/// magnitude of a bias.
+enum class IntervalScale : std::uint8_t { logarithmic, linear };
+
 /// Where one further measurement lies with a confidence of `coverage`, after these independent
 /// ones, at least two, none negative: mean +- t s sqrt(1 + 1/n) of their logarithms. Where one of
-/// them is 0 it is that of the values themselves, cut off at 0.
-[[nodiscard]] Interval prediction_interval(std::span<const double> values, double coverage = 0.95);
+/// them is 0, and on a linear scale, it is that of the values themselves, cut off at 0.
+[[nodiscard]] Interval prediction_interval(std::span<const double> values, double coverage = 0.95,
+                                           IntervalScale scale = IntervalScale::logarithmic);
 
 }  // namespace weft
 
