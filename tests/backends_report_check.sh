@@ -6,19 +6,9 @@
 # what is no report is refused. Exit code 0: passed, 1: failed, 77: skipped, there is no Python 3.
 set -eu
 
-root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+# shellcheck source=tests/report_program.sh
+. "$(dirname -- "$0")/report_program.sh"
 program=$root/bench/report/backends_report.py
-if ! command -v python3 >/dev/null 2>&1; then
-    echo "skipped: python3 is not installed"
-    exit 77
-fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-
-fail() {
-    echo "$1" >&2
-    exit 1
-}
 
 # Two backends; a kernel that both run, and one that only the second does.
 cat >"$work/make.py" <<'END'

@@ -7,19 +7,9 @@
 # Python 3.
 set -eu
 
-root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+# shellcheck source=tests/report_program.sh
+. "$(dirname -- "$0")/report_program.sh"
 program=$root/bench/report/scaling_report.py
-if ! command -v python3 >/dev/null 2>&1; then
-    echo "skipped: python3 is not installed"
-    exit 77
-fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-
-fail() {
-    echo "$1" >&2
-    exit 1
-}
 
 # An axis with builds and a point left out, one with errors, and one too short for any law.
 cat >"$work/make.py" <<'END'

@@ -7,19 +7,9 @@
 # passed, 1: failed, 77: skipped, there is no Python 3.
 set -eu
 
-root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+# shellcheck source=tests/report_program.sh
+. "$(dirname -- "$0")/report_program.sh"
 program=$root/bench/report/tables_report.py
-if ! command -v python3 >/dev/null 2>&1; then
-    echo "skipped: python3 is not installed"
-    exit 77
-fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-
-fail() {
-    echo "$1" >&2
-    exit 1
-}
 
 # Two scenes of ours, one of them with media, and another one; 100 ms each by ais.
 cat >"$work/make.py" <<'END'

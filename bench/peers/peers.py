@@ -19,8 +19,11 @@ import shutil
 import subprocess
 import sys
 
-from equal_time import Costs, warm_up, within
-from weft_runs import OWN_SETTINGS, Failure, Weft, compare, reference, run
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+
+from equal_time import Costs, warm_up, within  # noqa: E402
+from processor import processor  # noqa: E402
+from weft_runs import OWN_SETTINGS, Failure, Weft, compare, reference, run  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -299,17 +302,6 @@ def summary(results):
     found["scenes_with_peer"] = sum(any(verdict["peer"] for verdict in result["verdicts"])
                                     for result in results)
     return found
-
-
-def processor():
-    """The processor's name, of whatever kind the system tells."""
-    try:
-        text = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    except OSError:
-        return platform.machine()
-    names = [line.partition(":")[2].strip() for line in text.splitlines()
-             if line.startswith("model name")]
-    return names[0] if names else platform.machine()
 
 
 def run_all(args):

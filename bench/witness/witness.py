@@ -26,8 +26,11 @@ import subprocess
 import sys
 import tempfile
 
-import media_scenes
-from mitsuba_scene import import_or_exit, load_scene
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+
+import media_scenes  # noqa: E402
+from mitsuba_scene import import_or_exit, load_scene  # noqa: E402
+from processor import processor  # noqa: E402
 
 mi, np, dr = import_or_exit("bench witness", "mitsuba", "numpy", "drjit")
 
@@ -319,17 +322,6 @@ def write_report(args, results):
         print(f"bench witness: {args.json}: {error.strerror}", file=sys.stderr)
         return False
     return True
-
-
-def processor():
-    """The processor's name, of whatever kind the system tells."""
-    try:
-        text = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    except OSError:
-        return platform.machine()
-    names = [line.partition(":")[2].strip() for line in text.splitlines()
-             if line.startswith("model name")]
-    return names[0] if names else platform.machine()
 
 
 def weft_version(args):

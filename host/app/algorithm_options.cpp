@@ -74,9 +74,8 @@ void check_components(const RenderOptions& options) {
 }
 
 void read_indirect(const CLI::App& command, RenderOptions& options) {
-    if (options.preset && has_indirect_source(options.algorithm) && options.preset->sampling.cached)
-        options.indirect =
-            options.preset->sampling.temporal ? IndirectSource::tic : IndirectSource::ic;
+    if (options.preset && has_indirect_source(options.algorithm))
+        options.indirect = source_of(options.preset->sampling);
     const auto text = value_of(command, "--indirect");
     if (!text) return;
     options.indirect = static_cast<IndirectSource>(parse_name("--indirect", *text, source_names));

@@ -213,9 +213,7 @@ RenderOptions read_render(const CLI::App& command) {
     read_picture(command, options);
     read_algorithm(command, options);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
-    if (const auto text = value_of(command, "--progress"))
-        options.progress =
-            static_cast<ProgressMode>(parse_name("--progress", *text, progress_names));
+    options.progress = read_progress(command);
     const std::array<std::pair<const char*, fs::path>, 3> others{
         {{"--output", options.output},
          {"the scene", options.scene},
@@ -240,6 +238,12 @@ nlohmann::json json_or_null(const std::optional<Value>& value) {
 }
 
 }  // namespace
+
+ProgressMode read_progress(const CLI::App& command) {
+    const auto text = value_of(command, "--progress");
+    return text ? static_cast<ProgressMode>(parse_name("--progress", *text, progress_names))
+                : ProgressMode::automatic;
+}
 
 std::string_view to_string(ProgressMode mode) {
     return progress_names.at(static_cast<std::size_t>(mode));

@@ -19,6 +19,10 @@
 #include "frame/film_sums.h"
 #include "schedule/preset.h"
 
+namespace CLI {
+class App;
+}
+
 namespace weft {
 
 /// What runs the kernels: an OpenCL device, the native build tracing with Embree, or the native
@@ -29,6 +33,8 @@ enum class Backend { opencl, embree, native };
 [[nodiscard]] std::string_view to_string(Backend backend);
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(ProgressMode mode);
+/// How --progress of a command is given. Throws Error (exit code 1).
+[[nodiscard]] ProgressMode read_progress(const CLI::App& command);
 
 /// `weft render`. What is empty was not given, and is for the renderer to choose.
 struct RenderOptions {

@@ -34,15 +34,6 @@ std::vector<std::string_view> measure_names() {
     return names;
 }
 
-ProgressMode read_progress(const CLI::App& command) {
-    const auto text = value_of(command, "--progress");
-    if (!text) return ProgressMode::automatic;
-    const std::array modes{ProgressMode::automatic, ProgressMode::plain, ProgressMode::none};
-    std::vector<std::string_view> names;
-    for (const ProgressMode mode : modes) names.push_back(to_string(mode));
-    return modes.at(parse_name("--progress", *text, names));
-}
-
 /// Ascending, each once.
 void sort_out(std::vector<double>& values) {
     std::sort(values.begin(), values.end());

@@ -12,4 +12,9 @@ std::string_view to_string(IndirectSource source) {
     return source_names.at(static_cast<std::size_t>(source));
 }
 
+IndirectSource source_of(const SamplingSettings& sampling) {
+    if (!sampling.cached) return IndirectSource::vpl;
+    return sampling.temporal ? IndirectSource::tic : IndirectSource::ic;
+}
+
 }  // namespace weft

@@ -39,6 +39,9 @@ inline constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "t
     return algorithm != Algorithm::path && !caches_indirect(algorithm, source);
 }
 
+/// Where settings take indirect light from.
+[[nodiscard]] IndirectSource source_of(const SamplingSettings& sampling);
+
 }  // namespace weft
 
 #endif

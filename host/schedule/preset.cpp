@@ -97,11 +97,6 @@ std::size_t name_of(const GltfValue& value, std::span<const std::string_view> na
     return static_cast<std::size_t>(found - names.begin());
 }
 
-IndirectSource source_of(const SamplingSettings& sampling) {
-    if (!sampling.cached) return IndirectSource::vpl;
-    return sampling.temporal ? IndirectSource::tic : IndirectSource::ic;
-}
-
 void check_version(const GltfValue& value) {
     constexpr std::uint64_t version = 1;
     const GltfValue member = value.at("weft_preset");
