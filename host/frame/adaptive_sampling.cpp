@@ -149,10 +149,13 @@ void AdaptiveSampling::run_round(FrameContext& frame, const char* component, con
                                  const Steps& steps) {
     const auto count = static_cast<std::uint32_t>(round_.pixels.size());
     const auto first = static_cast<std::uint32_t>(work_.pixels.size()) - count;
-    frame.run(KernelId::receivers, "receivers", component, false,
-              with_gbuffer(gbuffer, {slot_pixel_.get(), view_inside(frame.buffers),
-                                     receivers_.get(), pixel_slot_.get()}),
-              count, 0, first);
+    // Also in a frame that ends early: reconstruction finds the samples by their pixels.
+    frame.run_whole([&] {
+        frame.run(KernelId::receivers, "receivers", component, false,
+                  with_gbuffer(gbuffer, {slot_pixel_.get(), view_inside(frame.buffers),
+                                         receivers_.get(), pixel_slot_.get()}),
+                  count, 0, first);
+    });
     steps.gather(first, count);
 }
 
