@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -140,30 +141,44 @@ TEST(Selftest, LinesAreAlignedAndSayWhatFailed) {
 }
 
 TEST(Selftest, HasAllHardCasesInOrder) {
-    const std::vector<SelftestCase>& cases = selftest::selftest_cases();
     static_assert(selftest::case_count == 35);
-    ASSERT_EQ(cases.size(), selftest::case_count);
+    const std::vector<SelftestCase>& cases = selftest::selftest_cases();
+    std::map<int, std::vector<const SelftestCase*>> numbered;
+    int before = 1;
     std::size_t checks = 0;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        EXPECT_EQ(cases[i].number, static_cast<int>(i) + 1);
-        EXPECT_FALSE(cases[i].name.empty());
-        EXPECT_FALSE(cases[i].checks.empty()) << cases[i].name;
-        EXPECT_TRUE(cases[i].measure) << cases[i].name;
-        checks += cases[i].checks.size();
+    for (const SelftestCase& listed : cases) {
+        EXPECT_GE(listed.number, before);
+        before = listed.number;
+        numbered[listed.number].push_back(&listed);
+        EXPECT_FALSE(listed.name.empty());
+        EXPECT_FALSE(listed.checks.empty()) << listed.name;
+        EXPECT_TRUE(listed.measure) << listed.name;
+        checks += listed.checks.size();
     }
+    ASSERT_EQ(numbered.size(), selftest::case_count);
+    EXPECT_EQ(numbered.begin()->first, 1);
+    EXPECT_EQ(numbered.rbegin()->first, static_cast<int>(selftest::case_count));
     EXPECT_GE(checks, 35U);
+    // In two parts only where the host needs no device for one of them.
+    for (const auto& [number, parts] : numbered) {
+        if (parts.size() == 1) continue;
+        ASSERT_EQ(parts.size(), 2U) << number;
+        EXPECT_EQ(parts[0]->name, parts[1]->name);
+        EXPECT_EQ(parts[0]->runs_on, RunsOn::host) << number;
+        EXPECT_EQ(parts[1]->runs_on, RunsOn::devices) << number;
+    }
 }
 
 TEST(Selftest, EveryToleranceHasAReason) {
+    std::set<std::string> titles;
     for (const SelftestCase& listed : selftest::selftest_cases()) {
-        std::set<std::string> names;
         for (const Check& check : listed.checks) {
             const std::string title = selftest::title_of(listed.name, check.what);
             EXPECT_GT(check.reason.size(), 10U) << title;
             EXPECT_EQ(check.reason.find('\n'), std::string::npos) << title;
             EXPECT_LE(title.size(), selftest::title_columns) << title;
             EXPECT_TRUE(std::isfinite(check.expected)) << title;
-            EXPECT_TRUE(names.insert(check.what).second) << title << " is there twice";
+            EXPECT_TRUE(titles.insert(title).second) << title << " is there twice";
             for (const double part : {check.tolerance.absolute, check.tolerance.relative,
                                       check.tolerance.largest_error})
                 EXPECT_TRUE(std::isfinite(part) && part >= 0.0) << title;

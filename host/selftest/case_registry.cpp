@@ -18,7 +18,7 @@ const std::vector<SelftestCase>& selftest_cases() {
               record_cases, change_cases, interleaving_cases, degenerate_cases, metric_cases,
               parity_cases, roulette_cases})
             std::ranges::move(group(), std::back_inserter(cases));
-        std::ranges::sort(cases, {}, &SelftestCase::number);
+        std::ranges::stable_sort(cases, {}, &SelftestCase::number);
         return cases;
     }();
     return all;

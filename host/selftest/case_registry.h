@@ -9,7 +9,8 @@
 
 namespace weft::selftest {
 
-/// All hard cases, numbered from 1 on in this order. Making them runs nothing.
+/// All hard cases, numbered from 1 on in this order; one of which the host computes a part alone
+/// is there twice, that part first. Making them runs nothing.
 [[nodiscard]] const std::vector<SelftestCase>& selftest_cases();
 
 }  // namespace weft::selftest

@@ -1,9 +1,13 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "selftest/case_groups.h"
 #include "selftest/floor_light.h"
+#include "selftest/smooth_ball.h"
 
 // Lights without area, whose light is exact, from above and at grazing angles.
 namespace weft::selftest {
@@ -48,28 +52,36 @@ SelftestCase point_light() {
             }};
 }
 
-/// Pixels of a coarse ball with smooth normals that are brighter than their neighbour on the side
-/// of the light, which comes from the left.
-double brighter_away_from_light(Executor& executor) {
-    SceneBuilder builder;
-    Mesh ball = icosphere(1, false);
-    ball.normals = ball.positions;
-    builder.add(std::move(ball), builder.material(glm::vec3(0.5F)));
-    builder.light(LightType::directional, {}, glm::vec3(1.0F), {1.0, 0.1, 0.2});
-    RenderSettings settings = small_settings(Algorithm::ir, 48, 36);
+/// Direct light of the smooth ball: pixels that are brighter than their neighbour on the side of
+/// the light; what differs most from doubles; and the cosine of the smooth normal in the brightest
+/// place that is dark all the same, as the picture's own normals have it.
+std::vector<Measured> measure_ball(Executor& executor) {
+    const SmoothBall ball = smooth_ball();
+    RenderSettings settings = small_settings(Algorithm::ir, ball_width, ball_height);
     settings.indirect = false;
-    const Rendering rendering =
-        render(executor, builder.scene, look_at({0, 0, 3}, {0, 0, 0}, 0.9), settings);
-    double count = 0.0;
-    for (std::uint32_t y = 0; y < 36; ++y)
-        for (std::uint32_t x = 1; x < 48; ++x) {
-            if (!(rendering.at("depth", x - 1, y) > 0.0F && rendering.at("depth", x, y) > 0.0F))
-                continue;
-            const float before = rendering.at("direct", x - 1, y);
-            count += rendering.at("direct", x, y) > before * 1.00001F ? 1.0 : 0.0;
+    const Rendering rendering = render(executor, ball.scene, ball.camera, settings);
+    const glm::dvec3 light = -ball.scene.lights.front().direction;
+    double brighter = 0.0;
+    double farthest = 0.0;
+    double block = 0.0;
+    for (std::uint32_t y = 0; y < ball_height; ++y)
+        for (std::uint32_t x = 0; x < ball_width; ++x) {
+            const BallPixel& pixel = ball_pixels()[std::size_t{y} * ball_width + x];
+            const float found = rendering.at("direct", x, y);
+            if (x > 0 && rendering.at("depth", x - 1, y) > 0.0F &&
+                rendering.at("depth", x, y) > 0.0F)
+                brighter += found > rendering.at("direct", x - 1, y) * 1.00001F ? 1.0 : 0.0;
+            if (pixel.undecided) continue;
+            farthest = std::max(farthest, std::abs(static_cast<double>(found) - pixel.radiance));
+            if (!pixel.on_ball || found > 0.0F) continue;
+            const glm::dvec3 normal(rendering.at("normal", x, y, 0),
+                                    rendering.at("normal", x, y, 1),
+                                    rendering.at("normal", x, y, 2));
+            block = std::max(block, glm::dot(normal, light));
         }
     // Where nothing is lit nothing is brighter than anything.
-    return mean_of(rendering.layer("direct")) > 0.0 ? count : NAN;
+    if (!(mean_of(rendering.layer("direct")) > 0.0)) brighter = NAN;
+    return {brighter, farthest, block};
 }
 
 SelftestCase grazing_light() {
@@ -82,14 +94,19 @@ SelftestCase grazing_light() {
              {"point light, cosine 1e-3", grazing / (sine * sine * sine), share(5e-3),
               "shadow rays start up to 2e-6 above the floor, beside a height of 1e-3"},
              {"coarse smooth ball, pixels out of order", 0.0, within(0.0),
-              "rows fall from the side of the light; facets end it where their planes do"}},
+              "rows fall from the side of the light; facets end it where their planes do"},
+             {"coarse smooth ball, pixel farthest off", 0.0, within(3e-7),
+              "an eighth of light at most, rounded; no facet shadows another, nor itself"},
+             {"coarse smooth ball, cosine of its largest block", largest_block(), within(1e-6),
+              "facets that face away are dark although their smooth normals are not"}},
             [](Executor& executor) -> std::vector<Measured> {
                 SceneBuilder sun = floor_scene();
                 sun.light(LightType::directional, {}, glm::vec3(1.0F), {1.0, 0.0, -grazing});
-                return {
+                std::vector<Measured> measured{
                     exact_irradiance(executor, flatten(sun.scene), {0.0, 0.0, 0.0}),
-                    exact_irradiance(executor, under_point({1.0, 0.0, grazing}), {0.0, 0.0, 0.0}),
-                    brighter_away_from_light(executor)};
+                    exact_irradiance(executor, under_point({1.0, 0.0, grazing}), {0.0, 0.0, 0.0})};
+                std::ranges::move(measure_ball(executor), std::back_inserter(measured));
+                return measured;
             }};
 }
 

@@ -56,6 +56,7 @@ Estimate furnace_mean(Executor& executor, const FlatScene& flat, Algorithm algor
         settings.sampling.samples_per_light = 32;
         settings.sampling.roulette = 0.0;
         settings.sampling.cache_error = 0.02;
+        settings.sampling.cache_rays = 128;
         settings.seed = seed;
         return estimate(channel_of(render_flat(executor, flat, inside(), settings), "", 0)).mean;
     });
@@ -71,7 +72,9 @@ SelftestCase grey_furnace() {
              {"ir, five bounces", furnace_of_five, by_chance(2e-3, 5e-6, picture_seeds),
               "samples differ by seed; light is cut off after five bounces, as is the formula"},
              {"ic, five bounces", furnace_of_five, by_chance(2e-3, 0.005, picture_seeds),
-              "as ir, and records may be off by 2 % in indirect light, a quarter of all"}},
+              "as ir, and records may be off by 2 % in indirect light, a quarter of all"},
+             {"irradiance-cache, all bounces", 2.0, by_chance(3e-3, 1e-5, picture_seeds),
+              "rays of records go on as random paths; every pixel is a record"}},
             [](Executor& executor) -> std::vector<Measured> {
                 SceneBuilder room;
                 room.add(room_mesh(), room.material({grey, 0.9F, 0.0F}, glm::vec3(1.0F)));
@@ -83,8 +86,20 @@ SelftestCase grey_furnace() {
                 const FlatScene flat = flatten(sphere.scene);
                 return {beauty_of(traced, 0), beauty_of(traced, 1),
                         furnace_mean(executor, flat, Algorithm::ir),
-                        furnace_mean(executor, flat, Algorithm::ic)};
+                        furnace_mean(executor, flat, Algorithm::ic),
+                        furnace_mean(executor, flat, Algorithm::irradiance_cache)};
             }};
+}
+
+/// Indirect irradiance by records whose light is what rays above them find.
+Estimate by_hemispheres(Executor& executor, const FlatScene& flat) {
+    return over_seeds([&](std::uint32_t seed) {
+        RenderSettings settings = small_settings(Algorithm::irradiance_cache, 16, 12);
+        settings.sampling.cache_error = 0.2;
+        settings.direct = false;
+        settings.seed = seed;
+        return mean_irradiance(render_flat(executor, flat, inside(), settings), "indirect");
+    });
 }
 
 std::vector<Measured> measure_sphere(Executor& executor) {
@@ -99,7 +114,8 @@ std::vector<Measured> measure_sphere(Executor& executor) {
     const Rendering gathered = render_flat(executor, flat, inside(), all);
     return {farthest_from(pi, irradiances(gathered, "direct")), mean_of(gathered.layer("")),
             mean_irradiance(render_flat(executor, flat, inside(), cached), "indirect"),
-            beauty_of(trace_flat(executor, flat, inside(), path_settings(24, 24, 64, 2)), 0)};
+            beauty_of(trace_flat(executor, flat, inside(), path_settings(24, 24, 64, 2)), 0),
+            by_hemispheres(executor, flat)};
 }
 
 SelftestCase integrating_sphere() {
@@ -113,7 +129,9 @@ SelftestCase integrating_sphere() {
          {"ic, irradiance by four bounces", 0.9375 * pi, share(0.02),
           "2 % are what the settings let records be off by"},
          {"path tracing, all bounces", 1.0, by_chance(0.01, 2e-3),
-          facets + ", which every bounce sees; paths are random"}},
+          facets + ", which every bounce sees; paths are random"},
+         {"irradiance-cache, irradiance by all", pi, by_chance(0.01, 2e-3, picture_seeds),
+          facets + ", which every bounce sees; rays of records are random"}},
         measure_sphere};
 }
 

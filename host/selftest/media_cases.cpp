@@ -1,6 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "selftest/case_groups.h"
@@ -19,13 +21,17 @@ Camera along_axis() {
     return look_at({0, 0, 3}, {0, 0, -9}, 1e-4);
 }
 
-/// A slab that emits 1 per length and absorbs.
-SceneBuilder glowing_slab(const glm::vec3& sigma) {
+/// A slab that absorbs, and emits as much per length.
+SceneBuilder slab(const glm::vec3& sigma, float emission) {
     SceneBuilder builder;
     builder.scene.media.push_back(medium_of(sigma, glm::vec3(0.0F)));
-    builder.scene.media[0].emission = glm::vec3(1.0F);
+    builder.scene.media[0].emission = glm::vec3(emission);
     add_boundary(builder.scene, cube_mesh(), glm::dmat4(1.0), 0);
     return builder;
+}
+
+SceneBuilder glowing_slab(const glm::vec3& sigma) {
+    return slab(sigma, 1.0F);
 }
 
 void add_wall(SceneBuilder& builder) {
@@ -58,6 +64,39 @@ float sigma_of(double depth) {
     return static_cast<float>(depth / thickness);
 }
 
+/// Optical depths of slabs without light of their own, those of one scene in its three channels.
+constexpr std::array<std::array<std::pair<double, const char*>, 3>, 2> dark_depths{
+    {{{{1e-8, "1e-8"}, {1e-2, "1e-2"}, {1.0, "1"}}}, {{{6.0, "6"}, {12.0, "12"}, {1e3, "1e3"}}}}};
+
+/// What a slab alone leaves of light; at a depth of 1000 nothing, in doubles as well.
+double transmittance(double depth) {
+    return std::exp(-static_cast<double>(sigma_of(depth)) * thickness);
+}
+
+void add_transmittance_checks(std::vector<Check>& checks) {
+    const std::string alone = "the slab does not glow, so that this is an exponential in floats";
+    for (const auto& depths : dark_depths)
+        for (const auto& [depth, name] : depths)
+            for (const char* const algorithm : {"paths", "igi"})
+                checks.push_back(
+                    {std::string("transmittance at optical depth ") + name + ", " + algorithm,
+                     transmittance(depth), share(1e-6), alone});
+}
+
+void measure_transmittance(Executor& executor, std::vector<Measured>& measured) {
+    for (const auto& depths : dark_depths) {
+        const auto sigma = [&](std::size_t channel) { return sigma_of(depths.at(channel).first); };
+        SceneBuilder builder = slab({sigma(0), sigma(1), sigma(2)}, 0.0F);
+        add_wall(builder);
+        for (std::uint32_t channel = 0; channel < 3; ++channel) {
+            const double wall = wall_radiance * transmittance(depths.at(channel).first);
+            measured.emplace_back(traced(executor, builder.scene, channel, wall) / wall_radiance);
+            measured.emplace_back(previewed(executor, builder.scene, channel, wall) /
+                                  wall_radiance);
+        }
+    }
+}
+
 SelftestCase homogeneous_slab() {
     const std::string exact = "what reaches the camera unscattered is computed, not sampled";
     SelftestCase made{12, "homogeneous slab", RunsOn::devices, {}, {}};
@@ -70,6 +109,7 @@ SelftestCase homogeneous_slab() {
                            exact + "; two terms add up"});
     made.checks.push_back({"wall behind optical depth 6, igi", wall_through(3.0), share(1e-5),
                            "two terms add up, along a ray whose ends are rounded"});
+    add_transmittance_checks(made.checks);
     made.measure = [](Executor& executor) {
         std::vector<Measured> measured;
         for (const double depth : {1e-8, 1e-2, 1e3}) {
@@ -82,6 +122,7 @@ SelftestCase homogeneous_slab() {
         measured.emplace_back(traced(executor, builder.scene, 0, wall_through(0.5)));
         measured.emplace_back(traced(executor, builder.scene, 1, wall_through(3.0)));
         measured.emplace_back(previewed(executor, builder.scene, 1, wall_through(3.0)));
+        measure_transmittance(executor, measured);
         return measured;
     };
     return made;

@@ -46,7 +46,8 @@ enum class RunsOn : std::uint8_t {
     host      ///< once: it runs none
 };
 
-/// One of the hard cases: a situation in which renderers go wrong, and numbers that tell.
+/// One of the hard cases, or the part of it that runs on devices or on the host: a situation in
+/// which renderers go wrong, and numbers that tell.
 struct SelftestCase {
     int number = 0;
     std::string name;
