@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace weft {
@@ -69,6 +71,79 @@ TEST(Advice, AnErrorGetsTheCheapestThatReachesIt) {
     const TradeoffAdvice none = advice_for_error(points, measure, 0.001);
     EXPECT_FALSE(none.point);
     EXPECT_NE(none.sentence.find("the best is slow"), std::string::npos) << none.sentence;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Advice, SaysWhatIsMissingWhereNothingIsCertainEnough) {
+    const std::vector points{point_of("unsteady", {290.0, 200.0, 400.0}, 0.05)};
+    const TradeoffAdvice advice = advice_for_budget(points, measure, 300.0);
+    EXPECT_FALSE(advice.point);
+    EXPECT_EQ(
+        advice.sentence,
+        "for 300 ms nothing that was measured is certain enough to keep to it: the fastest is "
+        "unsteady, with relMSE 0.05 (95 %: 0.045 to 0.055), in 290 ms (95 %: 200 ms to 400 "
+        "ms)");
+}
+
+TEST(Advice, NothingMeasuredIsNoAnswer) {
+    const std::vector<TradeoffPoint> of_no_number{point_of("a", {1.0, 1.0, 1.0}, nan),
+                                                  point_of("b", {nan, nan, nan}, 0.5),
+                                                  point_of("c", {2.0, 2.0, 2.0}, infinity)};
+    for (const std::vector<TradeoffPoint>& points : {std::vector<TradeoffPoint>{}, of_no_number}) {
+        const TradeoffAdvice by_time = advice_for_budget(points, measure, 300.0);
+        EXPECT_FALSE(by_time.point);
+        EXPECT_TRUE(by_time.preset_file.empty());
+        EXPECT_EQ(by_time.sentence,
+                  "for 300 ms there is no answer: nothing that was measured has both a time and "
+                  "relMSE");
+        const TradeoffAdvice by_error = advice_for_error(points, measure, 0.25);
+        EXPECT_FALSE(by_error.point);
+        EXPECT_TRUE(by_error.preset_file.empty());
+        EXPECT_EQ(by_error.sentence,
+                  "for relMSE of at most 0.25 there is no answer: nothing that was measured has "
+                  "both a time and relMSE");
+        EXPECT_TRUE(sensible_errors(points, measure).empty());
+    }
+}
+
+TEST(Advice, WhatIsNoNumberIsPassedOver) {
+    // First, where comparing with it would keep it.
+    std::vector<TradeoffPoint> points{point_of("none", {40.0, 40.0, 40.0}, nan)};
+    for (TradeoffPoint& point : some_points()) points.push_back(std::move(point));
+    EXPECT_EQ(advice_for_budget(points, measure, 300.0).point, 2U);
+    EXPECT_EQ(advice_for_error(points, measure, 0.1).point, 2U);
+    EXPECT_NE(advice_for_budget(points, measure, 30.0).sentence.find("the fastest is fast"),
+              std::string::npos);
+    EXPECT_NE(advice_for_error(points, measure, 0.001).sentence.find("the best is slow"),
+              std::string::npos);
+    EXPECT_EQ(sensible_errors(points, measure), sensible_errors(some_points(), measure));
+}
+
+TEST(Advice, OfOnePointIsThatPoint) {
+    const std::vector points{point_of("only", {50.0, 48.0, 52.0}, 0.4)};
+    EXPECT_EQ(advice_for_budget(points, measure, 50.0).point, 0U);
+    EXPECT_EQ(advice_for_error(points, measure, 0.4).point, 0U);
+    EXPECT_NE(advice_for_budget(points, measure, 10.0).sentence.find("the fastest is only"),
+              std::string::npos);
+    EXPECT_NE(advice_for_error(points, measure, 0.1).sentence.find("the best is only"),
+              std::string::npos);
+}
+
+TEST(Advice, OfEqualErrorsTheFastestAndOfEqualTimesTheNearest) {
+    const Interval slow{80.0, 80.0, 80.0};
+    const Interval quick{20.0, 20.0, 20.0};
+    const std::vector equal_errors{point_of("slow", slow, 0.5), point_of("quick", quick, 0.5),
+                                   point_of("slow too", slow, 0.5)};
+    EXPECT_EQ(advice_for_budget(equal_errors, measure, 100.0).point, 1U);
+    EXPECT_EQ(advice_for_error(equal_errors, measure, 0.5).point, 1U);
+    EXPECT_NE(advice_for_error(equal_errors, measure, 0.1).sentence.find("the best is quick"),
+              std::string::npos);
+    const std::vector equal_times{point_of("far", quick, 0.5), point_of("near", quick, 0.25)};
+    EXPECT_EQ(advice_for_error(equal_times, measure, 0.5).point, 1U);
+    EXPECT_NE(advice_for_budget(equal_times, measure, 10.0).sentence.find("the fastest is near"),
+              std::string::npos);
 }
 
 TEST(Advice, TimesReadWell) {

@@ -19,8 +19,10 @@
 #include "scene/load_scene.h"
 #include "scene/nanovdb_reader.h"
 #include "scene/vol_reader.h"
+#include "schedule/preset.h"
 #include "tests/fuzz/readers.h"
 #include "tests/temporary_folder.h"
+#include "tradeoff/peer_pictures.h"
 
 namespace weft {
 namespace {
@@ -90,6 +92,10 @@ void read_valid(const std::string& kind, const TemporaryFolder& folder, const fs
         static_cast<void>(decode_nanovdb(bytes, "", "grid", ignored));
     else if (kind == "exr")
         static_cast<void>(read_exr(copy));
+    else if (kind == "preset")
+        static_cast<void>(read_preset(copy));
+    else if (kind == "peers")
+        static_cast<void>(read_peer_pictures(copy, fuzz::pair_size));
     else
         static_cast<void>(load_scene(copy, ignored));
 }

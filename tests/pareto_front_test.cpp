@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -41,6 +42,24 @@ TEST(ParetoFront, LeavesOutWhatIsBeaten) {
 TEST(ParetoFront, TreatsEqualPointsAlike) {
     const Points points{{1.0, 5.0}, {2.0, 3.0}, {1.0, 5.0}, {2.0, 3.0}, {2.0, 5.0}};
     EXPECT_EQ(pareto_front(points), (std::vector<bool>{true, true, true, true, false}));
+}
+
+TEST(ParetoFront, WhatIsNoNumberIsNotOnItAndBeatsNothing) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Points points{{1.0, nan},      {2.0, 3.0}, {nan, 0.0}, {3.0, 5.0},
+                        {infinity, 0.0}, {9.0, 1.0}, {nan, nan}, {0.0, infinity}};
+    EXPECT_EQ(pareto_front(points),
+              (std::vector<bool>{false, true, false, false, false, true, false, false}));
+    // In this order, comparing with it would have let all that follows pass.
+    EXPECT_EQ(pareto_front(Points{{nan, nan}, {1.0, 1.0}, {2.0, 2.0}}),
+              (std::vector<bool>{false, true, false}));
+    EXPECT_EQ(pareto_front(Points{{nan, 1.0}}), std::vector<bool>{false});
+}
+
+TEST(ParetoFront, OfEqualErrorsTheFastestAlone) {
+    EXPECT_EQ(pareto_front(Points{{2.0, 5.0}, {1.0, 5.0}, {3.0, 5.0}}),
+              (std::vector<bool>{false, true, false}));
 }
 
 TEST(ParetoFront, AgreesWithItsDefinition) {

@@ -34,7 +34,7 @@ class PeerPicturesFile : public testing::Test {
     PeerPicturesFile() { write_exr(folder_.path() / "a.exr", grey(0.5F)); }
 
     [[nodiscard]] PeerPictures read(const json& content) const {
-        return read_peer_pictures(folder_.write("peers.json", content.dump()), grey(0.5F));
+        return read_peer_pictures(folder_.write("peers.json", content.dump()), {width, height});
     }
     [[nodiscard]] std::string refusal(const json& content) const {
         try {
@@ -66,7 +66,7 @@ class PeerPicturesFile : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(PeerPicturesFile, ComparesEveryPicture) {
+TEST_F(PeerPicturesFile, ReadsEveryPicture) {
     write_exr(folder_.path() / "b.exr", grey(0.75F, "RGBA"));
     json brighter = picture("b.exr");
     brighter["denoised"] = true;
@@ -80,14 +80,12 @@ TEST_F(PeerPicturesFile, ComparesEveryPicture) {
     EXPECT_EQ(same.seconds, 0.31);
     EXPECT_EQ(same.samples, 12.0);
     EXPECT_FALSE(same.denoised);
-    EXPECT_EQ(same.errors, std::vector<double>(error_measures, 0.0));
+    EXPECT_TRUE(same.errors.empty());
+    EXPECT_EQ(same.picture.find("")->values, grey(0.5F).layers[0].values);
     const PeerPoint& other = found.pictures[1];
     EXPECT_TRUE(other.denoised);
     EXPECT_EQ(other.samples, 0.0);
-    // Half as bright again.
-    EXPECT_NEAR(other.errors[static_cast<std::size_t>(ErrorMeasure::bias)], 0.5, 1e-6);
-    EXPECT_NEAR(other.errors[static_cast<std::size_t>(ErrorMeasure::relmse)], 0.25 / 1.01, 1e-6);
-    EXPECT_GT(other.errors[static_cast<std::size_t>(ErrorMeasure::hdrflip)], 0.0);
+    EXPECT_EQ(other.picture.find("")->values, grey(0.75F).layers[0].values);
     EXPECT_EQ(other.picture.find("")->channels, "RGB");
 }
 
@@ -132,19 +130,47 @@ TEST_F(PeerPicturesFile, RefusesWhatIsUnknownOrOutOfRange) {
 }
 
 TEST_F(PeerPicturesFile, RefusesPicturesThatCannotBeCompared) {
+    const std::string place = "peers.json#/pictures/1/picture: ";
+    const auto refused = [&](const std::string& file, const std::string& why) {
+        const std::string message = refusal(peers(picture(), picture(file)));
+        EXPECT_NE(message.find(place), std::string::npos) << message;
+        EXPECT_NE(message.find(why), std::string::npos) << message;
+        EXPECT_EQ(message.find_first_of("\n\t"), std::string::npos) << message;
+    };
     Image small = grey(0.5F);
     small.height = height / 2;
     small.layers[0].values.resize(3 * width * height / 2);
     write_exr(folder_.path() / "small.exr", small);
-    EXPECT_NE(refusal(peers(picture("small.exr"))).find("expected 24 x 16"), std::string::npos);
-    Image broken = grey(0.5F);
-    broken.layers[0].values[5] = std::numeric_limits<float>::quiet_NaN();
-    write_exr(folder_.path() / "broken.exr", broken);
-    EXPECT_NE(refusal(peers(picture("broken.exr"))).find("not finite"), std::string::npos);
+    refused("small.exr", "names 'small.exr', which is of 24 x 8 pixels, expected 24 x 16");
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        Image broken = grey(0.5F);
+        broken.layers[0].values[5] = value;
+        write_exr(folder_.path() / "broken.exr", broken);
+        refused("broken.exr", "names 'broken.exr', which holds values that are not finite");
+    }
     write_exr(folder_.path() / "plane.exr", grey(0.5F, "Y"));
-    EXPECT_NE(refusal(peers(picture("plane.exr"))).find("plane.exr"), std::string::npos);
+    refused("plane.exr", "names 'plane.exr', which has no channels R, G and B");
     folder_.write("text.exr", "no picture");
-    EXPECT_NE(refusal(peers(picture("text.exr"))), "no failure");
+    refused("text.exr", "text.exr: is not a picture");
+    refused("missing.exr", "missing.exr: cannot be opened");
+    refused("a\nb\t.exr", "is 'a?b?.exr', expected no control characters");
+}
+
+TEST_F(PeerPicturesFile, RefusesMorePixelsThanThereIsRoomForWithoutReadingAny) {
+    const auto file =
+        folder_.write("peers.json", peers_of(std::vector<json>(5, picture("missing.exr"))).dump());
+    const auto message = [&](const FilmSize& size) {
+        try {
+            (void)read_peer_pictures(file, size);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("no failure");
+    };
+    EXPECT_NE(message({8192, 8192}).find("peers.json#/pictures: has 5 pictures of 8192 x 8192"),
+              std::string::npos);
+    EXPECT_NE(message({8192, 6553}).find("missing.exr: cannot be opened"), std::string::npos);
 }
 
 }  // namespace

@@ -88,6 +88,13 @@ TEST(PredictionInterval, ZerosAreMeasuredOnTheirOwnScale) {
     EXPECT_EQ(none.high, 0.0);
 }
 
+TEST(PredictionInterval, EndsAreFiniteHoweverFarMeasurementsLieApart) {
+    const Interval interval = prediction_interval(std::array{1e-300, 1.0});
+    EXPECT_TRUE(std::isfinite(interval.high));
+    EXPECT_GT(interval.high, 1e300);
+    EXPECT_GE(interval.low, 0.0);
+}
+
 TEST(PredictionInterval, NeedsTwoMeasurements) {
     EXPECT_THROW((void)prediction_interval(std::array{1.0}), std::invalid_argument);
 }

@@ -153,5 +153,21 @@ TEST(SvgPlot, DrawsNothingSinglesAndEquals) {
     EXPECT_EQ(svg_plot(plot), svg_plot(plot));
 }
 
+TEST(SvgPlot, ALegendWithoutRoomForAllSaysSo) {
+    Plot plot = plot_of({{.x = 1.0, .y = 1.0}});
+    plot.legend = true;
+    plot.marked = "marked";
+    for (int i = 2; i <= 100; ++i) plot.series.push_back({.name = fmt::format("series {}", i)});
+    const Drawn drawn(plot);
+    std::size_t names = drawn.count("//text[.='one']");
+    for (int i = 2; i <= 100; ++i) names += drawn.count(fmt::format("//text[.='series {}']", i));
+    EXPECT_GE(names, 10U);
+    EXPECT_LT(names, 100U);
+    EXPECT_EQ(drawn.count(fmt::format("//text[.='and {} more']", 100 - names)), 1U);
+    EXPECT_LE(drawn.first("//text[.='marked']").attribute("y").as_double(), plot.height);
+    plot.series.resize(names);
+    EXPECT_EQ(Drawn(plot).count("//text[starts-with(., 'and ')]"), 0U);
+}
+
 }  // namespace
 }  // namespace weft

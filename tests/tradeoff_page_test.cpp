@@ -128,6 +128,13 @@ TEST(TradeoffPage, SetsTheBestOfTheSameTimeBesideOthers) {
     TradeoffResult slow = made_up();
     slow.peers[0].budget_s = 0.001;
     EXPECT_TRUE(Page(slow).holds("No setting of the front is that fast."));
+    TradeoffResult unsteady = made_up();
+    for (TradeoffPoint& point : unsteady.points) point.ms.high = 10.0 * point.ms.median;
+    unsteady.peers[0].budget_s = 0.011;
+    const Page page_of_unsteady(unsteady);
+    EXPECT_TRUE(
+        page_of_unsteady.holds("No setting of the front is certain enough to keep to that."));
+    EXPECT_FALSE(page_of_unsteady.holds("No setting of the front is that fast."));
 }
 
 TEST(TradeoffPage, NeedsNothingElse) {

@@ -27,6 +27,7 @@
 #include "tradeoff/measure_points.h"
 #include "tradeoff/peer_pictures.h"
 #include "tradeoff/reference_pictures.h"
+#include "tradeoff/thumbnail.h"
 #include "tradeoff/tradeoff_files.h"
 
 namespace weft {
@@ -121,12 +122,9 @@ class TradeoffRun {
         // What can be wrong is to be known before the reference, which may take hours.
         const std::vector<Candidate> all = candidates();
         describe();
+        read_peers();
         make_reference();
-        if (options_.peers) {
-            PeerPictures peers = read_peer_pictures(*options_.peers, result_.reference.picture);
-            result_.peers = std::move(peers.pictures);
-            result_.peer_notes = std::move(peers.notes);
-        }
+        judge_peers();
         measure(all);
         advise();
         finish_front();
@@ -146,6 +144,23 @@ class TradeoffRun {
         result_.machine = machine_of(*executor_, options_);
         result_.command = tradeoff_command_line(options_);
         result_.picture_options = tradeoff_picture_options(options_);
+    }
+
+    void read_peers() {
+        if (!options_.peers) return;
+        PeerPictures peers = read_peer_pictures(*options_.peers, *options_.size);
+        result_.peers = std::move(peers.pictures);
+        result_.peer_notes = std::move(peers.notes);
+    }
+
+    void judge_peers() {
+        const Measuring how = measuring();
+        for (PeerPoint& peer : result_.peers) {
+            how.report(1.0, "pictures of others");
+            peer.errors = how.judge(peer.picture);
+            // All that the page shows; whole ones would take memory from what is measured.
+            peer.picture = scaled_down(peer.picture, thumbnail_edge);
+        }
     }
 
     void make_reference() {

@@ -15,7 +15,7 @@ namespace weft {
 
 /// A JSON file of any origin. Throws Error (exit code 2) that names the file, and the line of a
 /// syntax error, where it is longer than `max_bytes`, nested too deeply, of too many values or
-/// damaged.
+/// damaged, or an object has a key twice.
 [[nodiscard]] nlohmann::json read_json_file(const std::filesystem::path& file,
                                             std::size_t max_bytes);
 

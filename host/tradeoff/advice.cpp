@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace weft {
 namespace {
@@ -15,14 +16,52 @@ const Interval& error_of(const TradeoffPoint& point, ErrorMeasure measure) {
     return point.errors.at(static_cast<std::size_t>(measure));
 }
 
-/// The index of the best point that `keeps`, by `is_better`.
-template <class Keeps, class IsBetter>
-std::optional<std::size_t> best_of(std::span<const TradeoffPoint> points, const Keeps& keeps,
-                                   const IsBetter& is_better) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (keeps(points[i]) && (!best || is_better(points[i], points[*best]))) best = i;
-    return best;
+/// Chooses among points by time and one error.
+class Choice {
+  public:
+    Choice(std::span<const TradeoffPoint> points, ErrorMeasure measure)
+        : points_(points), measure_(measure) {}
+
+    /// The index of the fastest point that `keeps`; of equally fast ones, of least error.
+    template <class Keeps>
+    [[nodiscard]] std::optional<std::size_t> fastest(const Keeps& keeps) const {
+        return best([&](std::size_t i) { return std::pair(time(i), error(i)); }, keeps);
+    }
+    /// The index of the point of least error that `keeps`; of equally good ones, the fastest.
+    template <class Keeps>
+    [[nodiscard]] std::optional<std::size_t> nearest(const Keeps& keeps) const {
+        return best([&](std::size_t i) { return std::pair(error(i), time(i)); }, keeps);
+    }
+
+  private:
+    [[nodiscard]] double time(std::size_t i) const { return points_[i].ms.median; }
+    [[nodiscard]] double error(std::size_t i) const {
+        return error_of(points_[i], measure_).median;
+    }
+
+    /// What is no number is no answer, and would spoil every comparison.
+    template <class Key, class Keeps>
+    [[nodiscard]] std::optional<std::size_t> best(const Key& key, const Keeps& keeps) const {
+        std::optional<std::size_t> best;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (!std::isfinite(time(i)) || !std::isfinite(error(i)) || !keeps(points_[i])) continue;
+            if (!best || key(i) < key(*best)) best = i;
+        }
+        return best;
+    }
+
+    std::span<const TradeoffPoint> points_;
+    ErrorMeasure measure_;
+};
+
+bool any(const TradeoffPoint&) {
+    return true;
+}
+
+std::string nothing_text(const std::string& question, ErrorMeasure measure) {
+    return fmt::format(
+        "for {} there is no answer: nothing that was measured has both a time and {}", question,
+        label(measure));
 }
 
 std::string error_text(const TradeoffPoint& point, ErrorMeasure measure) {
@@ -56,29 +95,36 @@ std::string time_text(double ms) {
     return seconds < thousand ? fmt::format("{:.3g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
+std::string preset_file_for_budget(double budget_ms) {
+    return "preset-" + budget_text(budget_ms, "") + ".json";
+}
+
+std::string preset_file_for_error(double error) {
+    return fmt::format("preset-error-{:.15g}.json", error);
+}
+
 TradeoffAdvice advice_for_budget(std::span<const TradeoffPoint> points, ErrorMeasure measure,
                                  double budget_ms) {
+    const Choice choice(points, measure);
     TradeoffAdvice advice;
     advice.budget_ms = budget_ms;
-    advice.point = best_of(
-        points,
-        [&](const TradeoffPoint& point) {
-            return point.ms.median <= budget_ms && point.ms.high <= most_over_budget * budget_ms;
-        },
-        [&](const TradeoffPoint& a, const TradeoffPoint& b) {
-            return error_of(a, measure).median < error_of(b, measure).median;
-        });
+    advice.point = choice.nearest([&](const TradeoffPoint& point) {
+        return point.ms.median <= budget_ms && point.ms.high <= most_over_budget * budget_ms;
+    });
     const std::string budget = budget_text(budget_ms, " ");
     if (advice.point) {
         const TradeoffPoint& best = points[*advice.point];
         advice.sentence = fmt::format("for {} the best is {}, {}, {}", budget, best.name,
                                       error_text(best, measure), taken_text(best));
-        advice.preset_file = "preset-" + budget_text(budget_ms, "") + ".json";
+        advice.preset_file = preset_file_for_budget(budget_ms);
         return advice;
     }
-    const TradeoffPoint& fastest = *std::min_element(
-        points.begin(), points.end(),
-        [](const TradeoffPoint& a, const TradeoffPoint& b) { return a.ms.median < b.ms.median; });
+    const std::optional<std::size_t> place = choice.fastest(any);
+    if (!place) {
+        advice.sentence = nothing_text(budget, measure);
+        return advice;
+    }
+    const TradeoffPoint& fastest = points[*place];
     const char* const short_of =
         fastest.ms.median <= budget_ms ? "certain enough to keep to it" : "fast enough";
     advice.sentence =
@@ -89,28 +135,28 @@ TradeoffAdvice advice_for_budget(std::span<const TradeoffPoint> points, ErrorMea
 
 TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points, ErrorMeasure measure,
                                 double error) {
+    const Choice choice(points, measure);
     TradeoffAdvice advice;
     advice.error = error;
-    advice.point = best_of(
-        points,
-        [&](const TradeoffPoint& point) { return error_of(point, measure).median <= error; },
-        [](const TradeoffPoint& a, const TradeoffPoint& b) { return a.ms.median < b.ms.median; });
+    advice.point = choice.fastest(
+        [&](const TradeoffPoint& point) { return error_of(point, measure).median <= error; });
+    const std::string wish = fmt::format("{} of at most {:.15g}", label(measure), error);
     if (advice.point) {
         const TradeoffPoint& best = points[*advice.point];
-        advice.sentence =
-            fmt::format("for {} of at most {:.15g} the cheapest is {}, {}, {}", label(measure),
-                        error, best.name, taken_text(best), error_text(best, measure));
-        advice.preset_file = fmt::format("preset-error-{:.15g}.json", error);
+        advice.sentence = fmt::format("for {} the cheapest is {}, {}, {}", wish, best.name,
+                                      taken_text(best), error_text(best, measure));
+        advice.preset_file = preset_file_for_error(error);
         return advice;
     }
-    const TradeoffPoint& nearest = *std::min_element(
-        points.begin(), points.end(), [&](const TradeoffPoint& a, const TradeoffPoint& b) {
-            return error_of(a, measure).median < error_of(b, measure).median;
-        });
-    advice.sentence = fmt::format(
-        "for {} of at most {:.15g} nothing that was measured is good enough: the best is {}, {}, "
-        "{}",
-        label(measure), error, nearest.name, error_text(nearest, measure), taken_text(nearest));
+    const std::optional<std::size_t> place = choice.nearest(any);
+    if (!place) {
+        advice.sentence = nothing_text(wish, measure);
+        return advice;
+    }
+    const TradeoffPoint& nearest = points[*place];
+    advice.sentence =
+        fmt::format("for {} nothing that was measured is good enough: the best is {}, {}, {}", wish,
+                    nearest.name, error_text(nearest, measure), taken_text(nearest));
     return advice;
 }
 
@@ -120,7 +166,7 @@ std::vector<double> sensible_errors(std::span<const TradeoffPoint> points, Error
     for (const TradeoffPoint& point : points) {
         const double error = error_of(point, measure).median;
         // What is 0 has no place on a logarithmic scale.
-        if (!point.on_front || !(error > 0.0)) continue;
+        if (!point.on_front || !(error > 0.0) || !std::isfinite(error)) continue;
         least = least > 0.0 ? std::min(least, error) : error;
         most = std::max(most, error);
     }

@@ -90,6 +90,12 @@ std::string table(const TradeoffResult& result, double budget_s, const std::vect
     return text + "</tbody>\n</table></div>\n";
 }
 
+bool any_as_fast(const TradeoffResult& result, double ms) {
+    const std::vector<const TradeoffPoint*> front = front_of(result);
+    return std::any_of(front.begin(), front.end(),
+                       [ms](const TradeoffPoint* point) { return point->ms.median <= ms; });
+}
+
 std::string thumbnails(const TradeoffResult& result, const std::vector<Row>& rows) {
     std::string shown;
     for (const Row& row : rows)
@@ -123,7 +129,9 @@ std::string equal_time_section(const TradeoffResult& result) {
         const std::vector<Row> rows = rows_of(result, budget_s);
         text += table(result, budget_s, rows);
         if (best_within(result, 1000.0 * budget_s) == nullptr)
-            text += "<p>No setting of the front is that fast.</p>\n";
+            text += any_as_fast(result, 1000.0 * budget_s)
+                        ? "<p>No setting of the front is certain enough to keep to that.</p>\n"
+                        : "<p>No setting of the front is that fast.</p>\n";
         text += thumbnails(result, rows);
     }
     if (!result.peer_notes.empty()) {

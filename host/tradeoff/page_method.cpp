@@ -58,8 +58,9 @@ std::string method_section(const TradeoffResult& result) {
         result.repetitions);
     text +=
         "<p>Figures are medians. An interval holds a further measurement with a confidence of "
-        "95 %, if logarithms are normally distributed. All errors are those of the beauty layer "
-        "against the reference; 0 is a perfect picture.</p>\n";
+        "95 %, if logarithms are normally distributed; of biases, and where one of them is 0, the "
+        "values themselves. All errors are those of the beauty layer against the reference; 0 is "
+        "a perfect picture.</p>\n";
     text += meanings;
     text += machine_table(result.machine);
     if (!result.command.empty())

@@ -28,7 +28,8 @@ namespace weft {
 [[nodiscard]] std::vector<const TradeoffPoint*> front_of(const TradeoffResult& result);
 
 /// The point of the front with the lowest error by the chosen measure among those whose median
-/// time is at most `ms`; nullptr where there is none.
+/// time is at most `ms`, and the end of its interval at most most_over_budget times that; nullptr
+/// where there is none.
 [[nodiscard]] const TradeoffPoint* best_within(const TradeoffResult& result, double ms);
 
 /// Milliseconds with their unit, seconds from 1000 on.

@@ -3,15 +3,16 @@
 #include "tradeoff/pareto_front.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 
 namespace weft {
 
 std::vector<bool> pareto_front(std::span<const CostAndError> points) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (std::isfinite(points[i].cost) && std::isfinite(points[i].error)) order.push_back(i);
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         if (points[a].cost != points[b].cost) return points[a].cost < points[b].cost;
         return points[a].error < points[b].error;

@@ -15,7 +15,8 @@ struct CostAndError {
 };
 
 /// For each point, whether no other is at most as costly and at most as wrong, and better in one of
-/// both. Of equal points all are on the front or none. Values are finite.
+/// both. Of equal points all are on the front or none. A point with a value that is not finite is
+/// not on it, and beats none.
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const CostAndError> points);
 
 }  // namespace weft

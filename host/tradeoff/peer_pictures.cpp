@@ -6,20 +6,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/file.h"
 #include "base/limits.h"
+#include "base/quote.h"
 #include "image/load_image.h"
 #include "scene/json_file.h"
-#include "tradeoff/error_values.h"
 
 namespace weft {
 namespace {
 
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20;
 constexpr std::size_t max_pictures = 1000;
+constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;  // 3 GiB
 constexpr std::size_t max_notes = 100;
 constexpr std::size_t max_note_bytes = 2000;
 constexpr double seconds_per_year = 365.0 * 24.0 * 3600.0;
@@ -41,25 +43,45 @@ std::string text_of(const GltfValue& value, std::size_t most) {
 }
 
 /// The beauty of a picture as RGB, without what else its file holds, such as opacity.
-Image colours_of(const Image& image, const Image& reference, const std::string& place) {
-    if (image.width != reference.width || image.height != reference.height)
-        throw input_error(place, fmt::format("is of {} x {} pixels, expected {} x {}", image.width,
-                                             image.height, reference.width, reference.height));
+Image colours_of(const Image& image, const FilmSize& size, const GltfValue& name) {
+    const std::string picture = quote(name.as_string());
+    if (image.width != size.width || image.height != size.height)
+        throw name.error(fmt::format("names {}, which is of {} x {} pixels, expected {} x {}",
+                                     picture, image.width, image.height, size.width, size.height));
     const Layer* const layer = image.find("");
     if (layer == nullptr || !layer->channels.starts_with("RGB"))
-        throw input_error(place, "has no channels R, G and B");
+        throw name.error("names " + picture + ", which has no channels R, G and B");
     const std::size_t count = 3 * std::size_t{image.width} * image.height;
     Layer colours{.name = "", .channels = "RGB", .values = {}};
     colours.values.assign(layer->values.begin(),
                           layer->values.begin() + static_cast<std::ptrdiff_t>(count));
     if (!std::all_of(colours.values.begin(), colours.values.end(),
                      [](float value) { return std::isfinite(value); }))
-        throw input_error(place, "holds values that are not finite");
+        throw name.error("names " + picture + ", which holds values that are not finite");
     return {.width = image.width, .height = image.height, .layers = {colours}, .metadata = {}};
 }
 
+Image picture_of(const std::filesystem::path& file, const GltfValue& name, const FilmSize& size) {
+    const std::string& text = name.as_string();
+    // Messages hold the path, and are of one line.
+    const auto is_control = [](char c) {
+        const auto code = static_cast<unsigned char>(c);
+        return code < 0x20 || code == 0x7F;
+    };
+    if (std::any_of(text.begin(), text.end(), is_control))
+        throw name.error("is " + quote(text) + ", expected no control characters");
+    const std::filesystem::path path = resolve_reference(file, text, name.place(), false);
+    Image image;
+    try {
+        image = load_image(path);
+    } catch (const Error& error) {
+        throw name.error(error.what());
+    }
+    return colours_of(image, size, name);
+}
+
 PeerPoint read_picture(const std::filesystem::path& file, const GltfValue& value,
-                       const nlohmann::json& json, const Image& reference) {
+                       const nlohmann::json& json, const FilmSize& size) {
     PeerPoint peer;
     peer.name = text_of(value.at("name"), limits::max_name_bytes);
     check_keys(value, json, {"name", "budget_s", "seconds", "samples", "denoised", "picture"});
@@ -68,11 +90,7 @@ PeerPoint read_picture(const std::filesystem::path& file, const GltfValue& value
     if (value.find("samples"))
         peer.samples = number_of(value, "samples", 0.0, limits::max_samples_per_pixel);
     peer.denoised = value.bool_or("denoised", false);
-    const GltfValue name = value.at("picture");
-    const std::filesystem::path path =
-        resolve_reference(file, name.as_string(), name.place(), false);
-    peer.picture = colours_of(load_image(path), reference, path.string());
-    peer.errors = error_values(reference, peer.picture);
+    peer.picture = picture_of(file, value.at("picture"), size);
     return peer;
 }
 
@@ -85,7 +103,7 @@ std::size_t size_of(const GltfValue& list, std::size_t most) {
 
 }  // namespace
 
-PeerPictures read_peer_pictures(const std::filesystem::path& file, const Image& reference) {
+PeerPictures read_peer_pictures(const std::filesystem::path& file, const FilmSize& size) {
     const nlohmann::json json = read_json_file(file, max_file_bytes);
     const GltfValue value(json, file.string() + "#");
     const GltfValue version = value.at("weft_peers");
@@ -93,13 +111,20 @@ PeerPictures read_peer_pictures(const std::filesystem::path& file, const Image& 
         throw version.error(fmt::format("is version {}, expected 1", version.as_integer()));
     check_keys(value, json, {"weft_peers", "pictures", "notes"});
     PeerPictures peers;
-    const GltfValue pictures = value.at("pictures");
-    for (std::size_t i = 0; i < size_of(pictures, max_pictures); ++i)
-        peers.pictures.push_back(
-            read_picture(file, pictures.element(i), json.at("pictures")[i], reference));
+    // First what costs no time.
     if (const auto notes = value.find("notes"))
         for (std::size_t i = 0; i < size_of(*notes, max_notes); ++i)
             peers.notes.push_back(text_of(notes->element(i), max_note_bytes));
+    const GltfValue pictures = value.at("pictures");
+    const std::size_t count = size_of(pictures, max_pictures);
+    const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
+    if (count * pixels > max_pixels)
+        throw pictures.error(
+            fmt::format("has {} pictures of {} x {} pixels, expected at most {} pixels together",
+                        count, size.width, size.height, max_pixels));
+    for (std::size_t i = 0; i < count; ++i)
+        peers.pictures.push_back(
+            read_picture(file, pictures.element(i), json.at("pictures")[i], size));
     return peers;
 }
 

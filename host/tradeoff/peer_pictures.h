@@ -7,22 +7,23 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
+#include "scene/scene.h"
 #include "tradeoff/tradeoff_result.h"
 
 namespace weft {
 
 /// What a file of pictures by other renderers holds.
 struct PeerPictures {
-    std::vector<PeerPoint> pictures;  ///< with their errors
+    std::vector<PeerPoint> pictures;  ///< without errors, for want of a reference
     std::vector<std::string> notes;
 };
 
-/// Reads the file and all pictures that it names, which lie in its folder or below, and compares
-/// them with the reference. Throws Error (exit code 2) with file and place for anything unknown,
-/// damaged or out of range, and for pictures of another size or with values that are not finite.
+/// Reads the file and all pictures that it names, which lie in its folder or below. Throws Error
+/// (exit code 2) with file and place for anything unknown, damaged or out of range, for pictures of
+/// another size or with values that are not finite, and for too many pixels together: whatever is
+/// accepted can be compared with any reference of that size that is not black all over.
 [[nodiscard]] PeerPictures read_peer_pictures(const std::filesystem::path& file,
-                                              const Image& reference);
+                                              const FilmSize& size);
 
 }  // namespace weft
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -64,8 +65,9 @@ Interval prediction_interval(std::span<const double> values, double coverage, In
                               ? Interval{0.0, std::exp(mean - reach), std::exp(mean + reach)}
                               : Interval{0.0, std::max(0.0, mean - reach), mean + reach};
     const double middle = median(values);
-    // Rounding must not put what was measured outside.
-    return {middle, std::min(ends.low, middle), std::max(ends.high, middle)};
+    // Rounding must not put what was measured outside, and no end may overflow.
+    return {middle, std::min(ends.low, middle),
+            std::min(std::max(ends.high, middle), std::numeric_limits<double>::max())};
 }
 
 }  // namespace weft

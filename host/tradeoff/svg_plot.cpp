@@ -209,6 +209,16 @@ class PlotWriter {
             missing == 1 ? "point has" : "points have");
     }
 
+    /// How many series have room in the legend from `y` down; where it is not all, less a row to
+    /// say so.
+    [[nodiscard]] std::size_t legend_entries(double y) const {
+        const double room = std::max(0.0, (plot_.height - y) / legend_row);
+        const std::size_t rows = static_cast<std::size_t>(room);
+        const std::size_t others = plot_.marked.empty() ? 0 : 1;
+        if (plot_.series.size() + others <= rows) return plot_.series.size();
+        return rows > others + 1 ? rows - others - 1 : 0;
+    }
+
     void draw_legend() {
         const double x = frame_.left + frame_.width + 24.0;
         double y = frame_.top + 8.0;
@@ -218,13 +228,17 @@ class PlotWriter {
                     "\n";
             y += legend_row;
         };
-        for (const PlotSeries& series : plot_.series) {
+        const std::size_t shown = legend_entries(y);
+        for (std::size_t i = 0; i < shown; ++i) {
+            const PlotSeries& series = plot_.series[i];
             if (series.line)
                 add("<path class=\"plot-line {}\" d=\"M{:.2f} {:.2f}h20\"/>\n", classes_of(series),
                     x - 10.0, y);
             if (series.markers) marker(series, x, y, "");
             name(series.name);
         }
+        if (shown < plot_.series.size())
+            name(fmt::format("and {} more", plot_.series.size() - shown));
         if (plot_.marked.empty()) return;
         add("<circle class=\"plot-ring\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"8\"/>\n", x, y);
         name(plot_.marked);

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
+#include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "tradeoff/stale_presets.h"
 #include "tradeoff/tradeoff_page.h"
 
 namespace weft {
@@ -184,13 +187,19 @@ void prepare_folder(const std::filesystem::path& folder) {
 }
 
 void write_tradeoff(const std::filesystem::path& folder, const TradeoffResult& result) {
-    write_text(folder / "tradeoff.json", document(tradeoff_json(result)));
+    const std::vector<WrittenPreset> earlier = written_presets(folder);
+    std::set<std::string> names;
+    for (const TradeoffAdvice& advice : result.advice) {
+        if (!advice.point) continue;
+        write_text(folder / advice.preset_file,
+                   document(preset_json(result.points.at(*advice.point).preset)));
+        names.insert(advice.preset_file);
+    }
     write_text(folder / "tradeoff.csv", tradeoff_csv(result));
-    for (const TradeoffAdvice& advice : result.advice)
-        if (advice.point)
-            write_text(folder / advice.preset_file,
-                       document(preset_json(result.points.at(*advice.point).preset)));
     write_text(folder / "index.html", tradeoff_page(result));
+    // Last, as it says which files of settings belong to the run: until then, those of the earlier.
+    write_text(folder / "tradeoff.json", document(tradeoff_json(result)));
+    remove_presets(folder, earlier, names);
 }
 
 }  // namespace weft

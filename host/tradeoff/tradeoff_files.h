@@ -25,7 +25,8 @@ namespace weft {
 void prepare_folder(const std::filesystem::path& folder);
 
 /// Writes tradeoff.json, tradeoff.csv, index.html and the files of settings that the advice names
-/// into a folder that is there. Throws Error (exit code 5).
+/// into a folder that is there; then removes the files of settings that an earlier run wrote there
+/// and this one did not, unless they have been changed. Throws Error (exit code 5).
 void write_tradeoff(const std::filesystem::path& folder, const TradeoffResult& result);
 
 }  // namespace weft

@@ -31,7 +31,8 @@ inline constexpr std::size_t error_measures = 7;
 struct Interval {
     double median = 0.0;
     /// Ends of the interval that holds a further measurement with a confidence of 95 %, under
-    /// logarithms that are normally distributed.
+    /// logarithms that are normally distributed; the values themselves, of a bias and where one
+    /// of them is 0.
     double low = 0.0;
     double high = 0.0;
 };
@@ -59,7 +60,7 @@ struct PeerPoint {
     double samples = 0.0;   ///< per pixel, 0 where unknown
     bool denoised = false;
     std::vector<double> errors;  ///< by ErrorMeasure
-    Image picture;
+    Image picture;               ///< no smaller than a thumbnail of it
 };
 
 /// One sentence of advice, and the point it names.

@@ -15,6 +15,7 @@ sys.dont_write_bytecode = True  # the source folder is no place for it
 
 import corpus_gltf
 import corpus_grids
+import corpus_json
 import corpus_mitsuba
 import corpus_pictures
 import corpus_text
@@ -31,6 +32,8 @@ def main():
         "ply": corpus_text.ply_files,
         "obj": corpus_text.obj_files,
         "options": corpus_text.option_files,
+        "preset": corpus_json.preset_files,
+        "peers": corpus_json.peer_files,
         "image": corpus_pictures.image_files,
         "exr": corpus_pictures.exr_files,
         "hdr": corpus_pictures.hdr_files,

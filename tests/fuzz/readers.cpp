@@ -17,6 +17,7 @@
 #include "app/options.h"
 #include "base/diagnostics.h"
 #include "base/error.h"
+#include "base/limits.h"
 #include "bvh/wide_bvh.h"
 #include "frame/camera_params.h"
 #include "image/exr.h"
@@ -32,8 +33,10 @@
 #include "scene/pose_scene.h"
 #include "scene/validate_scene.h"
 #include "scene/vol_reader.h"
+#include "schedule/preset.h"
 #include "tests/temporary_folder.h"
 #include "tests/vol_bytes.h"
+#include "tradeoff/peer_pictures.h"
 
 #if __has_include("scene/obj_reader.h")
 #include "scene/obj_reader.h"
@@ -57,6 +60,8 @@ constexpr std::string_view part_xml =
     "<scene version=\"3.0.0\"><shape type=\"rectangle\" id=\"part\"/></scene>\n";
 constexpr std::string_view square_obj =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n";
+constexpr std::string_view pair_hdr(
+    "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x10\x20\x80\x80", 53);
 constexpr std::string_view material_mtl = "newmtl red\nKd 0.8 0.1 0.1\nmap_Kd pixel.tga\n";
 
 std::string_view as_text(Bytes bytes) {
@@ -288,11 +293,41 @@ void read_options_bytes(Bytes bytes) {
     });
 }
 
+void read_preset_bytes(Bytes bytes) {
+    expect_error(ExitCode::bad_input, [&] {
+        const Preset preset = read_preset(folder().write("preset.json", as_text(bytes)));
+        const nlohmann::json settings = preset_json(preset);
+        const Preset again = read_preset(folder().write("again.json", settings.dump()));
+        require(preset_json(again) == settings, "settings that are not those that were written");
+    });
+}
+
+void read_peers_bytes(Bytes bytes) {
+    const fs::path path = folder().write("peers.json", as_text(bytes));
+    expect_error(ExitCode::bad_input, [&] {
+        for (const PeerPoint& peer : read_peer_pictures(path, pair_size).pictures) {
+            require(!peer.name.empty() && peer.name.size() <= limits::max_name_bytes,
+                    "a name of the wrong length");
+            for (const double number : {peer.budget_s, peer.seconds, peer.samples})
+                require(std::isfinite(number) && number >= 0.0, "an impossible number");
+            require(peer.picture.width == pair_size.width &&
+                        peer.picture.height == pair_size.height && peer.picture.layers.size() == 1,
+                    "a picture of another size");
+            const Layer& layer = peer.picture.layers[0];
+            require(layer.channels == "RGB" && layer.values.size() == std::size_t{3} * 2,
+                    "a picture without colours");
+            for (const float value : layer.values)
+                require(std::isfinite(value), "a value that is not finite");
+        }
+    });
+}
+
 void write_companions(const TemporaryFolder& folder) {
     folder.write("triangle.ply", triangle_ply);
     folder.write("square.obj", square_obj);
     folder.write("material.mtl", material_mtl);
     folder.write("pixel.tga", pixel_tga);
+    folder.write("pair.hdr", pair_hdr);
     folder.write("data.bin", std::string(36, '\0'));
     folder.write("part.xml", part_xml);
     folder.write("smoke.vol", vol_file({1, 2, 2}, {0, 1, 2, 3}));
@@ -313,6 +348,8 @@ std::span<const Reader> readers() {
         Reader{"hdr", read_hdr_bytes},
         Reader{"png", read_png_bytes},
         Reader{"options", read_options_bytes},
+        Reader{"preset", read_preset_bytes},
+        Reader{"peers", read_peers_bytes},
     };
     return all;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "scene/scene.h"
 #include "tests/temporary_folder.h"
 
 namespace weft::fuzz {
@@ -28,6 +29,11 @@ void read_exr_bytes(Bytes bytes);
 void read_hdr_bytes(Bytes bytes);
 void read_png_bytes(Bytes bytes);      ///< as a picture to compare; `image` reads textures
 void read_options_bytes(Bytes bytes);  ///< one argument a line
+void read_preset_bytes(Bytes bytes);
+void read_peers_bytes(Bytes bytes);  ///< for pictures of the size of pair.hdr
+
+/// That of pair.hdr, which pictures by others are to have.
+inline constexpr FilmSize pair_size{2, 1};
 
 /// A reader and the folder of its inputs, tests/fuzz/corpus/`name`.
 struct Reader {
@@ -35,8 +41,8 @@ struct Reader {
     void (*read)(Bytes);
 };
 
-/// Writes what inputs may refer to: triangle.ply, square.obj, material.mtl, pixel.tga, data.bin
-/// and part.xml.
+/// Writes what inputs may refer to: triangle.ply, square.obj, material.mtl, pixel.tga, data.bin,
+/// part.xml, smoke.vol, and pair.hdr of pair_size.
 void write_companions(const TemporaryFolder& folder);
 
 /// Every reader of this build.

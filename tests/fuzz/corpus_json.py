@@ -1,0 +1,78 @@
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Seeds of the targets preset and peers."""
+import json
+
+
+def text(value):
+    return json.dumps(value) + "\n"
+
+
+def preset(**settings):
+    return text({"weft_preset": 1, **settings})
+
+
+def preset_files():
+    every = {
+        "algorithm": "amax", "indirect": "tic", "spp": 12, "interleave": 5, "vpls": 17,
+        "bounces": 2, "light_samples": 3, "max_light_samples": 99, "bound_spacing": 1.5,
+        "filter_radius": 2, "filter_cosine": 0.25, "filter_planes": 3.5, "threshold": 0.1,
+        "luminance_scale": 80, "support": 0.9, "roulette": 0, "edge_samples": 8,
+        "compensation": False, "cache_error": 0.3, "cache_rays": 64, "cache_records": 1000,
+        "cache_masks": False,
+    }
+    return {
+        "bare.json": preset(),
+        "every.json": preset(**every),
+        "spaced.json": json.dumps({"weft_preset": 1, **every}, indent=2) + "\n",
+        "records.json": preset(algorithm="ais", indirect="ic", cache_error=0.05),
+        "whole.json": preset(compensation=True, spp=4),
+        "paths.json": preset(algorithm="path", spp=16777216),
+        "numbers.json": '{"weft_preset": 1.0, "spp": 1e2, "threshold": 1E-300, "roulette": -0.0}\n',
+        "largest.json": preset(interleave=15, vpls=4660, max_light_samples=4660, threshold=1e6),
+        "badversion.json": text({"weft_preset": 2}),
+        "badnone.json": text({"spp": 4}),
+        "badkey.json": preset(vpl=64),
+        "badtwice.json": '{"weft_preset": 1, "spp": 1, "spp": 2}\n',
+        "badtype.json": preset(threshold="10"),
+        "badrange.json": preset(filter_cosine=1.5),
+        "badeven.json": preset(interleave=4),
+        "badsets.json": preset(interleave=15, vpls=65536),
+        "badsource.json": preset(algorithm="igi", indirect="ic"),
+        "badlarge.json": '{"weft_preset": 1, "threshold": 1e999}\n',
+        "baddeep.json": '{"weft_preset": 1, "spp": ' + "[" * 200 + "\n",
+        "badsyntax.json": '{"weft_preset": 1,}\n',
+    }
+
+
+def peer(**changes):
+    full = {"name": "another", "budget_s": 0.3, "seconds": 0.31, "samples": 12, "denoised": False,
+            "picture": "pair.hdr"}
+    return {key: value for key, value in {**full, **changes}.items() if value is not None}
+
+
+def peers(*pictures, **more):
+    return text({"weft_peers": 1, "pictures": list(pictures), **more})
+
+
+def peer_files():
+    return {
+        "none.json": peers(),
+        "one.json": peers(peer()),
+        "bare.json": peers(peer(samples=None, denoised=None)),
+        "several.json": peers(peer(), peer(name="d\u00e9bruit\u00e9", denoised=True, samples=0),
+                              peer(budget_s=31536000, seconds=0, picture="./pair.hdr"),
+                              notes=["set-up is left out", "\u2026 and more"]),
+        "badversion.json": text({"weft_peers": 2, "pictures": []}),
+        "badlack.json": text({"weft_peers": 1}),
+        "badkey.json": peers(peer(speed=1)),
+        "badtwice.json": '{"weft_peers": 1, "pictures": [], "pictures": []}\n',
+        "badname.json": peers(peer(name="")),
+        "badseconds.json": peers(peer(seconds=-1)),
+        "badsamples.json": peers(peer(samples=1e300)),
+        "badnote.json": peers(notes=["", 1]),
+        "badfile.json": peers(peer(), peer(picture="missing.hdr")),
+        "badkind.json": peers(peer(picture="triangle.ply")),
+        "badfolder.json": peers(peer(picture="../pair.hdr")),
+        "badcontrol.json": peers(peer(picture="pair\n.hdr")),
+    }
