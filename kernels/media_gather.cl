@@ -24,11 +24,22 @@ static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl*
     cosine = SELECT(places->distance > zero, cosine, zero);
     if (kind == VPL_SPOT) return places->weight * wide_spot(cosine, vpl->cone.x, vpl->cone.y);
     WFloat bound = places->square * vpl->position.w;
-    if (kind == VPL_SURFACE) return places->weight * VMAX(VMIN(cosine, bound), zero);
+    if (kind == VPL_SURFACE) {
+        WFloat share = cosine * places->nearer;
+        return places->weight * VMAX(VMIN(share, bound), zero);
+    }
     // As in connection.h.
     bound = bound * 0.318309886f;
-    WFloat phase = wide_phase(WIDE(vpl->cone.x), cosine);
+    WFloat phase = wide_phase(WIDE(vpl->cone.x), cosine) * places->nearer;
     return places->weight * VMIN(phase, bound);
+}
+
+/// How far from view rays a light is taken to be at least when places on them are chosen: half of
+/// where its bound begins; lights without one have no such distance.
+static inline float least_apart(GLOBAL const Vpl* vpl) {
+    uint kind = as_bits(vpl->normal.w);
+    if (kind == VPL_POINT || kind == VPL_SPOT || !(vpl->position.w > 0.0f)) return 0.0f;
+    return 0.5f / square_root(vpl->position.w);
 }
 
 /// Phase functions of places for light from the VPL to the camera.
@@ -45,7 +56,8 @@ static inline WFloat media_roulette_level(const Params* params, const ViewPacket
     for (uint i = 0u; i < count; ++i, ++vpl) {
         float weight = luminance(xyz(vpl->flux));
         if (!(weight > 0.0f)) continue;
-        ViewPlaces places = places_seen_from(view, xyz(vpl->position), params->extent, vpl->cone.w);
+        ViewPlaces places = places_seen_from(view, xyz(vpl->position), params->extent,
+                                             least_apart(vpl), vpl->cone.w);
         sum = sum + light_on_places(&places, vpl, as_bits(vpl->normal.w)) * weight;
     }
     return sum * (params->roulette / (float)count);
@@ -63,7 +75,8 @@ static inline void add_place(const Params* params, Scene scene, const Media* med
                              WFloat level, MediaLight* light) {
     WFloat zero = WIDE(0.0f);
     float4 flux = vpl->flux;
-    ViewPlaces places = places_seen_from(view, xyz(vpl->position), params->extent, u);
+    ViewPlaces places =
+        places_seen_from(view, xyz(vpl->position), params->extent, least_apart(vpl), u);
     WFloat value = light_on_places(&places, vpl, as_bits(vpl->normal.w));
     WMask useful = view->valid & (value > zero);
     if (params->roulette > 0.0f) {

@@ -68,6 +68,7 @@ typedef struct {
     WFloat3 d;        // from the light to the place
     WFloat distance;  // its length
     WFloat square;    // of the distance that the weight is for
+    WFloat nearer;    // `square` over that of `distance`, finite
     WFloat weight;    // 1 / (density of the place times `square`)
 } ViewPlaces;
 
@@ -76,8 +77,12 @@ typedef struct {
 /// distance cancels. With the tangent s of half the angle, evenly spread in place of the angle
 /// itself, no trigonometry is needed, and weights differ by a factor of two at most. A light on a
 /// ray is taken to be a little beside it (ANGULAR_LEAST).
+///
+/// Of a light whose 1 / square is bounded, little comes from places closer than the bound begins,
+/// and what comes from others has weights like 1 / (its distance from the ray). Angles are then
+/// those under which a point `apart` from the ray would see it, which weights make good.
 static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, float extent,
-                                          float u) {
+                                          float apart, float u) {
     float3 to = light - view->origin;
     WFloat3 v = view->direction;
     WFloat x = v.y * to.z - v.z * to.y;
@@ -86,6 +91,8 @@ static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, 
     WFloat least = WIDE(ANGULAR_LEAST * length3(to) + 5.9604645e-8f * extent);
     WFloat beside = wide_square_root(x * x + y * y + z * z);
     beside = VMAX(beside, least);
+    WMask moved = beside < WIDE(apart);
+    beside = VMAX(beside, WIDE(apart));
     WFloat along = wide_dot_scalar(v, to);
     WFloat from = view->begin - along;
     WFloat until = view->end - along;
@@ -106,6 +113,10 @@ static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, 
     places.d.z = v.z * places.t - to.z;
     places.distance = wide_square_root(wide_dot(places.d, places.d));
     places.square = offset * offset + square;
+    WFloat zero = WIDE(0.0f);
+    WFloat distance = places.distance;
+    WFloat nearer = places.square / SELECT(distance > zero, distance * distance, one);
+    places.nearer = SELECT(moved, VMIN(nearer, WIDE(1.0e30f)), one);
     places.weight = ((last - first) * 2.0f) / ((one + s * s) * beside);
     return places;
 }
