@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schedule/quality.h"
 
+#include "device/shared_types.h"
+
 namespace weft {
 
 SamplingSettings sampling_of(Quality quality) {
@@ -18,6 +20,8 @@ SamplingSettings sampling_of(Quality quality) {
         settings.roulette = 0.5;
         settings.cache_error = 0.05;
         settings.vpls_per_set = 256;
+        // Later bounces cost next to nothing where VPLs are many.
+        settings.bounces = MAX_BOUNCES;
         settings.samples_per_light = 16;
         settings.max_samples_per_set = 1024;
     }
