@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "device/native/native_executor.h"
 #include "selftest/case_groups.h"
 #include "selftest/hard_rays.h"
 #include "selftest/measurements.h"
-#include "selftest/other_lanes.h"
 #include "selftest/placed_scene.h"
 #include "selftest/ray_packets.h"
 
@@ -20,6 +20,12 @@ std::uint32_t ulps_between(float a, float b) {
     const auto x = std::bit_cast<std::uint32_t>(a);
     const auto y = std::bit_cast<std::uint32_t>(b);
     return x > y ? x - y : y - x;
+}
+
+/// The native build that traces with Weft's own traversal, at another packet width than
+/// `executor`'s: at one lane, or at four where that has one.
+std::unique_ptr<Executor> at_other_lanes(const Executor& executor) {
+    return make_native_executor(NativeTraversal::own_bvh, 0, executor.lanes() == 1 ? 4 : 1);
 }
 
 /// Hits of another triangle, at a distance that is not the same within 4 ulp.
@@ -51,7 +57,7 @@ std::vector<Measured> measure_rays(Executor& executor, Executor& reference) {
 }
 
 std::vector<Measured> measure_parity(Executor& executor) {
-    const std::unique_ptr<Executor> reference = native_at_other_lanes(executor);
+    const std::unique_ptr<Executor> reference = at_other_lanes(executor);
     const Placed placed = placed_scene(1.0, {});
     const FlatScene flat = flatten(placed.scene);
     const RenderSettings settings = small_settings(Algorithm::igi, 97, 70);

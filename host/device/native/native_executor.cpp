@@ -85,11 +85,11 @@ std::string processor_name() {
 
 class NativeExecutor : public Executor {
   public:
-    NativeExecutor(NativeTraversal traversal, int threads)
+    NativeExecutor(NativeTraversal traversal, int threads, std::uint32_t lanes)
         : traversal_(traversal),
           threads_(threads),
-          variant_(choose_variant(lanes_from_environment())),
-          device_(native_device_info(traversal)),
+          variant_(choose_variant(lanes)),
+          device_(native_device_info(traversal, lanes)),
           arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
         device_.compute_units = static_cast<std::uint32_t>(arena_.max_concurrency());
     }
@@ -229,8 +229,8 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
 
 }  // namespace
 
-DeviceInfo native_device_info(NativeTraversal traversal) {
-    const IsaVariant variant = choose_variant(lanes_from_environment());
+DeviceInfo native_device_info(NativeTraversal traversal, std::uint32_t lanes) {
+    const IsaVariant variant = choose_variant(lanes);
     DeviceInfo device;
     device.backend = traversal == NativeTraversal::embree ? "embree" : "native";
     device.name = processor_name();
@@ -245,8 +245,9 @@ DeviceInfo native_device_info(NativeTraversal traversal) {
     return device;
 }
 
-std::unique_ptr<Executor> make_native_executor(NativeTraversal traversal, int threads) {
-    return std::make_unique<NativeExecutor>(traversal, threads);
+std::unique_ptr<Executor> make_native_executor(NativeTraversal traversal, int threads,
+                                               std::uint32_t lanes) {
+    return std::make_unique<NativeExecutor>(traversal, threads, lanes);
 }
 
 }  // namespace weft

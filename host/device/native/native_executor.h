@@ -13,12 +13,14 @@ namespace weft {
 /// What the natively compiled kernels trace with.
 enum class NativeTraversal : std::uint8_t { embree, own_bvh };
 
-/// The host as a device. `threads` is 0 for all cores. Honours WEFT_LANES.
-[[nodiscard]] std::unique_ptr<Executor> make_native_executor(NativeTraversal traversal,
-                                                             int threads);
+/// The host as a device. `threads` is 0 for all cores; `lanes` is the width of packets, as
+/// choose_variant takes it.
+[[nodiscard]] std::unique_ptr<Executor> make_native_executor(
+    NativeTraversal traversal, int threads, std::uint32_t lanes = lanes_from_environment());
 
 /// Description of the native backend without starting it.
-[[nodiscard]] DeviceInfo native_device_info(NativeTraversal traversal);
+[[nodiscard]] DeviceInfo native_device_info(NativeTraversal traversal,
+                                            std::uint32_t lanes = lanes_from_environment());
 
 }  // namespace weft
 
