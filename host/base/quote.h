@@ -9,17 +9,21 @@
 
 namespace weft {
 
-/// Text from a file, fit for a one-line message: in single quotes, control characters replaced
-/// by `?`, and cut after 80 bytes.
+/// Text fit for a one-line message: control characters replaced by `?`.
+[[nodiscard]] inline std::string one_line(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7F) c = '?';
+    }
+    return result;
+}
+
+/// Text from a file, fit for a one-line message: printable, in single quotes, and cut after 80
+/// bytes.
 [[nodiscard]] inline std::string quote(std::string_view text) {
     constexpr std::size_t max_length = 80;
-    std::string result = "'";
-    for (const char c : text.substr(0, max_length)) {
-        const auto code = static_cast<unsigned char>(c);
-        result += code < 0x20 || code == 0x7F ? '?' : c;
-    }
-    result += text.size() > max_length ? "...'" : "'";
-    return result;
+    return "'" + one_line(text.substr(0, max_length)) + (text.size() > max_length ? "...'" : "'");
 }
 
 }  // namespace weft

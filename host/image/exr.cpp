@@ -234,9 +234,7 @@ std::string reason(const std::exception& error) {
     std::string text = error.what();
     const std::size_t path_end = text.rfind("\". ");
     if (path_end != std::string::npos) text.erase(0, path_end + 3);
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    return text;
+    return one_line(text);
 }
 
 }  // namespace

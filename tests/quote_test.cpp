@@ -1,0 +1,30 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "base/quote.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace weft {
+namespace {
+
+TEST(Quote, OneLineHasNoControlCharacters) {
+    std::string all;
+    for (int code = 0; code < 256; ++code) all += static_cast<char>(code);
+    const std::string text = one_line(all);
+    ASSERT_EQ(text.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        EXPECT_EQ(text[i], i < 0x20 || i == 0x7F ? '?' : all[i]) << i;
+    EXPECT_EQ(one_line(""), "");
+}
+
+TEST(Quote, QuotesAndCuts) {
+    EXPECT_EQ(quote("a\nb\x7F"), "'a?b?'");
+    EXPECT_EQ(quote(""), "''");
+    EXPECT_EQ(quote(std::string(80, 'x')), "'" + std::string(80, 'x') + "'");
+    EXPECT_EQ(quote(std::string(81, 'x')), "'" + std::string(80, 'x') + "...'");
+}
+
+}  // namespace
+}  // namespace weft
