@@ -9,20 +9,22 @@
 // `pixel_shadows` tells of every pixel which groups of lights were seen (low bits) and which were
 // not (high bits, SHADOW_HIDDEN on). shadow_edges.cl reads it.
 #include "counters.h"
+#include "near_lamp.h"
 #include "packet_media.h"
 #include "shadow_groups.h"
 
-/// Adds the light's samples [first, end), of which `blocked` lanes see none.
+/// Adds a light's samples from `first` on, of which `blocked` lanes see none.
 static inline void add_light(const Params* params, const Media* media, const ReceiverPacket* packet,
-                             const PacketInside* inside, GLOBAL const Vpl* first,
-                             GLOBAL const Vpl* end, WMask blocked, WideLight* light) {
+                             const PacketInside* inside, WFloat scale, GLOBAL const Vpl* first,
+                             WMask blocked, WideLight* light) {
+    GLOBAL const Vpl* end = first + params->samples_per_light;
     for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
         float4 flux = vpl->flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
         WFloat3 d = from_vpl(packet, vpl);
         WMask useful;
         WFloat g = connection(packet, vpl, VPL_SURFACE, d, &useful);
-        add_connection(params, media, packet, inside, xyz(vpl->position), flux, g, d,
+        add_connection(params, media, packet, inside, xyz(vpl->position), flux, g * scale, d,
                        (uint)(vpl - first), useful & mask_not(blocked), light);
     }
 }
@@ -63,13 +65,14 @@ static inline void store_shadows(const Params* params, GLOBAL const uint* slot_p
 }
 
 WEFT_KERNEL(shadow_probes)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
- GLOBAL const uint* slot_pixel, GLOBAL const Vpl* samples, GLOBAL float* irradiance,
- GLOBAL uint* pixel_shadows, GLOBAL RayCounter* counters) {
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, LAMP_ARGS, GLOBAL const float* receiver_planes,
+ GLOBAL const uint* block_set, GLOBAL const uint* slot_pixel, GLOBAL const Vpl* samples,
+ GLOBAL float* irradiance, GLOBAL uint* pixel_shadows, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
     uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
+    LAMP_MAKE(lamps);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
     PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
@@ -89,9 +92,9 @@ WEFT_KERNEL(shadow_probes)
                                          &blocked, &rays);
             seen[group] |= mask_bits(looked & mask_not(blocked));
             hidden[group] |= mask_bits(blocked);
-            if (mask_any(looked & mask_not(blocked)))
-                add_light(&params, &through, &packet, &inside, first,
-                          first + params.samples_per_light, blocked, &light);
+            if (!mask_any(looked & mask_not(blocked))) continue;
+            WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, first);
+            add_light(&params, &through, &packet, &inside, scale, first, blocked, &light);
         }
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);

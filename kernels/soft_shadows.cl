@@ -7,6 +7,7 @@
 // shadow_probes.cl made.
 #include "brightness.h"
 #include "counters.h"
+#include "near_lamp.h"
 #include "packet_media.h"
 #include "shadow_groups.h"
 
@@ -43,45 +44,92 @@ static inline WMask lanes_with(const uint* words, uint bit) {
     return mask_of(lanes);
 }
 
-/// The `edge` lanes to which a group of lights, samples [first, end), means so much that a sample
-/// which has not been looked at could show: by what one look in a window changes, in just
-/// noticeable differences.
-static inline WMask visible_lanes(const Params* params, const ReceiverPacket* packet,
-                                  GLOBAL const Vpl* first, GLOBAL const Vpl* end,
-                                  const PacketPixels* pixels, GLOBAL const float* slopes,
-                                  WMask edge) {
+/// Luminance by all samples of a group of lights, were nothing between.
+static inline WFloat group_luminance(const Params* params, const Lamps* lamps,
+                                     const ReceiverPacket* packet, GLOBAL const Vpl* of_set,
+                                     uint group) {
     WFloat zero = WIDE(0.0f);
     WFloat sum = zero;
-    for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
-        WMask useful;
-        WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
-        sum = sum + SELECT(useful, g * luminance(xyz(vpl->flux)), zero);
+    uint count = params->samples_per_light;
+    uint end = shadow_group_light(params, group + 1u);
+    for (uint l = shadow_group_light(params, group); l < end; ++l) {
+        GLOBAL const Vpl* first = of_set + l * count;
+        WFloat scale = near_lamp_scale(params, lamps, l, packet, first);
+        for (GLOBAL const Vpl* vpl = first; vpl < first + count; ++vpl) {
+            WMask useful;
+            WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
+            sum = sum + SELECT(useful, g * scale * luminance(xyz(vpl->flux)), zero);
+        }
     }
-    float light[LANES];
-    wide_store(sum, light, 0);
+    return sum;
+}
+
+/// The lanes to which a group of lights of luminance `light` means so much that a sample which has
+/// not been looked at could show: by what one look in a window changes, in just noticeable
+/// differences.
+static inline WMask visible_lanes(const Params* params, WFloat light, const PacketPixels* pixels,
+                                  GLOBAL const float* slopes) {
+    float group[LANES];
+    wide_store(light, group, 0);
     uint lanes = 0u;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         // The sum stands for one pixel of a window of gather_scale; half way through a penumbra
         // half of what all of them give is there at least.
-        float change = pixels->reflectance[lane] * light[lane];
+        float change = pixels->reflectance[lane] * group[lane];
         float there = m_max(pixels->radiance[lane], 0.5f * params->gather_scale * change);
         int unseen = change * brightness_slope(slopes, there) < params->shadow_step ? 1 : 0;
         lanes |= (unseen != 0 ? 0u : 1u) << lane;
     }
-    return edge & mask_of(lanes);
+    return mask_of(lanes);
+}
+
+// What a packet knows of one group of lights.
+typedef struct {
+    WMask edge;    // lanes that look at every sample
+    WMask hidden;  // lanes whose first look saw none
+    uint known;    // number of the sample of a light that was looked at before; no sample's: none
+} GroupShadow;
+
+/// Adds light `number`, whose samples are from `first` on; returns the number of rays.
+static inline uint add_light(Scene scene, const Params* params, const Media* media,
+                             const Lamps* lamps, const ReceiverPacket* packet,
+                             const PacketInside* inside, const GroupShadow* shadow, uint number,
+                             GLOBAL const Vpl* first, WideLight* light) {
+    uint rays = 0u;
+    WFloat scale = near_lamp_scale(params, lamps, number, packet, first);
+    for (uint i = 0u; i < params->samples_per_light; ++i) {
+        GLOBAL const Vpl* vpl = first + i;
+        float4 flux = vpl->flux;
+        if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
+        WFloat3 d = from_vpl(packet, vpl);
+        WMask useful;
+        WFloat g = connection(packet, vpl, VPL_SURFACE, d, &useful);
+        WMask blocked = shadow->hidden;
+        WMask unsure = useful & shadow->edge;
+        if (i != shadow->known && mask_any(unsure)) {
+            rays += mask_count(unsure);
+            WMask found = trace_any_packet(scene, xyz(vpl->position), d, unsure);
+            blocked = (shadow->hidden & mask_not(shadow->edge)) | (found & shadow->edge);
+        }
+        add_connection(params, media, packet, inside, xyz(vpl->position), flux, g * scale, d, i,
+                       useful & mask_not(blocked), light);
+    }
+    return rays;
 }
 
 WEFT_KERNEL(soft_shadows)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
- GLOBAL const uint* slot_pixel, GLOBAL const uint* shadow_blocks, GLOBAL const Vpl* samples,
- GLOBAL const uint* pixel_shadows, GLOBAL const uint* shadow_edges, GLOBAL const float* slopes,
- GLOBAL const float4* gb_albedo, GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
+(PARAMS, SCENE_ARGS, MEDIA_ARGS, LAMP_ARGS, GLOBAL const float* receiver_planes,
+ GLOBAL const uint* block_set, GLOBAL const uint* slot_pixel, GLOBAL const uint* shadow_blocks,
+ GLOBAL const Vpl* samples, GLOBAL const uint* pixel_shadows, GLOBAL const uint* shadow_edges,
+ GLOBAL const float* slopes, GLOBAL const float4* gb_albedo, GLOBAL float* irradiance,
+ GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
     uint item = (params.first + GLOBAL_ID) * (uint)LANES;
     uint block = shadow_blocks[item / PACKET_BLOCK];
     uint slot = block * PACKET_BLOCK + item % PACKET_BLOCK;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
+    LAMP_MAKE(lamps);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
     PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
     PacketPixels pixels;
@@ -94,31 +142,21 @@ WEFT_KERNEL(soft_shadows)
     WideLight light = no_light();
     uint rays = 0u;
     for (uint group = 0u; group < params.shadow_groups; ++group) {
-        GLOBAL const Vpl* first = of_set + shadow_group_light(&params, group) * count;
-        GLOBAL const Vpl* end = of_set + shadow_group_light(&params, group + 1u) * count;
-        WMask edge = lanes_with(pixels.edges, group);
-        WMask hidden = lanes_with(pixels.shadows, group + SHADOW_HIDDEN);
-        GLOBAL const Vpl* known = end;
-        if (mask_any(edge))
-            edge = visible_lanes(&params, &packet, first, end, &pixels, slopes, edge);
+        uint l = shadow_group_light(&params, group);
+        uint end = shadow_group_light(&params, group + 1u);
+        GroupShadow shadow;
+        shadow.hidden = lanes_with(pixels.shadows, group + SHADOW_HIDDEN);
+        shadow.edge = lanes_with(pixels.edges, group);
+        if (mask_any(shadow.edge))
+            shadow.edge =
+                shadow.edge &
+                visible_lanes(&params, group_luminance(&params, &lamps, &packet, of_set, group),
+                              &pixels, slopes);
         // What the first look found; of several lights it does not say which one was hidden.
-        if (first + count == end) known = first + start;
-        for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
-            float4 flux = vpl->flux;
-            if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
-            WFloat3 d = from_vpl(&packet, vpl);
-            WMask useful;
-            WFloat g = connection(&packet, vpl, VPL_SURFACE, d, &useful);
-            WMask blocked = hidden;
-            WMask unsure = useful & edge;
-            if (vpl != known && mask_any(unsure)) {
-                rays += mask_count(unsure);
-                WMask found = trace_any_packet(scene, xyz(vpl->position), d, unsure);
-                blocked = (hidden & mask_not(edge)) | (found & edge);
-            }
-            add_connection(&params, &through, &packet, &inside, xyz(vpl->position), flux, g, d,
-                           (uint)(vpl - first), useful & mask_not(blocked), &light);
-        }
+        shadow.known = l + 1u == end ? start : count;
+        for (; l < end; ++l)
+            rays += add_light(scene, &params, &through, &lamps, &packet, &inside, &shadow, l,
+                              of_set + l * count, &light);
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);
     count_rays(counters + params.counter, rays);

@@ -104,8 +104,9 @@ typedef struct {
 
 // One light. `cumulative` is the inclusive sum of choice probabilities up to this light.
 typedef struct {
-    float4 position;  // punctual: xyz
-    float4 axis;      // spot, directional: direction of travel
+    float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest one
+    float4 axis;      // spot, directional: direction of travel; area: xyz normal of the plane that
+                      // all of it lies in, 0 where it does not
     float4 power;     // area: radiance; point, spot: W/sr in kernel units; directional: W/m^2
     uint kind;
     uint first, count;  // emissive triangles

@@ -10,6 +10,7 @@
 // A work-item adds one path to the irradiance of one receiver: to the direct part where bit 0 of
 // Params::list_length is set, to the indirect part where bit 1 is.
 #include "counters.h"
+#include "near_lamp_limit.h"
 #include "path.h"
 #include "receiver_values.h"
 
@@ -21,11 +22,13 @@ static inline float share_beyond(float bound, float distance, float cosine_x, fl
     return m_max(share, 0.0f);
 }
 
-/// Share of a lamp's light that its samples leave out; all of it where they know nothing of it.
+/// Share of a lamp's light that its samples leave out; all of it where they know nothing of it, and
+/// nothing where near_lamp.h makes up for it.
 static inline float lamp_share(const Params* params, const PathScene* world, uint instance,
                                float distance, float cosine_x, float cosine_y) {
     uint index = world->geometry.instances[instance].light;
     if (index == NO_TRIANGLE) return 1.0f;
+    if (has_closed_form(params, world->lights + index) != 0) return 0.0f;
     return share_beyond(params->light_bound_scale / world->lights[index].area, distance, cosine_x,
                         cosine_y);
 }

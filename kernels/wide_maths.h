@@ -34,4 +34,26 @@ static inline WFloat wide_exp_minus(WFloat depth) {
     return (WIDE(1.0f) + (r + rest)) * wide_power_of_two(first) * wide_power_of_two(n - first);
 }
 
+/// Angle of the point (x, y), y >= 0, in [0, pi], to 3 ulp; 0 for the origin. See m_atan2.
+static inline WFloat wide_upper_angle(WFloat y, WFloat x) {
+    WFloat zero = WIDE(0.0f);
+    WFloat one = WIDE(1.0f);
+    WFloat across = VMAX(x, -x);
+    WFloat large = VMAX(across, y);
+    WFloat small = VMIN(across, y);
+    WFloat t = SELECT(large > zero, small / large, zero);
+    // Where t is above tan(pi/8), the rest of the angle beyond pi/4.
+    WMask steep = t > WIDE(0.41421356f);
+    t = SELECT(steep, (t - one) / (t + one), t);
+    WFloat z = t * t;
+    WFloat tail = WIDE(1.0598728e-1f) + z * -6.0887355e-2f;
+    tail = WIDE(-1.4244345e-1f) + z * tail;
+    tail = WIDE(1.9998527e-1f) + z * tail;
+    tail = WIDE(-3.3333316e-1f) + z * tail;
+    WFloat angle = t + t * z * tail;
+    angle = SELECT(steep, WIDE(M_QUARTER_PI) + (angle + M_QUARTER_PI_LOW), angle);
+    angle = SELECT(y > across, WIDE(M_HALF_PI) - (angle - M_HALF_PI_LOW), angle);
+    return SELECT(x < zero, WIDE(M_ONE_PI) - (angle - M_ONE_PI_LOW), angle);
+}
+
 #endif

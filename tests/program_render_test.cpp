@@ -116,9 +116,9 @@ TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
             EXPECT_GE(kernel.at("build_ms"), 0.0);
             EXPECT_TRUE(kernel.at("flags").is_string());
         }
-        EXPECT_EQ(names,
-                  (std::vector<std::string>{"gbuffer", "vpl_walk", "light_samples", "receivers",
-                                            "vpl_gather", "reconstruct", "compose"}));
+        EXPECT_EQ(names, (std::vector<std::string>{"gbuffer", "vpl_walk", "light_samples",
+                                                   "receivers", "vpl_gather", "area_lights",
+                                                   "reconstruct", "compose"}));
     }
 }
 
@@ -161,7 +161,7 @@ TEST_F(ProgramRender, OnlyWhatIsCalledForIsBuilt) {
     };
     for (const std::string& backend : program_backends()) {
         EXPECT_EQ(kernels_of({"--backend", backend, "--components", "direct"}),
-                  (std::vector<std::string>{"gbuffer", "light_samples", "receivers", "vpl_gather",
+                  (std::vector<std::string>{"gbuffer", "light_samples", "receivers", "area_lights",
                                             "reconstruct", "compose"}));
         const Image direct = read_exr(at("x.exr"));
         EXPECT_EQ(mean(*direct.find("indirect")), 0.0);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "divided_box.h"
 #include "path_fixture.h"
-#include "scene/load_scene.h"
 
 // Light that VPLs leave out and one path per pixel brings back: against closed forms where there
 // are any (inside a sphere; beside a lamp that shares an edge with the receiver), else against the
@@ -62,18 +62,6 @@ SeedValues trace_seeds(const FlatScene& flat, const Camera& camera, PathSettings
                                                camera, settings)));
     return all;
 }
-
-struct CornellBox {
-    Camera camera;
-    FlatScene flat;
-
-    CornellBox() {
-        Diagnostics diagnostics;
-        const Scene scene = load_scene(WEFT_SOURCE_DIR "/scenes/cornell-box.gltf", diagnostics);
-        camera = scene.cameras.at(0);
-        flat = flatten(scene);
-    }
-};
 
 RenderSettings compensated(RenderSettings settings) {
     settings.sampling.compensation = true;
@@ -157,7 +145,7 @@ TEST(VplResidual, InASphereItIsWhatTheBoundCutsOffAndAllLaterOrders) {
 }
 
 TEST(VplResidual, IsTheSameOnEveryBackend) {
-    const CornellBox box;
+    const test::DividedBox box;
     for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
         const RenderSettings settings = compensated(test::small_settings(algorithm, 24, 20));
         const test::Rendering reference = test::render_flat(test::shared_executor(Backend::own_bvh),
@@ -298,7 +286,7 @@ void expect_picture(const SeedValues& found, const SeedValues& reference, bool d
 
 TEST(VplResidual, ClosesTheGapToPathTracingInTheCornellBox) {
     constexpr std::array<double, 3> lamp{16.1, 8.51, 2.16};  // seen in a wall of albedo 0.78
-    const CornellBox box;
+    const test::DividedBox box;
     const SeedValues reference =
         trace_seeds(box.flat, box.camera, test::path_settings(edge, edge, 8), true, area_means);
     for (const bool direct : {true, false}) {
@@ -335,7 +323,7 @@ TEST(VplResidual, ClosesTheGapToPathTracingInTheCornellBox) {
 // The filter of igi, radius 1, moves light between neighbouring pixels of a surface: those at its
 // edges give away a little more or less than they get.
 TEST(VplResidual, KeepsTheMeanOverFramesAndOfInterleavedPictures) {
-    const CornellBox box;
+    const test::DividedBox box;
     const PathSettings path = test::path_settings(edge, edge, 8);
     const SeedValues centres = trace_seeds(box.flat, box.camera, path, true, area_means);
     const SeedValues everywhere = trace_seeds(box.flat, box.camera, path, false, area_means);
@@ -354,7 +342,7 @@ TEST(VplResidual, KeepsTheMeanOverFramesAndOfInterleavedPictures) {
 }
 
 TEST(VplResidual, IsInPlansThatAskForItAndOnlyWhereThereIsLight) {
-    const FlatScene flat = CornellBox().flat;
+    const FlatScene flat = test::DividedBox().flat;
     for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
         const RenderSettings settings = test::small_settings(algorithm, 8, 8);
         const FramePlan without = plan_for(flat, settings);

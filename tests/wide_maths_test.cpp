@@ -61,4 +61,37 @@ TEST(WideMaths, ExponentialAtTheEnds) {
         EXPECT_LE(exp_minus(std::nextafter(depth, infinity)), exp_minus(depth)) << depth;
 }
 
+float upper_angle(float y, float x) {
+    std::array<float, LANES> results{};
+    wide_store(wide_upper_angle(WIDE(y), WIDE(x)), results.data(), 0);
+    return results[LANES - 1];
+}
+
+TEST(WideMaths, UpperAngleIsCorrectToThreeUlp) {
+    double worst = 0.0;
+    for (int step = 0; step <= 200000; ++step) {
+        const double turn = static_cast<double>(step) / 200000.0;
+        // Evenly all around, and close to both ends.
+        for (const double angle :
+             {turn * 3.14159, std::exp2(-40.0 * turn), 3.14159265 - std::exp2(-20.0 * turn)}) {
+            const auto y = static_cast<float>(3.7 * std::sin(angle));
+            const auto x = static_cast<float>(3.7 * std::cos(angle));
+            if (y < 0.0F) continue;
+            const double exact = std::atan2(static_cast<double>(y), static_cast<double>(x));
+            const double unit = std::ldexp(1.0, std::max(std::ilogb(exact) - 23, -149));
+            worst =
+                std::max(worst, std::abs(static_cast<double>(upper_angle(y, x)) - exact) / unit);
+        }
+    }
+    EXPECT_LT(worst, 3.0);
+    EXPECT_GT(worst, 0.4);
+}
+
+TEST(WideMaths, UpperAngleOnTheAxes) {
+    EXPECT_EQ(upper_angle(0.0F, 0.0F), 0.0F);
+    EXPECT_EQ(upper_angle(0.0F, 2.0F), 0.0F);
+    EXPECT_EQ(upper_angle(2.0F, 0.0F), static_cast<float>(std::atan2(1.0, 0.0)));
+    EXPECT_EQ(upper_angle(0.0F, -2.0F), static_cast<float>(std::atan2(0.0, -1.0)));
+}
+
 }  // namespace

@@ -14,6 +14,12 @@ bool called_for(const FramePlan& plan) {
     return plan.has_sampled_direct() || plan.has_exact_direct();
 }
 
+/// Looks at every sample on area lights: near ones are known in closed form where each light has
+/// samples of its own.
+KernelId area_light_kernel(const FramePlan& plan) {
+    return plan.samples_per_light > 0 ? KernelId::area_lights : KernelId::vpl_gather;
+}
+
 ComponentNeeds needs(const FramePlan& plan) {
     const bool adapts = plan.adapts_direct();
     ComponentNeeds needs;
@@ -28,14 +34,21 @@ ComponentNeeds needs(const FramePlan& plan) {
     if (plan.directional_lights > 0) needs.features |= FEATURE_DIRECTIONAL_LIGHTS;
     std::vector<KernelId>& list = needs.kernels;
     if (plan.light_sample_count() > 0) list.push_back(KernelId::light_samples);
-    if ((plan.samples_per_set > 0 && !adapts) || plan.punctual_lights > 0)
-        list.push_back(KernelId::vpl_gather);
+    if (plan.samples_per_set > 0 && !adapts) list.push_back(area_light_kernel(plan));
+    if (plan.punctual_lights > 0) list.push_back(KernelId::vpl_gather);
     if (adapts)
         list.insert(list.end(),
                     {KernelId::shadow_probes, KernelId::shadow_edges, KernelId::soft_shadows});
     if (plan.has_distant()) list.push_back(KernelId::distant_light);
     return needs;
 }
+
+/// A list of lights that all receivers gather: of set k, `length` samples from first + k stride on.
+struct GatheredLights {
+    KernelId kernel;
+    const char* stage;
+    std::uint32_t first, stride, length;
+};
 
 /// Light that comes straight from area, point, spot and distant lights.
 class Direct : public Component {
@@ -56,8 +69,7 @@ class Direct : public Component {
     [[nodiscard]] const SamplingDecision* decision() const override { return soft_shadows_.get(); }
 
   private:
-    void gather(FrameContext& frame, const char* stage, Buffer* irradiance, std::uint32_t first,
-                std::uint32_t stride, std::uint32_t length);
+    void gather(FrameContext& frame, const GatheredLights& lights, Buffer* irradiance);
     void sample_distant(FrameContext& frame);
     void clear(FrameContext& frame, Buffer& irradiance);
 
@@ -81,16 +93,18 @@ Direct::Direct(const ComponentInputs& inputs) : shared_(inputs.buffers) {
         exact_irradiance_ = dark_irradiance(executor, shared_.slots, "exact direct irradiance");
 }
 
-void Direct::gather(FrameContext& frame, const char* stage, Buffer* irradiance, std::uint32_t first,
-                    std::uint32_t stride, std::uint32_t length) {
-    frame.params.list_first = first;
-    frame.params.list_stride = stride;
-    frame.params.list_length = length;
-    frame.run(
-        KernelId::vpl_gather, stage, name, true,
-        with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
-                             shared_.light_samples.get(), irradiance, shared_.counters.get()}),
-        shared_.slots / frame.executor.lanes(), gather_items_per_launch(frame.executor, length));
+void Direct::gather(FrameContext& frame, const GatheredLights& lights, Buffer* irradiance) {
+    frame.params.list_first = lights.first;
+    frame.params.list_stride = lights.stride;
+    frame.params.list_length = lights.length;
+    const std::vector<Buffer*> buffers{shared_.receivers.get(), shared_.block_set.get(),
+                                       shared_.light_samples.get(), irradiance,
+                                       shared_.counters.get()};
+    const bool lamps = lights.kernel == KernelId::area_lights;
+    frame.run(lights.kernel, lights.stage, name, true,
+              lamps ? with_lamps(frame, buffers) : with_media(shared_, buffers),
+              shared_.slots / frame.executor.lanes(),
+              gather_items_per_launch(frame.executor, lights.length));
 }
 
 void Direct::sample_distant(FrameContext& frame) {
@@ -120,13 +134,16 @@ void Direct::sample(FrameContext& frame) {
     if (soft_shadows_) {
         soft_shadows_->sample(frame, *shared_.light_samples, *irradiance_);
     } else if (plan.samples_per_set > 0) {
-        const bool all = plan.gather_sets == 1;
-        gather(frame, "area lights", irradiance_.get(), 0, plan.samples_per_set,
-               all ? plan.area_samples() : plan.samples_per_set);
+        gather(frame,
+               {area_light_kernel(plan), "area lights", 0, plan.samples_per_set,
+                plan.gather_sets == 1 ? plan.area_samples() : plan.samples_per_set},
+               irradiance_.get());
     }
     if (plan.punctual_lights > 0)
-        gather(frame, "punctual lights", exact_irradiance_.get(), plan.area_samples(), 0,
-               plan.punctual_lights);
+        gather(
+            frame,
+            {KernelId::vpl_gather, "punctual lights", plan.area_samples(), 0, plan.punctual_lights},
+            exact_irradiance_.get());
     if (plan.has_distant()) sample_distant(frame);
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "frame/view_media.h"
+#include "frame/virtual_lights.h"
 #include "schedule/brightness.h"
 
 namespace weft {
@@ -52,9 +52,9 @@ void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradianc
 
 void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
     frame.run(KernelId::shadow_probes, "shadow probes", name, true,
-              with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
-                                   shared_.slot_pixel.get(), &samples, &irradiance,
-                                   pixel_shadows_.get(), shared_.counters.get()}),
+              with_lamps(frame, {shared_.receivers.get(), shared_.block_set.get(),
+                                 shared_.slot_pixel.get(), &samples, &irradiance,
+                                 pixel_shadows_.get(), shared_.counters.get()}),
               shared_.slots / executor_.lanes(),
               gather_items_per_launch(executor_, frame.plan.samples_per_set));
     const std::uint32_t runs = (grid_.width + SHADOW_RUN - 1) / SHADOW_RUN * grid_.height;
@@ -78,11 +78,11 @@ void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irrad
     frame.params.shadow_step = static_cast<float>(step_);
     const auto blocks = static_cast<std::uint32_t>(edges_.blocks.size());
     frame.run(KernelId::soft_shadows, "area lights", name, true,
-              with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
-                                   shared_.slot_pixel.get(), shadow_blocks_.get(), &samples,
-                                   pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
-                                   shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
-                                   shared_.counters.get()}),
+              with_lamps(frame, {shared_.receivers.get(), shared_.block_set.get(),
+                                 shared_.slot_pixel.get(), shadow_blocks_.get(), &samples,
+                                 pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
+                                 shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
+                                 shared_.counters.get()}),
               blocks * (PACKET_BLOCK / executor_.lanes()),
               gather_items_per_launch(executor_, frame.plan.samples_per_set));
 }

@@ -18,6 +18,17 @@ void make_light_samples(FrameContext& frame, const char* component) {
               frame.plan.light_sample_count());
 }
 
+std::vector<Buffer*> with_lamps(const FrameContext& frame, const std::vector<Buffer*>& others) {
+    const SceneBuffers& scene = frame.scene_buffers;
+    constexpr std::size_t positions = 0;  // in GEOMETRY_ARGS
+    constexpr std::size_t triangles = 1;
+    std::vector<Buffer*> all = with_media(
+        frame.buffers, {scene.lights.get(), scene.emissive.get(), scene.geometry[positions].get(),
+                        scene.geometry[triangles].get()});
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
 void make_media_samples(FrameContext& frame, const char* component, Buffer& samples) {
     const FramePlan& plan = frame.plan;
     if (plan.media_samples_per_set == 0) return;

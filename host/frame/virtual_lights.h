@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "frame/frame_context.h"
 
@@ -13,6 +14,10 @@ namespace weft {
 /// Fills FrameBuffers::light_samples with the points on lights of a frame: a stage of `component`,
 /// the first of the frame that uses them.
 void make_light_samples(FrameContext& frame, const char* component);
+
+/// The buffers of MEDIA_ARGS and LAMP_ARGS (kernels/near_lamp.h), followed by others.
+[[nodiscard]] std::vector<Buffer*> with_lamps(const FrameContext& frame,
+                                              const std::vector<Buffer*>& others);
 
 /// Fills a buffer with the points on area lights from which light in media comes: those of
 /// FramePlan::media_samples_per_set of every set.

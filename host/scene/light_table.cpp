@@ -6,6 +6,7 @@
 #include <span>
 
 #include "scene/flat_scene.h"
+#include "scene/lamp_bounds.h"
 
 namespace weft {
 namespace {
@@ -78,6 +79,9 @@ struct Collector {
                                             &shared::EmissiveTriangle::probability);
         shared::LightRecord light{};
         light.kind = EMITTER_AREA;
+        const LampBounds bounds = lamp_bounds(flat, entries);
+        light.position = bounds.ball;
+        light.axis = bounds.normal;
         light.power = rgb(material.emission, 1.0);
         light.first = static_cast<std::uint32_t>(flat.emissive.size());
         light.count = static_cast<std::uint32_t>(entries.size());

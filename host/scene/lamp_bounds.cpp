@@ -1,0 +1,52 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/lamp_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace weft {
+namespace {
+
+std::array<glm::dvec3, 3> corners_of(const FlatScene& flat,
+                                     const shared::EmissiveTriangle& emissive) {
+    const shared::Triangle& triangle = flat.triangles[emissive.triangle];
+    const auto corner = [&](std::uint32_t vertex) {
+        const shared::float4& p = flat.positions[vertex];
+        return glm::dvec3(p.x, p.y, p.z);
+    };
+    return {corner(triangle.v0), corner(triangle.v1), corner(triangle.v2)};
+}
+
+}  // namespace
+
+LampBounds lamp_bounds(const FlatScene& flat, std::span<const shared::EmissiveTriangle> lamp) {
+    glm::dvec3 sum(0.0);
+    for (const auto& triangle : lamp)
+        for (const glm::dvec3& corner : corners_of(flat, triangle)) sum += corner;
+    // As kernels know it, so that the radius is about what they have.
+    const glm::vec3 centre(sum / (3.0 * static_cast<double>(lamp.size())));
+    const auto [a, b, c] = corners_of(flat, lamp.front());
+    const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+    double radius = 0.0;
+    double height = 0.0;
+    for (const auto& triangle : lamp)
+        for (const glm::dvec3& corner : corners_of(flat, triangle)) {
+            const glm::dvec3 to = corner - glm::dvec3(centre);
+            radius = std::max(radius, glm::length(to));
+            height = std::max(height, std::abs(glm::dot(to, normal)));
+        }
+    LampBounds bounds;
+    bounds.ball = {centre.x, centre.y, centre.z,
+                   std::nextafter(static_cast<float>(radius), HUGE_VALF)};
+    // Floats of turned panels miss their plane by rounding: of a hundred of their steps.
+    constexpr double flat_share = 1e-5;
+    if (height <= flat_share * radius) {
+        const glm::vec3 n(normal);
+        bounds.normal = {n.x, n.y, n.z, 0.0F};
+    }
+    return bounds;
+}
+
+}  // namespace weft

@@ -1,0 +1,25 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_LAMP_BOUNDS_H
+#define WEFT_SCENE_LAMP_BOUNDS_H
+
+#include <span>
+
+#include "device/shared_types.h"
+#include "scene/flat_scene.h"
+
+namespace weft {
+
+/// What an area light lies in, kernel units: shared::LightRecord::position and axis.
+struct LampBounds {
+    shared::float4 ball{};    ///< xyz middle of its corners, w distance of the furthest of them
+    shared::float4 normal{};  ///< xyz unit normal of the plane of all triangles, 0 if there is none
+};
+
+/// Bounds of emissive triangles of the scene, of which there is at least one and none is of area 0.
+[[nodiscard]] LampBounds lamp_bounds(const FlatScene& flat,
+                                     std::span<const shared::EmissiveTriangle> lamp);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,101 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lamps close to what they light. Samples on a lamp are bounded (connection.h), which leaves out
+// light where it is closer than they are to each other. There the closed form says how much light
+// an unhidden lamp sends, and samples only how much of it arrives: the ratio estimator of Heitz,
+// Hill and McGuire 2018 ("Combining Analytic Direct Illumination and Stochastic Shadows", equation
+// 9). From where the bound begins to twice as far off, one passes into the other.
+#ifndef WEFT_NEAR_LAMP_H
+#define WEFT_NEAR_LAMP_H
+
+#include "near_lamp_limit.h"
+#include "triangle_irradiance.h"
+
+#define LAMP_ARGS                                                              \
+    GLOBAL const LightRecord *lights, GLOBAL const EmissiveTriangle *emissive, \
+        GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list
+#define LAMP_MAKE(name)         \
+    Lamps name;                 \
+    name.lights = lights;       \
+    name.emissive = emissive;   \
+    name.positions = positions; \
+    name.triangles = triangle_list
+
+// Area lights and the triangles they are made of.
+typedef struct {
+    GLOBAL const LightRecord* lights;
+    GLOBAL const EmissiveTriangle* emissive;
+    GLOBAL const float4* positions;
+    GLOBAL const Triangle* triangles;
+} Lamps;
+
+/// 1 where the lamp is so near that the bound on its samples can cut light off, 0 from twice as far
+/// off on.
+static inline WFloat nearness(const Params* params, GLOBAL const LightRecord* lamp,
+                              const ReceiverPacket* packet) {
+    WFloat zero = WIDE(0.0f);
+    float reach = square_root(lamp->area / params->light_bound_scale);
+    if (!(reach > 0.0f) || has_closed_form(params, lamp) == 0) return zero;
+    float4 centre = lamp->position;
+    WFloat3 to;
+    to.x = packet->position.x - centre.x;
+    to.y = packet->position.y - centre.y;
+    to.z = packet->position.z - centre.z;
+    // No point of the lamp is nearer than this.
+    WFloat height = wide_dot_scalar(to, xyz(lamp->axis));
+    WFloat distance = wide_square_root(wide_dot(to, to)) - centre.w;
+    distance = VMAX(distance, height);
+    distance = VMAX(distance, -height);
+    WFloat near = WIDE(2.0f) - distance / reach;
+    near = VMAX(near, zero);
+    near = VMIN(near, WIDE(1.0f));
+    return SELECT(packet->valid, near, zero);
+}
+
+/// Irradiance by all of an unhidden lamp of radiance 1.
+static inline WFloat lamp_irradiance(const Lamps* lamps, GLOBAL const LightRecord* lamp,
+                                     const ReceiverPacket* packet) {
+    WFloat zero = WIDE(0.0f);
+    WFloat sum = zero;
+    for (uint i = 0u; i < lamp->count; ++i) {
+        Triangle triangle = lamps->triangles[lamps->emissive[lamp->first + i].triangle];
+        WFloat e = triangle_irradiance(
+            packet->position, packet->shading, xyz(lamps->positions[triangle.v0]),
+            xyz(lamps->positions[triangle.v1]), xyz(lamps->positions[triangle.v2]));
+        WFloat other = lamp->both_sides != 0u ? -e : zero;
+        sum = sum + VMAX(e, other);
+    }
+    return sum;
+}
+
+/// Factor for the geometry terms of a lamp's samples, Params::samples_per_light from `first` on, by
+/// lane: 1 where the lamp is far.
+static inline WFloat near_lamp_scale(const Params* params, const Lamps* lamps, uint number,
+                                     const ReceiverPacket* packet, GLOBAL const Vpl* first) {
+    WFloat zero = WIDE(0.0f);
+    WFloat one = WIDE(1.0f);
+    GLOBAL const LightRecord* lamp = lamps->lights + number;
+    WFloat near = nearness(params, lamp, packet);
+    if (!mask_any(near > zero)) return one;
+    // What is hidden by the receiver's own surface counts as hidden, so here only its shading
+    // normal matters.
+    ReceiverPacket shaded = *packet;
+    shaded.normal = packet->shading;
+    WFloat sampled = zero;
+    for (uint i = 0u; i < params->samples_per_light; ++i) {
+        GLOBAL const Vpl* vpl = first + i;
+        WMask useful;
+        WFloat g = connection(&shaded, vpl, VPL_SURFACE, from_vpl(&shaded, vpl), &useful);
+        sampled = sampled + SELECT(useful, g, zero);
+    }
+    if (!mask_any((near > zero) & (sampled > zero))) return one;
+    float share = lamp->area / (float)params->samples_per_light;
+    if (lamp->both_sides != 0u) share = 2.0f * share;
+    WFloat ratio = lamp_irradiance(lamps, lamp, packet) / (sampled * share);
+    // Neither without samples nor beyond what floats hold.
+    WMask known = (near > zero) & (sampled > zero) & (ratio < WIDE(1e30f));
+    return SELECT(known, one + near * (ratio - one), one);
+}
+
+#endif
