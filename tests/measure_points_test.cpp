@@ -79,6 +79,28 @@ TEST(MeasurePoints, VisitsEveryCandidateOnceInARound) {
     EXPECT_EQ(points[0].rays, 10U);
 }
 
+TEST(MeasurePoints, TimesOfAllSettingsSayHowFarThoseOfOneMayLie) {
+    MadeUp machine;
+    Measuring measuring = machine.measuring();
+    measuring.make = [make = measuring.make](const Preset& preset, std::uint32_t seed,
+                                             bool first_alone) {
+        MeasuredPicture picture = make(preset, seed, first_alone);
+        // One setting takes as long with every seed, as chance may have it.
+        if (!first_alone && preset.samples != 10) picture.ms *= seed % 2 == 0 ? 1.0 : 1.25;
+        return picture;
+    };
+    std::vector<std::string> skipped;
+    const MeasurePlan plan{.repetitions = 4, .seed = 0, .slow_ms = 500.0};
+    const auto points = measure_points(some_candidates(), plan, measuring, skipped);
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_EQ(points[0].name, "a");
+    EXPECT_DOUBLE_EQ(points[0].ms.median, 10.0);
+    EXPECT_LT(points[0].ms.low, 10.0 / 1.25);
+    EXPECT_GT(points[0].ms.high, 10.0 * 1.25);
+    for (const TradeoffPoint& point : points)
+        EXPECT_NEAR(point.ms.high / point.ms.median, points[0].ms.high / 10.0, 1e-12);
+}
+
 TEST(MeasurePoints, AFamilyOfSlowFramesIsNotTriedFurther) {
     MadeUp machine;
     machine.frame_ms = 1000.0;

@@ -71,6 +71,9 @@ TEST_F(TradeoffCommand, WritesAllThatItFound) {
     EXPECT_TRUE(found["check"].is_null());
     // igi, ic, and path with 4, 16 and 64 samples.
     ASSERT_EQ(found["points"].size(), 5U);
+    EXPECT_EQ(found["time_spread"]["deviations"], 20);
+    EXPECT_GT(found["time_spread"]["factor"], 1.0);
+    EXPECT_GE(found["time_spread"]["degrees"], 3.0);
     bool any_on_front = false;
     double before = 0.0;
     for (const json& point : found["points"]) {

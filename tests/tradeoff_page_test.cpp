@@ -56,6 +56,7 @@ TradeoffResult made_up() {
                         .picture = grey(8, 4, 0.5F)};
     result.points = {point_of("ais 1", 10.0, 0.4, true), point_of("igi 1", 20.0, 0.5, false),
                      point_of("ais 2", 100.0, 0.1, true), point_of("path 1", 2000.0, 0.02, true)};
+    result.time_spread = {.factor = 1.25, .degrees = 10.0, .deviations = 1200};
     result.advice = {{300.0, {}, 2, "For 300 ms the best is ais 2.", "300ms.json"}};
     for (const double budget : {0.3, 3.0})
         result.peers.push_back({.name = "other",
@@ -113,6 +114,7 @@ TEST(TradeoffPage, ShowsEveryPoint) {
         page.holds("weft render scenes/nave.gltf --preset out/300ms.json --size 64x48 -o out.exr"));
     EXPECT_TRUE(page.holds("For 300 ms the best is ais 2."));
     EXPECT_TRUE(page.holds("four cores"));
+    EXPECT_TRUE(page.holds("divided and multiplied by 1.25, which the deviations of all "));
     EXPECT_EQ(page.text(), tradeoff_page(result));
 }
 

@@ -28,6 +28,7 @@
 #include "tradeoff/peer_pictures.h"
 #include "tradeoff/reference_pictures.h"
 #include "tradeoff/thumbnail.h"
+#include "tradeoff/time_spread.h"
 #include "tradeoff/tradeoff_files.h"
 
 namespace weft {
@@ -232,6 +233,7 @@ class TradeoffRun {
         if (result_.points.empty())
             throw Error(ExitCode::device,
                         "every setting takes too long on this device, expected a smaller --size");
+        result_.time_spread = time_spread(result_.points);
         mark_front(result_.points, result_.measure);
     }
 

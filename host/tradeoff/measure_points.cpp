@@ -8,6 +8,7 @@
 #include "tradeoff/pareto_front.h"
 #include "tradeoff/prediction_interval.h"
 #include "tradeoff/reference_pictures.h"
+#include "tradeoff/time_spread.h"
 
 namespace weft {
 namespace {
@@ -59,8 +60,8 @@ Interval interval_of(const std::vector<std::vector<double>>& runs, std::size_t m
                                    : IntervalScale::logarithmic);
 }
 
-void summarize(TradeoffPoint& point) {
-    point.ms = prediction_interval(point.runs_ms);
+void summarize(TradeoffPoint& point, const TimeSpread& spread) {
+    point.ms = time_interval(point.runs_ms, spread);
     for (std::size_t measure = 0; measure < error_measures; ++measure)
         point.errors.push_back(interval_of(point.runs_errors, measure));
 }
@@ -104,7 +105,8 @@ std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,
             if (round == 0) point.rays = made.rays;
             done_ms += entrants[i].expected_ms;
         }
-    for (TradeoffPoint& point : points) summarize(point);
+    const TimeSpread spread = time_spread(points);
+    for (TradeoffPoint& point : points) summarize(point, spread);
     std::stable_sort(
         points.begin(), points.end(),
         [](const TradeoffPoint& a, const TradeoffPoint& b) { return a.ms.median < b.ms.median; });

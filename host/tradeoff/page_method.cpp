@@ -35,6 +35,23 @@ std::string machine_table(const nlohmann::json& machine) {
     return text + "</tbody>\n</table>\n";
 }
 
+std::string intervals_paragraph(const TimeSpread& spread) {
+    std::string text =
+        "<p>Figures are medians. An interval holds one further picture's measurement with a "
+        "confidence of 95 %. ";
+    if (spread.deviations > 0)
+        text += fmt::format(
+            "That of a time is the median divided and multiplied by {}, which the deviations of "
+            "all {} times from the others of their setting call for; a setting that scatters more "
+            "than that has an interval by its own times. Of the machine, intervals know what it "
+            "did while it measured. ",
+            escape_markup(figure_text(spread.factor)), count_text(spread.deviations));
+    return text +
+           "That of an error is by Student's distribution of its logarithms; of biases, and where "
+           "one of them is 0, of the values themselves. All errors are those of the beauty layer "
+           "against the reference; 0 is a perfect picture.</p>\n";
+}
+
 constexpr const char* meanings =
     "<dl>\n"
     "<dt>HDR-FLIP</dt><dd>What a person sees when flipping between picture and reference, over "
@@ -56,11 +73,7 @@ std::string method_section(const TradeoffResult& result) {
         "frames of a picture; loading the scene, building the acceleration structure and the "
         "kernels, and writing files are not part of it, for any renderer.</p>\n",
         result.repetitions);
-    text +=
-        "<p>Figures are medians. An interval holds a further measurement with a confidence of "
-        "95 %, if logarithms are normally distributed; of biases, and where one of them is 0, the "
-        "values themselves. All errors are those of the beauty layer against the reference; 0 is "
-        "a perfect picture.</p>\n";
+    text += intervals_paragraph(result.time_spread);
     text += meanings;
     text += machine_table(result.machine);
     if (!result.command.empty())

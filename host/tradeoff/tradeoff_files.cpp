@@ -51,6 +51,12 @@ Json point_json(const TradeoffPoint& point) {
             {"runs", runs}};
 }
 
+Json spread_json(const TimeSpread& spread) {
+    if (spread.deviations == 0) return {};
+    return {
+        {"factor", spread.factor}, {"degrees", spread.degrees}, {"deviations", spread.deviations}};
+}
+
 Json peer_json(const PeerPoint& peer) {
     return {{"name", peer.name},         {"budget_s", peer.budget_s},
             {"seconds", peer.seconds},   {"samples", peer.samples},
@@ -121,6 +127,7 @@ Json tradeoff_json(const TradeoffResult& result) {
              {{"samples", result.reference.samples},
               {"noise_floor", errors_json(result.reference.noise_floor)}}},
             {"points", points},
+            {"time_spread", spread_json(result.time_spread)},
             {"skipped", result.skipped},
             {"peers", peers},
             {"peer_notes", result.peer_notes},
@@ -158,6 +165,11 @@ std::string tradeoff_text(const TradeoffResult& result) {
         text += fmt::format("{:<32} {:>10.4g} {:>22} {:>12.3g} {:>24}\n", point.name,
                             point.ms.median, times, error.median, errors);
     }
+    if (result.time_spread.deviations > 0)
+        text += fmt::format(
+            "one more time lies within a factor of {:.3g} of its median, by {} times of all "
+            "settings\n",
+            result.time_spread.factor, result.time_spread.deviations);
     if (kind < result.reference.noise_floor.size())
         text += fmt::format("one half of the reference's {} samples against the other: {:.3g}\n",
                             result.reference.samples, result.reference.noise_floor[kind]);

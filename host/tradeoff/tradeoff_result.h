@@ -30,11 +30,18 @@ inline constexpr std::size_t error_measures = 7;
 /// The median of repeated measurements, and where one more will lie.
 struct Interval {
     double median = 0.0;
-    /// Ends of the interval that holds a further measurement with a confidence of 95 %, under
-    /// logarithms that are normally distributed; the values themselves, of a bias and where one
-    /// of them is 0.
+    /// Ends of the interval that holds a further measurement with a confidence of 95 %: of times by
+    /// time_interval, of errors by prediction_interval.
     double low = 0.0;
     double high = 0.0;
+};
+
+/// How far the times of all settings together lie from the others of their setting.
+struct TimeSpread {
+    /// One more time is within the median of its setting divided and multiplied by that.
+    double factor = 1.0;
+    double degrees = 0.0;        ///< of freedom: few where whole rounds were slower than others
+    std::size_t deviations = 0;  ///< that it is known from, one for each time; 0: it is not known
 };
 
 /// What one setting takes and how far its pictures are from the reference.
@@ -109,6 +116,7 @@ struct TradeoffResult {
     std::string picture_options;  ///< of `weft render`, that presets leave open: size, device
     TradeoffReference reference;
     std::vector<TradeoffPoint> points;  ///< by rising time
+    TimeSpread time_spread;
     std::vector<PeerPoint> peers;
     std::vector<std::string> peer_notes;
     std::vector<TradeoffAdvice> advice;
