@@ -59,6 +59,11 @@ grep -q '^bench peers: .*expected at least one' "$work/log" ||
 code=0
 "$python" -B "$root/bench/peers/peers.py" scene.gltf --budgets -1 2>"$work/log" || code=$?
 [ "$code" -eq 1 ] || fail "a negative budget ended with $code, expected 1" "$work/log"
+code=0
+"$python" -B "$root/bench/peers/peers.py" scene.gltf --resume 2>"$work/log" || code=$?
+[ "$code" -eq 1 ] || fail "--resume without --json ended with $code, expected 1" "$work/log"
 "$python" -B "$root/tests/equal_time_test.py" >"$work/log" 2>&1 ||
     fail "finding samples that fit a budget fails" "$work/log"
+"$python" -B "$root/tests/peers_run_test.py" >"$work/log" 2>&1 ||
+    fail "going on with a run, or judging its pictures, fails" "$work/log"
 echo "the export holds what the file holds; without a peer the benchmark says so"

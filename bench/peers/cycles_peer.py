@@ -8,7 +8,9 @@ import os
 import tempfile
 
 import equal_time
+import exported_scene
 from equal_time import Peer, stopwatch
+from exported_scene import NotExpressible
 
 BOUNCES = 1024  # the most that Cycles takes
 TINY = 4  # pixels along an edge of the picture that tells what set-up costs
@@ -24,8 +26,7 @@ class Cycles(Peer):
         import bpy
         import numpy
         self.bpy, self.numpy = bpy, numpy
-        if scene.unsupported("media", "spot"):
-            raise ValueError("media and spot lights are not handed over")
+        scene.refuse("media with density grids", "media that shine")
         self.denoised = variant == "denoised"
         self.name = "Cycles, denoised" if self.denoised else "Cycles"
         self.version = bpy.app.version_string
@@ -37,6 +38,8 @@ class Cycles(Peer):
         self.images = {}
         for number, mesh in enumerate(scene.meshes):
             self.add_mesh(scene, mesh, f"mesh{number}")
+        for number, mesh in enumerate(scene.boundary_meshes):
+            self.add_boundary(scene, scene.boundaries[number], mesh, f"boundary{number}")
         for light in scene.lights:
             self.add_light(light)
         self.add_world(scene.environment)
@@ -67,7 +70,8 @@ class Cycles(Peer):
         cycles.pixel_filter_type, cycles.filter_width = "BOX", 1.0
         cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
         cycles.light_sampling_threshold = 0.0
-        cycles.max_bounces = cycles.diffuse_bounces = BOUNCES
+        cycles.max_bounces = cycles.diffuse_bounces = cycles.volume_bounces = BOUNCES
+        cycles.transparent_max_bounces = BOUNCES
         cycles.use_denoising = self.denoised
         if self.denoised:
             cycles.denoiser = "OPENIMAGEDENOISE"
@@ -104,6 +108,41 @@ class Cycles(Peer):
         return values.reshape(self.size[1], self.size[0], 4)[::-1, :, :3].copy()
 
     def add_mesh(self, scene, mesh, name):
+        self.add_triangles(mesh, name, self.material(scene, mesh))
+
+    def add_boundary(self, scene, boundary, mesh, name):
+        """A closed surface that is nothing but the bounds of a medium."""
+        if boundary["interior"] is None or boundary["exterior"] is not None:
+            raise NotExpressible("media within media")
+        medium = scene.media[boundary["interior"]]
+        made = self.bpy.data.materials.new(name)
+        made.use_nodes = True
+        tree = made.node_tree
+        tree.nodes.clear()
+        output = tree.nodes.new("ShaderNodeOutputMaterial")
+        scattered = [total * share for total, share
+                     in zip(medium["extinction"], medium["albedo"])]
+        absorbed = [total - part for total, part in zip(medium["extinction"], scattered)]
+        scatter = self.volume(tree, "ShaderNodeVolumeScatter", scattered, lambda part: part)
+        scatter.inputs["Anisotropy"].default_value = medium["anisotropy"]
+        # What it does not absorb is the colour of an absorbing medium.
+        absorb = self.volume(tree, "ShaderNodeVolumeAbsorption", absorbed, lambda part: 1.0 - part)
+        both = tree.nodes.new("ShaderNodeAddShader")
+        tree.links.new(scatter.outputs[0], both.inputs[0])
+        tree.links.new(absorb.outputs[0], both.inputs[1])
+        tree.links.new(both.outputs[0], output.inputs["Volume"])
+        self.add_triangles(mesh, name, made)
+
+    @staticmethod
+    def volume(tree, kind, coefficients, colour):
+        made = tree.nodes.new(kind)
+        density = max(coefficients)
+        made.inputs["Density"].default_value = density
+        made.inputs["Color"].default_value = (
+            *(colour(value / density if density > 0.0 else 1.0) for value in coefficients), 1.0)
+        return made
+
+    def add_triangles(self, mesh, name, material):
         data = self.bpy.data.meshes.new(name)
         corners = mesh.triangles.reshape(-1).astype(self.numpy.int32)
         data.vertices.add(len(mesh.positions))
@@ -127,7 +166,7 @@ class Cycles(Peer):
             colours[:, :3] = mesh.colours[corners]
             layer = data.color_attributes.new("colours", "FLOAT_COLOR", "CORNER")
             layer.data.foreach_set("color", colours.reshape(-1))
-        data.materials.append(self.material(scene, mesh))
+        data.materials.append(material)
         self.scene.collection.objects.link(self.bpy.data.objects.new(name, data))
 
     def material(self, scene, mesh):
@@ -222,22 +261,43 @@ class Cycles(Peer):
         return self.images[number]
 
     def add_light(self, light):
-        kind = {"point": "POINT", "directional": "SUN"}[light["type"]]
+        kind = {"point": "POINT", "spot": "SPOT", "directional": "SUN"}[light["type"]]
         data = self.bpy.data.lights.new("light", kind)
         strength = max(light["intensity"])
         data.color = [value / strength for value in light["intensity"]]
-        if kind == "POINT":
-            data.shadow_soft_size = 0.0
-            data.energy = 4.0 * math.pi * strength  # watts of a light that shines all around
-        else:
+        if kind == "SUN":
             data.angle = 0.0
             data.energy = strength
+        else:
+            data.shadow_soft_size = 0.0
+            data.energy = 4.0 * math.pi * strength  # watts of a light that shines all around
+        if kind == "SPOT":
+            self.shape_spot(data, light)
         made = self.bpy.data.objects.new("light", data)
         from mathutils import Vector
         made.rotation_mode = "QUATERNION"
         made.rotation_quaternion = Vector(light["direction"]).to_track_quat("-Z", "Y")
         made.location = light["position"]
         self.scene.collection.objects.link(made)
+
+    def shape_spot(self, data, light):
+        """Gives a light the fall-off of the scene's; its own has another form, and lies beyond."""
+        data.spot_size = 2.0 * exported_scene.spot_angle(light)
+        data.spot_blend = 0.0
+        data.use_nodes = True
+        tree = data.node_tree
+        geometry = tree.nodes.new("ShaderNodeNewGeometry")
+        along = tree.nodes.new("ShaderNodeVectorMath")
+        along.operation = "DOT_PRODUCT"
+        tree.links.new(geometry.outputs["Incoming"], along.inputs[0])
+        along.inputs[1].default_value = light["direction"]
+        ramp = tree.nodes.new("ShaderNodeMapRange")  # linear, and ends at 0 and 1
+        tree.links.new(along.outputs["Value"], ramp.inputs["Value"])
+        ramp.inputs["From Min"].default_value = light["cos_outer"]
+        ramp.inputs["From Max"].default_value = light["cos_outer"] + exported_scene.spot_rim(light)
+        squared = self.node(tree, "ShaderNodeMath", ramp.outputs["Result"], 2.0, operation="POWER")
+        emission = next(node for node in tree.nodes if node.type == "EMISSION")
+        tree.links.new(squared, emission.inputs["Strength"])
 
     def add_world(self, radiance):
         world = self.bpy.data.worlds.new("world")

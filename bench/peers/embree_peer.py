@@ -16,6 +16,7 @@ import tempfile
 
 import equal_time
 from equal_time import Peer, stopwatch
+from exported_scene import NotExpressible
 
 PROGRAM = "pathtracer"
 MOST_LIGHTS = 256  # it samples all of them at every vertex
@@ -53,7 +54,7 @@ def parallelograms(mesh):
                 left.pop(number)
                 break
         else:
-            raise ValueError("a lamp is no parallelogram, and it has no other area lights")
+            raise NotExpressible("lamps that are no parallelograms")
     return found
 
 
@@ -82,11 +83,8 @@ class Embree(Peer):
         self.numpy = numpy
         self.version = probe("")
         if not any(scene.emits(mesh.material) for mesh in scene.meshes):
-            raise ValueError("scenes without area lights are not handed over")
-        if scene.unsupported("media", "punctual") or scene.textures:
-            raise ValueError("media, textures and lights without area are not handed over")
-        if any(mesh.colours is not None for mesh in scene.meshes):
-            raise ValueError("vertex colours are not handed over")
+            raise NotExpressible("scenes without area lights")
+        scene.refuse("media", "textures", "lights without area", "vertex colours")
         self.size = scene.camera["size"]
         self.exported = scene
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="weft-embree-"))
@@ -108,7 +106,7 @@ class Embree(Peer):
         for _ in range(3):
             self.expose()
         if self.run(*self.size, 1)[0].max() == 0.0:
-            raise ValueError("its picture is black: this version has no light from quad lights")
+            raise NotExpressible("lamps: this version has no light from quad lights")
         self.overhead = sorted(self.run(TINY, TINY, 1)[1] for _ in range(3))[1]
 
     def close(self):
@@ -151,7 +149,7 @@ class Embree(Peer):
     def surface(self, mesh, number):
         material = self.exported.materials[mesh.material]
         if not material["two_sided"]:
-            raise ValueError("surfaces with a black back are not handed over")
+            raise NotExpressible("surfaces with a black back")
         colour = self.vector(material["reflectance"])
         indices = "\n".join(" ".join(map(str, row)) for row in mesh.triangles.tolist())
         normals = [] if mesh.normals is None else [
@@ -164,10 +162,10 @@ class Embree(Peer):
     def lamp(self, mesh):
         material = self.exported.materials[mesh.material]
         if material["emits_both_sides"]:
-            raise ValueError("lamps that shine both ways are not handed over")
+            raise NotExpressible("lamps that shine both ways")
         found = parallelograms(mesh)
         if len(found) > MOST_LIGHTS:
-            raise ValueError(f"{len(found)} area lights are too many, it samples all of them")
+            raise NotExpressible(f"{len(found)} area lights, all of which it samples")
         lines = []
         for corner, along, across in found:
             normal = self.numpy.cross(along, across)

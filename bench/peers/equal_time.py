@@ -4,9 +4,11 @@
 
     NAME_peer.py --probe --variant VARIANT
     NAME_peer.py --variant VARIANT --scene FOLDER --threads N --budgets SECONDS... -o FOLDER
+                 [--check SECONDS]
 
 Writes one JSON line for the renderer and one for each picture; where something fails, a line with
-`problem`. The caller ends a program that takes too long and keeps the lines it has.
+`problem`, and where the renderer has no like of something in the scene, with `not_expressible`. The
+caller ends a program that takes too long and keeps the lines it has.
 """
 
 import argparse
@@ -101,6 +103,13 @@ def within(peer, costs, budget, seed):
     return best[:3]
 
 
+def once(peer, costs, budget, seed):
+    """A picture of about as many samples as the budget holds."""
+    samples = costs.samples_for(budget)
+    picture, seconds = render(peer, costs, samples, seed)
+    return picture, samples, seconds
+
+
 def answer(answers, **fields):
     answers.write(json.dumps(fields) + "\n")
     answers.flush()
@@ -114,17 +123,20 @@ def serve(peer, args, answers):
     else:
         warm_up(peer, costs)
     answer(answers, version=peer.version, notes=list(peer.notes))
-    for number, budget in enumerate(args.budgets):
+    # That of --check need not fill its time: it shows what the mean is, and nothing else.
+    parts = [(budget, within, {}) for budget in args.budgets]
+    parts += [(args.check, once, {"check": True})] if args.check else []
+    for number, (budget, fit, fields) in enumerate(parts):
         if peer.render_for:
             picture, seconds, samples = peer.render_for(budget)
         else:
-            picture, samples, seconds = within(peer, costs, budget, 100 * (number + 1))
+            picture, samples, seconds = fit(peer, costs, budget, 100 * (number + 1))
         if args.mirror:
             picture = picture[:, ::-1]
         file = f"{peer.name}-{budget:g}.exr".lower().replace(", ", "-").replace(" ", "-")
         write_exr(pathlib.Path(args.output) / file, picture)
         answer(answers, name=peer.name, budget_s=budget, seconds=seconds, samples=samples,
-               denoised=peer.denoised, picture=file)
+               denoised=peer.denoised, picture=file, **fields)
 
 
 def parse():
@@ -134,6 +146,7 @@ def parse():
     parser.add_argument("--scene")
     parser.add_argument("--threads", type=int, default=0)
     parser.add_argument("--budgets", type=float, nargs="+", default=[])
+    parser.add_argument("--check", type=float, default=0.0)
     parser.add_argument("-o", "--output")
     args = parser.parse_args()
     args.threads = args.threads or len(os.sched_getaffinity(0))
@@ -151,10 +164,14 @@ def main(probe, make_peer):
         if args.probe:
             answer(answers, version=probe(args.variant))
             return
-        from exported_scene import ExportedScene
+        from exported_scene import ExportedScene, NotExpressible
         scene = ExportedScene(args.scene)
         args.mirror = scene.camera["mirror_x"]
-        peer = make_peer(args.variant, scene, args.threads)
+        try:
+            peer = make_peer(args.variant, scene, args.threads)
+        except NotExpressible as reason:
+            answer(answers, not_expressible=str(reason))
+            return
         try:
             serve(peer, args, answers)
         finally:

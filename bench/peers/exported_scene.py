@@ -8,6 +8,14 @@ import pathlib
 import numpy as np
 
 VERSION = 1
+SPOT_EDGE = 512  # texels along an edge of the picture of a spot light
+SPOT_MARGIN = 1.02  # what that picture shows, of the light's cone
+NARROWEST_RIM = 0.001  # between the cosines of a spot light's cones, as Weft takes it
+
+
+class NotExpressible(ValueError):
+    """A renderer has no like of something in a scene, which it has to leave out therefore."""
+
 
 
 class Mesh:
@@ -82,9 +90,43 @@ class ExportedScene:
             return values
         return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
-    def unsupported(self, *kinds):
-        """What of these the scene holds: "spot", "media", "grids", "punctual"."""
-        types = {light["type"] for light in self.lights}
-        held = {"spot": "spot" in types, "punctual": bool(types), "media": bool(self.media),
-                "grids": any(not medium["homogeneous"] for medium in self.media)}
-        return [kind for kind in kinds if held[kind]]
+    def refuse(self, *kinds):
+        """Raises NotExpressible where the scene holds any of these: keys of `held`."""
+        held = {"lights without area": bool(self.lights),
+                "textures": bool(self.textures),
+                "vertex colours": any(mesh.colours is not None for mesh in self.meshes),
+                "media": bool(self.media),
+                "media with density grids": any(not medium["homogeneous"]
+                                                for medium in self.media),
+                "media that shine": any(max(medium["emission"]) > 0.0 for medium in self.media)}
+        found = [kind for kind in kinds if held[kind]]
+        if found:
+            raise NotExpressible(", ".join(found))
+
+
+def spot_rim(light):
+    """Between the cosines of angles to a spot light's axis where it is dark and where it is not
+    weakened."""
+    return max(NARROWEST_RIM, light["cos_inner"] - light["cos_outer"])
+
+
+def spot_falloff(light, cosine):
+    """Of a spot light's intensity, at cosines of angles to its axis: glTF's, as in Weft."""
+    return np.clip((cosine - light["cos_outer"]) / spot_rim(light), 0.0, 1.0) ** 2
+
+
+def spot_angle(light):
+    """The angle in radians from the axis to the edge of `spot_texels`."""
+    angle = SPOT_MARGIN * np.arccos(light["cos_outer"])
+    if angle >= np.radians(80.0):
+        raise NotExpressible("spot lights that are that wide")
+    return float(angle)
+
+
+def spot_texels(light):
+    """What a spot light casts on a plane across its axis, of its intensity: square, the centre on
+    the axis, edges `spot_angle` from it. Renderers whose spots fall off differently project it."""
+    place = (np.arange(SPOT_EDGE) + 0.5) * (2.0 / SPOT_EDGE) - 1.0
+    tangents = np.hypot(*np.meshgrid(place, place)) * np.tan(spot_angle(light))
+    falloff = spot_falloff(light, 1.0 / np.sqrt(1.0 + tangents * tangents))
+    return np.repeat(falloff[..., None], 3, axis=2).astype(np.float32)

@@ -7,7 +7,9 @@ import os
 import time
 
 import equal_time
+import exported_scene
 from equal_time import Peer
+from exported_scene import NotExpressible
 
 DEPTH = 256  # of paths: it has no unlimited setting
 POLL_SECONDS = 0.002
@@ -32,8 +34,7 @@ class LuxCore(Peer):
         import numpy
         pyluxcore = start()
         self.lux, self.numpy = pyluxcore, numpy
-        if scene.unsupported("media", "spot"):
-            raise ValueError("media and spot lights are not handed over")
+        scene.refuse("media with density grids", "media that shine")
         pyluxcore.Init()
         self.version = pyluxcore.Version()
         self.size = scene.camera["size"]
@@ -41,9 +42,17 @@ class LuxCore(Peer):
                       "clamping, Sobol sampler, box filter; it renders until the time is over"]
         made = pyluxcore.Scene()
         self.textures(made, scene)
+        for number, light in enumerate(scene.lights):
+            if light["type"] == "spot":
+                texels = exported_scene.spot_texels(light)
+                made.DefineImageMap(f"spot{number}", texels.reshape(-1), 1.0, 3,
+                                    exported_scene.SPOT_EDGE, exported_scene.SPOT_EDGE)
+        made.Parse(self.properties(self.media_settings(scene)))
         made.Parse(self.properties(self.scene_settings(scene)))
         for number, mesh in enumerate(scene.meshes):
             self.add_mesh(made, scene, mesh, f"mesh{number}")
+        for number, mesh in enumerate(scene.boundary_meshes):
+            self.add_boundary(made, scene.boundaries[number], mesh, f"boundary{number}")
         config = pyluxcore.RenderConfig(self.properties(self.engine_settings(threads)), made)
         self.session = pyluxcore.RenderSession(config)
         self.scene = made  # the session refers to it
@@ -83,19 +92,57 @@ class LuxCore(Peer):
                     "scene.camera.autovolume.enable": False,
                     "scene.camera.cliphither": 1e-5 * scene.radius,
                     "scene.camera.clipyon": 1e5 * scene.radius}
+        if scene.camera_medium is not None:
+            settings["scene.camera.volume"] = f"medium{scene.camera_medium}"
         for number, light in enumerate(scene.lights):
-            key = f"scene.lights.light{number}"
-            strength = [float(value) for value in light["intensity"]]
-            if light["type"] == "point":
-                settings |= {f"{key}.type": "point", f"{key}.position": light["position"],
-                             f"{key}.gain": strength, f"{key}.power": 0.0}
-            else:
-                settings |= {f"{key}.type": "sharpdistant", f"{key}.gain": strength,
-                             f"{key}.direction": light["direction"]}
+            settings |= self.light_settings(light, number)
         if max(scene.environment) > 0.0:
             settings |= {"scene.lights.sky.type": "constantinfinite",
                          "scene.lights.sky.color": scene.environment}
         return settings
+
+    def light_settings(self, light, number):
+        key = f"scene.lights.light{number}"
+        strength = [float(value) for value in light["intensity"]]
+        settings = {f"{key}.gain": strength}
+        if light["type"] == "directional":
+            return settings | {f"{key}.type": "sharpdistant",
+                               f"{key}.direction": light["direction"]}
+        settings |= {f"{key}.power": 0.0, f"{key}.position": light["position"]}
+        if light["type"] == "point":
+            return settings | {f"{key}.type": "point"}
+        # Its spot lights fall off differently: a projector shows what the light casts.
+        target = self.numpy.array(light["position"]) + self.numpy.array(light["direction"])
+        edge = float(self.numpy.degrees(exported_scene.spot_angle(light)))
+        return settings | {f"{key}.type": "projection", f"{key}.target": target.tolist(),
+                           f"{key}.fov": 2.0 * edge, f"{key}.mapfile": f"spot{number}",
+                           f"{key}.gamma": 1.0}
+
+    @staticmethod
+    def media_settings(scene):
+        settings = {}
+        for number, medium in enumerate(scene.media):
+            key = f"scene.volumes.medium{number}"
+            scattered = [float(total * share) for total, share
+                         in zip(medium["extinction"], medium["albedo"])]
+            absorbed = [float(total - part) for total, part
+                        in zip(medium["extinction"], scattered)]
+            settings |= {f"{key}.type": "homogeneous", f"{key}.ior": 1.0,
+                         f"{key}.scattering": scattered, f"{key}.absorption": absorbed,
+                         f"{key}.asymmetry": [float(medium["anisotropy"])] * 3,
+                         f"{key}.multiscattering": True}
+        return settings
+
+    def add_boundary(self, made, boundary, mesh, name):
+        """A closed surface that is nothing but the bounds of a medium."""
+        if boundary["interior"] is None or boundary["exterior"] is not None:
+            raise NotExpressible("media within media")
+        made.DefineMesh(name, self.rows(mesh.positions), self.rows(mesh.triangles), None, None,
+                        None, None)
+        made.Parse(self.properties({
+            f"scene.materials.{name}.type": "null",
+            f"scene.materials.{name}.volume.interior": f"medium{boundary['interior']}",
+            f"scene.objects.{name}.shape": name, f"scene.objects.{name}.material": name}))
 
     def screen_window(self):
         """What the film covers. It is a pixel off in height, which is made up for here."""
@@ -129,7 +176,7 @@ class LuxCore(Peer):
             key = f"scene.textures.{name}-image"
             wrap = scene.textures[fields["texture"]]["wrap_u"]
             if wrap == "mirror":
-                raise ValueError("mirrored textures are not handed over")
+                raise NotExpressible("mirrored textures")
             settings |= {f"{key}.type": "imagemap", f"{key}.file": f"image{fields['texture']}",
                          f"{key}.gamma": 1.0, f"{key}.wrap": wrap}
             multiply(f"{name}-image")
@@ -139,11 +186,7 @@ class LuxCore(Peer):
         return settings, current
 
     def add_mesh(self, made, scene, mesh, name):
-        fields = scene.materials[mesh.material]
-
-        def rows(array):
-            return None if array is None else [tuple(row) for row in array.tolist()]
-
+        fields, rows = scene.materials[mesh.material], self.rows
         made.DefineMesh(name, rows(mesh.positions), rows(mesh.triangles), rows(mesh.normals),
                         rows(mesh.uvs), rows(mesh.colours), None)
         settings, colour = self.reflectance(scene, fields, mesh, name)
@@ -159,6 +202,10 @@ class LuxCore(Peer):
         settings |= {f"scene.objects.{name}.shape": name,
                      f"scene.objects.{name}.material": material}
         made.Parse(self.properties(settings))
+
+    @staticmethod
+    def rows(array):
+        return None if array is None else [tuple(row) for row in array.tolist()]
 
     @staticmethod
     def emission(key, radiance):

@@ -4,7 +4,9 @@
 """Mitsuba 3: `path`, in scenes with media `volpath`. Variants: scalar_rgb, llvm_ad_rgb."""
 
 import equal_time
+import exported_scene
 from equal_time import Peer, stopwatch
+from exported_scene import NotExpressible
 
 MOST_LANES = 1 << 22  # of one pass of a vectorised variant: its memory grows with them
 UNLIMITED = -1
@@ -29,8 +31,7 @@ class Mitsuba(Peer):
         self.mi, drjit = start(variant)
         self.numpy = numpy
         drjit.set_thread_count(threads)
-        if scene.unsupported("grids"):
-            raise ValueError("media with density grids are not handed over")
+        scene.refuse("media with density grids", "media that shine")
         self.vectorised = variant != "scalar_rgb"
         self.compiled = set()  # numbers of samples that there are kernels for
         integrator = "volpath" if scene.media else "path"
@@ -110,7 +111,7 @@ class Mitsuba(Peer):
             return {"type": "mesh_attribute", "name": "vertex_color"} \
                 if mesh.colours is not None else self.rgb(factor)
         if mesh.colours is not None:
-            raise ValueError("vertex colours on a texture are not handed over")
+            raise NotExpressible("vertex colours on a texture")
         texture = scene.textures[material["texture"]]
         texels = (scene.linear_texels(material["texture"]) * factor).astype(self.numpy.float32)
         return {"type": "bitmap", "raw": True, "bitmap": self.mi.Bitmap(texels),
@@ -162,8 +163,6 @@ class Mitsuba(Peer):
     def medium(self, medium):
         phase = {"type": "hg", "g": float(medium["anisotropy"])} if medium["anisotropy"] else \
             {"type": "isotropic"}
-        if max(medium["emission"]) > 0.0:
-            raise ValueError("media that shine are not handed over")
         # Colours end at 1, extinctions do not.
         largest = max(medium["extinction"])
         extinction = [value / largest for value in medium["extinction"]]
@@ -175,10 +174,19 @@ class Mitsuba(Peer):
         if light["type"] == "directional":
             return {"type": "directional", "direction": light["direction"],
                     "irradiance": self.rgb(light["intensity"])}
-        if light["type"] == "spot":
-            raise ValueError("spot lights fall off differently")
-        return {"type": "point", "position": light["position"],
-                "intensity": self.rgb(light["intensity"])}
+        if light["type"] == "point":
+            return {"type": "point", "position": light["position"],
+                    "intensity": self.rgb(light["intensity"])}
+        # Its own fall-off is another one, and lies beyond the picture's here.
+        edge = float(self.numpy.degrees(exported_scene.spot_angle(light)))
+        place, axis = self.numpy.array(light["position"]), self.numpy.array(light["direction"])
+        across = self.numpy.eye(3)[abs(axis).argmin()]
+        look_at = self.mi.ScalarTransform4f().look_at(
+            origin=place.tolist(), target=(place + axis).tolist(), up=across.tolist())
+        picture = {"type": "bitmap", "raw": True, "wrap_mode": "clamp",
+                   "bitmap": self.mi.Bitmap(exported_scene.spot_texels(light))}
+        return {"type": "spot", "to_world": look_at, "intensity": self.rgb(light["intensity"]),
+                "cutoff_angle": edge, "beam_width": 0.999 * edge, "texture": picture}
 
 
 if __name__ == "__main__":

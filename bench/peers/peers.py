@@ -23,11 +23,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"
 
 from equal_time import Costs, warm_up, within  # noqa: E402
 from processor import processor  # noqa: E402
+from verdicts import JUDGED, handed_over, judge, summary, verdict  # noqa: E402
 from weft_runs import OWN_SETTINGS, Failure, Weft, compare, reference, run  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-HANDED_OVER = ("name", "budget_s", "seconds", "samples", "denoised", "picture")
+EXIT_USAGE, EXIT_INPUT = 1, 2
 EXIT_MISSING = 69  # as ./weft says where a package is missing
 EXIT_OUTPUT = 5
 PEERS = {"mitsuba-scalar": ("mitsuba_peer.py", "scalar_rgb"),
@@ -36,10 +37,6 @@ PEERS = {"mitsuba-scalar": ("mitsuba_peer.py", "scalar_rgb"),
          "cycles-denoised": ("cycles_peer.py", "denoised"),
          "luxcore": ("luxcore_peer.py", "plain"),
          "embree": ("embree_peer.py", "plain")}
-MEAN_TOLERANCE = 0.02  # beyond it a peer has rendered something else
-DENOISED = ", denoised"  # ends the names of those with a denoiser
-LATE = 1.1  # of a budget: pictures that took longer are late
-JUDGED = (0.3, 1.0)  # budgets of the summary
 PROBE_PATIENCE = 120.0
 SET_UP_PATIENCE = 900.0  # beside the budgets
 TRIES = 10.0  # that many times the budgets at most
@@ -59,6 +56,9 @@ def parse():
                         help="only these peers: " + " ".join(PEERS))
     parser.add_argument("--budgets", nargs="+", type=float, metavar="SECONDS",
                         help="default: 0.1 0.3 1 3 10; --quick: 0.3 1")
+    parser.add_argument("--check", type=float, default=3.0, metavar="SECONDS",
+                        help="of a picture of each peer for its mean alone, where no budget is "
+                             "that long; default 3, 0: none")
     parser.add_argument("--size", type=int, help="width and height, default 512; --quick: 128")
     parser.add_argument("--threads", type=int, default=0, help="of every renderer; 0: all")
     parser.add_argument("--backend", help="of Weft")
@@ -69,13 +69,16 @@ def parse():
     parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("peers"),
                         metavar="DIR", help="folder of pictures, DIR/SCENE/peers.json")
     parser.add_argument("--reference", type=pathlib.Path, metavar="FILE",
-                        help="of the only scene; default: rendered and kept in --references")
+                        help="of the only scene; default: the one in --references with the most "
+                             "samples, which is rendered where there is none")
     parser.add_argument("--references", type=pathlib.Path, metavar="DIR",
                         default=ROOT / "build" / "references")
     parser.add_argument("--reference-spp", type=int, help="default 4096; --quick: 256")
     parser.add_argument("--quick", action="store_true", help="a small picture, two budgets")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE",
-                        help="machine, versions, all figures and a summary")
+                        help="machine, versions, all figures and a summary; grows by the scene")
+    parser.add_argument("--resume", action="store_true",
+                        help="leave out the scenes that --json holds, of a run like this one")
     parser.add_argument("--weft", default=str(ROOT / "build" / "release" / "weft"))
     parser.add_argument("--export", help="the program export_scene; default: built when needed")
     args = parser.parse_args()
@@ -91,6 +94,10 @@ def check(parser, args):
         parser.error("--size is out of range, expected 1 to 8192")
     if not all(0.01 <= budget <= 3600.0 for budget in args.budgets):
         parser.error("--budgets are out of range, expected 0.01 to 3600")
+    if not (args.check == 0.0 or 0.01 <= args.check <= 3600.0):
+        parser.error("--check is out of range, expected 0 or 0.01 to 3600")
+    if args.resume and not args.json:
+        parser.error("--resume: expected --json with it")
     if args.reference and len(args.scenes) > 1:
         parser.error("--reference is for a single scene")
     pythons = dict(word.partition("=")[::2] for word in args.peer_python)
@@ -168,62 +175,38 @@ def own_pictures(args, scene, folder):
 
 
 def peer_pictures(args, names, folder):
-    """The peers' pictures of an exported scene, and notes on what they left out."""
-    pictures, notes = [], []
+    """The peers' pictures of an exported scene, notes on what they did, and why some are left
+    out."""
+    pictures, notes, left_out = [], [], {}
+    check = args.check if args.check > max(args.budgets) else 0.0
+    patience = SET_UP_PATIENCE + TRIES * (sum(args.budgets) + check)
     for name in names:
-        patience = SET_UP_PATIENCE + TRIES * sum(args.budgets)
         lines, problem = child(args, name, "--scene", folder / "export", "--threads", args.threads,
-                               "-o", folder, "--budgets", *args.budgets, patience=patience)
+                               "-o", folder, "--check", check, "--budgets", *args.budgets,
+                               patience=patience)
         if problem:
-            notes.append(f"{name}: left out or cut short, {problem}")
-            print(notes[-1], file=sys.stderr)
+            left_out[name] = f"left out or cut short, {problem}"
         for line in lines:
             if "picture" in line:
                 pictures.append(line)
+            elif "not_expressible" in line:
+                left_out[name] = f"not expressible: {line['not_expressible']}"
             else:
                 notes += line["notes"]
-    return pictures, notes
+        if name in left_out:
+            notes.append(f"{name}: {left_out[name]}")
+            print(notes[-1], file=sys.stderr)
+    return pictures, notes, left_out
 
 
-def judge(pictures):
-    """Marks pictures of renderers whose mean is off, by their longest renderings, and late ones.
-    Denoisers may change the mean: there the same renderer without one is asked."""
-    means = {}
-    for picture in sorted(pictures, key=lambda picture: picture["budget_s"]):
-        means[picture["name"]] = picture["mean_ratio"]
+def compared(args, pictures, folder, against):
+    """The pictures with their errors. Those that are there for the mean alone go, once all have
+    been judged by them."""
     for picture in pictures:
-        plain = picture["name"].removesuffix(DENOISED)
-        mean = means.get(plain, means[picture["name"]])
-        # There is no ratio to a black reference.
-        agrees = mean is not None and abs(mean - 1.0) <= MEAN_TOLERANCE
-        picture["comparable"] = plain.startswith("Weft") or agrees
-        picture["late"] = picture["seconds"] > LATE * picture["budget_s"]
-
-
-def best(pictures, budget, wanted):
-    found = [p for p in pictures if p["budget_s"] == budget and p["comparable"] and wanted(p)]
-    return min(found, key=lambda picture: picture["hdrflip"], default=None)
-
-
-def winners(pictures, budget):
-    """The best of Weft in time, and of the peers without and with a denoiser."""
-    own = best(pictures, budget, lambda p: p["name"].startswith("Weft") and not p["late"])
-    plain, denoised = (best(pictures, budget, lambda p: not p["name"].startswith("Weft")
-                            and p["denoised"] == kind) for kind in (False, True))
-    return own, plain, denoised
-
-
-def verdict(pictures, budget):
-    """Of one scene and budget; `wins` is null where there is no peer to compare with."""
-    own, plain, denoised = winners(pictures, budget)
-    result = {"budget_s": budget, "wins": None, "wins_denoised": None}
-    for key, found in (("weft", own), ("peer", plain), ("denoised", denoised)):
-        result[key] = found and {"name": found["name"], "hdrflip": found["hdrflip"]}
-    if plain:
-        result["wins"] = own is not None and own["hdrflip"] < plain["hdrflip"]
-    if denoised:
-        result["wins_denoised"] = own is not None and own["hdrflip"] < denoised["hdrflip"]
-    return result
+        errors = [] if picture.get("check") else ["hdrflip", "relmse"]
+        picture.update(compare(args, folder / picture["picture"], against, errors))
+    judge(pictures)
+    return [picture for picture in pictures if not picture.get("check")]
 
 
 def measure(args, scene, versions):
@@ -232,31 +215,17 @@ def measure(args, scene, versions):
     folder.mkdir(parents=True, exist_ok=True)
     export(args, scene, folder / "export")
     against = reference(args, scene, folder / "export")
-    pictures, notes = peer_pictures(args, versions, folder)
-    pictures = own_pictures(args, scene, folder) + pictures
-    for picture in pictures:
-        picture.update(compare(args, folder / picture["picture"], against))
-    judge(pictures)
+    pictures, notes, left_out = peer_pictures(args, versions, folder)
+    pictures = compared(args, own_pictures(args, scene, folder) + pictures, folder, against)
     notes = ["Left out of all times: reading the scene, building the acceleration structure and "
              "kernels, a warm-up picture, writing files.", *notes]
     notes += [f"{name}: version {version}" for name, version in versions.items()]
     result = {"scene": scene.name, "size": [args.size, args.size],
               "threads": args.threads, "reference": pathlib.Path(against).name,
-              "pictures": pictures, "notes": notes,
+              "pictures": pictures, "left_out": left_out, "notes": notes,
               "verdicts": [verdict(pictures, budget) for budget in args.budgets]}
     write_json(folder / "peers.json", handed_over(pictures, notes))
     return result
-
-
-def handed_over(pictures, notes):
-    """What `weft tradeoff --peers` reads: pictures of others that show the same light."""
-    others = [picture for picture in pictures if not picture["name"].startswith("Weft")]
-    different = sorted({picture["name"] for picture in others if not picture["comparable"]})
-    return {"weft_peers": 1,
-            "pictures": [{key: picture[key] for key in HANDED_OVER if key in picture}
-                         for picture in others if picture["comparable"]],
-            "notes": notes + [f"{name}: left out, its mean is off by more than "
-                              f"{100 * MEAN_TOLERANCE:g} %" for name in different]}
 
 
 def write_json(path, value):
@@ -279,7 +248,7 @@ def show(result, budgets):
             found = [p for p in result["pictures"] if (p["name"], p["budget_s"]) == (name, budget)]
             cell = "-"
             if found:
-                mean = found[0]["mean_ratio"]
+                mean = found[0]["judged_mean"]
                 marks = ("" if found[0]["comparable"] else "*") + ("+" if found[0]["late"] else "")
                 cell = f"{found[0]['hdrflip']:.4f}{marks}"
             row += f"{cell:>11}"
@@ -291,19 +260,6 @@ def show(result, budgets):
     sys.stdout.flush()
 
 
-def summary(results):
-    found = {"scenes": len(results)}
-    for budget in JUDGED:
-        for key, name in (("wins", "weft_wins"), ("wins_denoised", "weft_wins_denoised")):
-            judged = [verdict[key] for result in results for verdict in result["verdicts"]
-                      if verdict["budget_s"] == budget and verdict[key] is not None]
-            found[f"{name}_{budget:g}s"] = sum(judged) if judged else None
-            found[f"{name}_{budget:g}s_of"] = len(judged)
-    found["scenes_with_peer"] = sum(any(verdict["peer"] for verdict in result["verdicts"])
-                                    for result in results)
-    return found
-
-
 def run_all(args):
     versions = installed(args)
     if not versions:
@@ -312,20 +268,49 @@ def run_all(args):
               "least one (--python PROGRAM or WEFT_WITNESS_PYTHON; pip install mitsuba numpy)",
               file=sys.stderr)
         return EXIT_MISSING
-    results = []
+    report = new_report(args, versions)
+    results = report["scenes"] = earlier_scenes(args, report)
     for scene in args.scenes:
+        if any(result["scene"] == scene.name for result in results):
+            continue
         results.append(measure(args, scene, versions))
         show(results[-1], args.budgets)
+        report["summary"] = summary(results)
+        if args.json:
+            write_json(args.json, report)
     print("\n" + json.dumps(summary(results)))
-    if args.json:
-        versions = {**versions, "weft": run([args.weft, "--version"]).strip(),
-                    "python": platform.python_version()}
-        machine = {"processor": processor(), "hardware_threads": os.cpu_count(),
-                   "threads": args.threads}
-        write_json(args.json, {"benchmark": "peers", "quick": args.quick, "size": args.size,
-                               "budgets": args.budgets, "machine": machine, "versions": versions,
-                               "scenes": results, "summary": summary(results)})
     return 0
+
+
+def new_report(args, versions):
+    """What --json gets, as yet without scenes."""
+    machine = {"processor": processor(), "hardware_threads": os.cpu_count(),
+               "threads": args.threads}
+    settings = {"check_s": args.check, "backend": args.backend,
+                "reference_spp": args.reference_spp,
+                "presets": [preset.name for preset in args.preset]}
+    return {"benchmark": "peers", "quick": args.quick, "size": args.size, "budgets": args.budgets,
+            "settings": settings, "machine": machine,
+            "versions": {**versions, "weft": run([args.weft, "--version"]).strip(),
+                         "python": platform.python_version()},
+            "scenes": [], "summary": summary([])}
+
+
+def earlier_scenes(args, report):
+    """Scenes of the run that --json holds. Raises Failure where it was another one."""
+    if not args.resume or not args.json.exists():
+        return []
+    try:
+        earlier = json.loads(args.json.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise Failure(f"{args.json}: is no JSON ({error})", EXIT_INPUT) from error
+    if not isinstance(earlier, dict) or not isinstance(earlier.get("scenes"), list):
+        raise Failure(f"{args.json}: is no report of bench peers, expected one", EXIT_INPUT)
+    for key in ("benchmark", "size", "budgets", "settings", "machine", "versions"):
+        if earlier.get(key) != report[key]:
+            raise Failure(f"{args.json}: is of a run with another {key}, expected the same as now",
+                          EXIT_USAGE)
+    return earlier["scenes"]
 
 
 def main():
