@@ -56,10 +56,10 @@ std::vector<std::unique_ptr<Executor>> selftest_executors(const SelftestOptions&
         executors.push_back(executor_of(*options.backend, options.device, 0));
         return executors;
     }
-    if (options.device || has_opencl_device(0))
-        executors.push_back(executor_of(Backend::opencl, options.device, 0));
     for (const Backend backend : {Backend::native, Backend::embree})
         executors.push_back(executor_of(backend, std::nullopt, 0));
+    if (options.device || has_opencl_device(0))
+        executors.push_back(executor_of(Backend::opencl, options.device, 0));
     return executors;
 }
 

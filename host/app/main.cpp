@@ -2,14 +2,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <csignal>
 #include <new>
+#include <optional>
+#include <variant>
 
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/print.h"
 #include "base/diagnostics.h"
 #include "base/error.h"
+#if WEFT_HAS_OPENCL
+#include "device/opencl/compile_server.h"
+#endif
 
 namespace {
+
+#if WEFT_HAS_OPENCL
+/// Whether a command may have to compile kernels.
+bool compiles_kernels(const weft::ParsedCommand& command) {
+    return std::visit(
+        [](const auto& options) {
+            if constexpr (requires { options.backend; })
+                return options.backend.value_or(weft::Backend::opencl) == weft::Backend::opencl;
+            else
+                return false;
+        },
+        command);
+}
+#endif
 
 int exit_status(weft::ExitCode code) {
     return static_cast<int>(code);
@@ -48,7 +67,13 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     weft::Diagnostics diagnostics;
     try {
-        const weft::ExitCode code = run(weft::parse_command_line(argc, argv), diagnostics);
+        const weft::ParsedCommand command = weft::parse_command_line(argc, argv);
+#if WEFT_HAS_OPENCL
+        // Before anything makes a thread or calls OpenCL.
+        std::optional<weft::CompileServer> server;
+        if (compiles_kernels(command)) server.emplace();
+#endif
+        const weft::ExitCode code = run(command, diagnostics);
         print_warnings(diagnostics);
         return exit_status(code);
     } catch (const weft::Error& error) {

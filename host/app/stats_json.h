@@ -19,7 +19,7 @@ namespace weft {
 struct RunTimes {
     double read_scene_ms = 0.0;
     double open_device_ms = 0.0;
-    double build_kernels_ms = 0.0;
+    double build_kernels_ms = 0.0;  ///< of all programs together, some compiled at the same time
     double build_bvh_ms = 0.0;
     double render_ms = 0.0;
     double write_ms = 0.0;

@@ -89,12 +89,19 @@ struct Launch {
     double* milliseconds = nullptr;
 };
 
+/// A kernel and the features of the frames that it is for.
+struct KernelUse {
+    KernelId kernel{};
+    std::uint32_t features = 0;
+};
+
 /// What building a kernel took.
 struct KernelBuild {
     std::string name;
     std::string flags;
     double build_ms = 0.0;  ///< program build or load, and the compilation at the first launch
     bool from_cache = false;
+    KernelUse use{};
 };
 
 enum class Access : std::uint8_t { read, write };
@@ -123,6 +130,10 @@ class Executor {
     /// triangles have moved, or these name other ones of them; the padding may be another, all else
     /// is as it was (see check_update).
     virtual void update_scene(TracedScene& scene, const TracedGeometry& geometry) = 0;
+
+    /// Compiles what will be built later, all at once, where that is faster than one by one. What
+    /// does not compile is left for `build` to complain about.
+    virtual void compile(std::span<const KernelUse> uses) { (void)uses; }
 
     /// Makes kernels ready for frames with these features (Params::features of their launches).
     virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;

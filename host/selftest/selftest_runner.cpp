@@ -28,6 +28,15 @@ std::vector<Measured> measure(const SelftestCase& tested, Executor& executor) {
     return std::vector<Measured>(tested.checks.size(), none);
 }
 
+/// Compiles what will be used; cases tell what does not compile.
+void compile_quietly(Executor& executor, std::span<const KernelUse> used) {
+    try {
+        executor.compile(used);
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
 CheckResult judge(const SelftestCase& tested, const Check& check, const Measured& measured,
                   const std::string& backend) {
     const Tolerance& tolerance =
@@ -61,9 +70,12 @@ SelftestTotals run_selftest(std::span<const SelftestCase> cases,
                             std::span<Executor* const> executors,
                             const std::function<void(const CheckResult&)>& report) {
     SelftestTotals totals;
-    for (const SelftestCase& tested : cases) {
-        const bool on_host = tested.runs_on == RunsOn::host;
-        for (Executor* const executor : on_host ? executors.first(1) : executors) {
+    std::vector<KernelUse> used;
+    for (Executor* const executor : executors) {
+        compile_quietly(*executor, used);
+        for (const SelftestCase& tested : cases) {
+            const bool on_host = tested.runs_on == RunsOn::host;
+            if (on_host && executor != executors.front()) continue;
             const std::string backend = on_host ? "host" : executor->device().backend;
             const std::vector<Measured> values = measure(tested, *executor);
             for (std::size_t i = 0; i < values.size(); ++i) {
@@ -73,6 +85,7 @@ SelftestTotals run_selftest(std::span<const SelftestCase> cases,
                 report(result);
             }
         }
+        for (const KernelBuild& build : executor->builds()) used.push_back(build.use);
     }
     return totals;
 }

@@ -32,9 +32,10 @@ struct SelftestTotals {
     std::size_t failed = 0;
 };
 
-/// Runs every case on every executor, or on the first alone where it needs no device, and hands
-/// each result on as soon as it is there. An exception fails all checks of the case on that
-/// executor, and nothing else. There is at least one executor.
+/// Runs every case on one executor after the other, or on the first alone where it needs no device,
+/// and hands each result on as soon as it is there. What the first ones have used, later ones may
+/// compile at once beforehand: those that compile nothing are best first. An exception fails all
+/// checks of the case on that executor, and nothing else. There is at least one executor.
 SelftestTotals run_selftest(std::span<const SelftestCase> cases,
                             std::span<Executor* const> executors,
                             const std::function<void(const CheckResult&)>& report);

@@ -146,11 +146,13 @@ class NativeExecutor : public Executor {
         if (updated.own) bvh_ = stats_of(updated.own->bvh());
     }
 
-    void build(std::span<const KernelId> kernels, std::uint32_t) override {
+    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
         for (const KernelId kernel : kernels)
             builds_.push_back({std::string(kernel_name(kernel)),
                                fmt::format("{} lanes {}", variant_.isa, variant_.kernels->lanes),
-                               0.0, true});
+                               0.0,
+                               true,
+                               {kernel, features}});
     }
 
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;

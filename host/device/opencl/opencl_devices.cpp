@@ -38,8 +38,7 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device) {
 
 /// Larger is preferred where the user names no device.
 int preference(const OpenClDevice& candidate) {
-    if (lower(candidate.info.name + candidate.info.driver).find("oclgrind") != std::string::npos)
-        return 0;
+    if (is_simulator(candidate.info)) return 0;
     const auto type = candidate.device.getInfo<CL_DEVICE_TYPE>();
     if ((type & CL_DEVICE_TYPE_GPU) != 0) return 3;
     if ((type & CL_DEVICE_TYPE_ACCELERATOR) != 0) return 2;
@@ -61,10 +60,18 @@ void bind_driver_threads() {
     if (CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_CONF)) setenv("POCL_AFFINITY", "1", 0);
 }
 
+/// Lets PoCL compile kernels once, unless the user has decided that. It would do so a second time
+/// for the binary that is kept, without what it knows of the launch: which is next to nothing here,
+/// as kernels name the size of their groups. Pictures take as long either way.
+void compile_once() {
+    setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
+}
+
 }  // namespace
 
 std::vector<OpenClDevice> opencl_devices() {
     bind_driver_threads();
+    compile_once();
     std::vector<OpenClDevice> found;
     std::vector<cl::Platform> platforms;
     try {
@@ -111,6 +118,10 @@ OpenClDevice choose_opencl_device(const std::string& wanted) {
                             candidate.info.name);
     throw Error(ExitCode::device,
                 fmt::format("no OpenCL device \"{}\", expected one of: {}", wanted, list));
+}
+
+bool is_simulator(const DeviceInfo& device) {
+    return lower(device.name + device.driver).find("oclgrind") != std::string::npos;
 }
 
 void limit_opencl_threads(int threads) {

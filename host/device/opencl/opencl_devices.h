@@ -25,6 +25,9 @@ struct OpenClDevice {
 /// Throws Error (exit code 3) that lists what exists.
 [[nodiscard]] OpenClDevice choose_opencl_device(const std::string& wanted);
 
+/// Whether it interprets kernels to find errors in them (Oclgrind) rather than to run them.
+[[nodiscard]] bool is_simulator(const DeviceInfo& device);
+
 /// Limits the threads of OpenCL drivers that run on the host (PoCL). Takes effect only before the
 /// first other OpenCL call of the process.
 void limit_opencl_threads(int threads);

@@ -15,8 +15,8 @@
 #include "base/large_memory.h"
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
+#include "device/opencl/compile_ahead.h"
 #include "device/opencl/opencl_program.h"
-#include "device/opencl/program_source.h"
 
 namespace weft {
 namespace {
@@ -101,6 +101,7 @@ class OpenClExecutor : public Executor {
         const std::uint32_t wanted = lanes_from_environment();
         settings_.lanes = wanted > 0 ? wanted : default_lanes(info_);
         settings_.local_size = info_.is_cpu ? 8 : 64;
+        settings_.chunk_factor = info_.is_cpu ? 1 : gpu_chunk_factor;
     }
 
     [[nodiscard]] const DeviceInfo& device() const override { return info_; }
@@ -126,6 +127,7 @@ class OpenClExecutor : public Executor {
                      const std::function<void(std::span<std::byte>)>& use) override;
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
     void update_scene(TracedScene& scene, const TracedGeometry& geometry) override;
+    void compile(std::span<const KernelUse> uses) override;
     void build(std::span<const KernelId> kernels, std::uint32_t features) override;
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
     double take_milliseconds() override;
@@ -140,9 +142,11 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
   private:
-    [[nodiscard]] std::uint32_t chunk_of(KernelId kernel) const {
-        return kernel_chunk(kernel) * (info_.is_cpu ? 1 : gpu_chunk_factor);
+    /// That may compile at the same time.
+    [[nodiscard]] std::uint32_t processes() const {
+        return static_cast<std::uint32_t>(arena_.max_concurrency());
     }
+    [[nodiscard]] ProgramRecipe recipe_of(const KernelUse& use) const;
     void upload_bvh(OpenClTracedScene& scene);
     [[nodiscard]] std::unique_ptr<Buffer> upload_with_room(std::span<const std::byte> bytes,
                                                            std::size_t resting,
@@ -273,14 +277,36 @@ void OpenClExecutor::write_part(Buffer& buffer, std::span<const std::byte> bytes
                                   bytes.data() + from);
 }
 
+ProgramRecipe OpenClExecutor::recipe_of(const KernelUse& use) const {
+    try {
+        return program_recipe(device_, use.kernel, settings_, use.features);
+    } catch (const cl::Error& error) {
+        rethrow(error, fmt::format("building kernel {}", kernel_name(use.kernel)));
+    }
+}
+
+void OpenClExecutor::compile(std::span<const KernelUse> uses) {
+    std::vector<ProgramRecipe> recipes;
+    for (const KernelUse& use : uses) recipes.push_back(recipe_of(use));
+    (void)compile_ahead(recipes, info_, cache_, processes());
+}
+
 void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t features) {
+    std::vector<KernelId> missing;
+    std::vector<ProgramRecipe> recipes;
     for (const KernelId kernel : kernels) {
+        if (programs_.contains({kernel, features})) continue;
+        recipes.push_back(recipe_of({kernel, features}));
+        missing.push_back(kernel);
+    }
+    const CompileTimes compiled = compile_ahead(recipes, info_, cache_, processes());
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        const KernelUse use{missing[i], features};
         try {
-            if (programs_.contains({kernel, features})) continue;
-            programs_.try_emplace({kernel, features}, context_, device_, cache_, kernel,
-                                  program_source(kernel_name(kernel)), settings_, features);
+            programs_.try_emplace({use.kernel, features}, context_, device_, cache_, use,
+                                  recipes[i], compiled[i]);
         } catch (const cl::Error& error) {
-            rethrow(error, fmt::format("building kernel {}", kernel_name(kernel)));
+            rethrow(error, fmt::format("building kernel {}", kernel_name(use.kernel)));
         }
     }
 }
@@ -296,12 +322,10 @@ cl::Event OpenClExecutor::enqueue(OpenClProgram& program, const Launch& launch,
         kernel.setArg(index++, memory_of(*scene.leaves));
     }
     for (const Buffer* buffer : launch.buffers) kernel.setArg(index++, memory_of(*buffer));
-    const std::size_t local = settings_.local_size;
-    // The launch shape never changes: drivers such as PoCL compile anew for each.
-    const std::size_t global = (chunk_of(launch.kernel) + local - 1) / local * local;
     cl::Event event;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(global), cl::NDRange(local),
-                                nullptr, &event);
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
+                                cl::NDRange(launch_size(launch.kernel, settings_)),
+                                cl::NDRange(settings_.local_size), nullptr, &event);
     return event;
 }
 
@@ -312,7 +336,7 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
                                                   kernel_name(launch.kernel)));
     OpenClProgram& program = found->second;
     shared::Params params = launch.params;
-    std::uint32_t chunk = chunk_of(launch.kernel);
+    std::uint32_t chunk = kernel_chunk(launch.kernel) * settings_.chunk_factor;
     if (launch.items_per_launch > 0) chunk = std::min(chunk, launch.items_per_launch);
     try {
         if (!program.kept()) {

@@ -11,7 +11,8 @@
 namespace weft {
 
 /// Runs kernels on an OpenCL device. `threads` limits BVH building (0: all cores); the driver's own
-/// threads are limited by limit_opencl_threads. Honours WEFT_LANES and the program cache.
+/// threads are limited by limit_opencl_threads. Honours WEFT_LANES and the program cache, and uses
+/// the CompileServer where there is one.
 [[nodiscard]] std::unique_ptr<Executor> make_opencl_executor(const OpenClDevice& device,
                                                              int threads);
 

@@ -3,29 +3,24 @@
 #ifndef WEFT_DEVICE_OPENCL_OPENCL_PROGRAM_H
 #define WEFT_DEVICE_OPENCL_OPENCL_PROGRAM_H
 
-#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "device/executor.h"
 #include "device/opencl/opencl.h"
 #include "device/opencl/program_cache.h"
+#include "device/opencl/program_recipe.h"
 
 namespace weft {
-
-/// How programs are compiled for one device.
-struct ProgramSettings {
-    std::uint32_t lanes = 1;
-    std::uint32_t local_size = 8;
-};
 
 /// One kernel, built and ready to launch.
 class OpenClProgram {
   public:
-    /// Loads the kernel from `cache` or compiles `source`. `features` the kernel does not ask about
-    /// do not make another variant. Throws Error (exit code 3) with the build log.
+    /// Loads the kernel from `cache` or compiles it. `compiled_ms`: what it took just now to
+    /// compile it into the cache, where that is so. Throws Error (exit code 3) with the build log.
     OpenClProgram(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
-                  KernelId kernel, const std::string& source, const ProgramSettings& settings,
-                  std::uint32_t features);
+                  const KernelUse& use, const ProgramRecipe& recipe,
+                  std::optional<double> compiled_ms);
 
     [[nodiscard]] cl::Kernel& kernel() noexcept { return kernel_; }
     [[nodiscard]] const KernelBuild& build() const noexcept { return build_; }
@@ -43,6 +38,7 @@ class OpenClProgram {
     cl::Kernel kernel_;
     std::string key_;
     KernelBuild build_;
+    bool cached_ = false;  ///< was loaded from the cache, so that it need not be stored
     bool kept_ = false;
 };
 

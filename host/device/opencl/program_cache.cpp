@@ -3,6 +3,7 @@
 #include "device/opencl/program_cache.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstring>
@@ -55,9 +56,29 @@ std::filesystem::path ProgramCache::file_of(const std::string& key) const {
     return folder_ / (key + ".program");
 }
 
-std::optional<std::vector<unsigned char>> ProgramCache::load(const std::string& key) const {
+void ProgramCache::make_folder() const {
+    // Drivers execute what lies here: nobody else may write to it.
+    if (std::filesystem::create_directories(folder_))
+        std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
+}
+
+bool ProgramCache::contains(const std::string& key) const {
     std::error_code ignored;
-    if (folder_.empty() || !std::filesystem::is_regular_file(file_of(key), ignored)) return {};
+    return !folder_.empty() && std::filesystem::is_regular_file(file_of(key), ignored);
+}
+
+bool ProgramCache::writable() const {
+    if (folder_.empty()) return false;
+    try {
+        make_folder();
+    } catch (const std::exception&) {
+        return false;
+    }
+    return ::access(folder_.c_str(), W_OK | X_OK) == 0;
+}
+
+std::optional<std::vector<unsigned char>> ProgramCache::load(const std::string& key) const {
+    if (!contains(key)) return {};
     std::vector<std::byte> bytes;
     try {
         bytes = read_file(file_of(key), max_program_bytes);
@@ -76,9 +97,7 @@ std::optional<std::vector<unsigned char>> ProgramCache::load(const std::string& 
 void ProgramCache::store(const std::string& key, std::span<const unsigned char> program) const {
     if (folder_.empty() || program.empty()) return;
     try {
-        // Drivers execute what lies here: nobody else may write to it.
-        if (std::filesystem::create_directories(folder_))
-            std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
+        make_folder();
         const std::string header = header_of(key, program);
         std::vector<std::byte> bytes(header.size() + program.size());
         std::memcpy(bytes.data(), header.data(), header.size());

@@ -29,8 +29,15 @@ class ProgramCache {
     void store(const std::string& key, std::span<const unsigned char> program) const;
     void remove(const std::string& key) const;
 
+    /// Whether there is an entry, damaged or not.
+    [[nodiscard]] bool contains(const std::string& key) const;
+    /// Whether entries can be stored, as far as that can be told before; makes the folder.
+    [[nodiscard]] bool writable() const;
+    [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
+
   private:
     [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;
+    void make_folder() const;
 
     std::filesystem::path folder_;
 };

@@ -1,0 +1,102 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "device/opencl/compile_server.h"
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <utility>
+
+#include "device/opencl/compile_workers.h"
+#include "device/opencl/message_socket.h"
+
+namespace weft {
+namespace {
+
+CompileServer* running = nullptr;
+
+/// Away from the terminal and from whoever reads what the program prints: neither what compilers
+/// say nor a process that outlives the program by a moment is to be noticed there.
+bool detach() {
+    ::setsid();
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGCHLD, SIG_DFL);  // ends of workers are waited for
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    if (nowhere < 0) return false;
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::dup2(nowhere, standard) < 0) return false;
+    if (nowhere > STDERR_FILENO) ::close(nowhere);
+    return true;
+}
+
+/// Answers requests until the client is gone.
+void answer(int client) {
+    while (const auto message = receive_message(client)) {
+        const auto request = decode_request(*message);
+        if (!request) return;
+        const auto times = compile_in_workers(*request, client);
+        if (!times || !send_message(client, encode(*times))) return;
+    }
+}
+
+/// The life of the server. What the program would do at its end is not for this process.
+[[noreturn]] void serve(int client) noexcept {
+    try {
+        if (detach()) answer(client);
+    } catch (...) {  // the client sees the end and compiles by itself
+    }
+    ::_exit(0);
+}
+
+}  // namespace
+
+CompileServer::CompileServer() {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
+    process_ = ::fork();
+    if (process_ == 0) {
+        ::close(ends[0]);
+        serve(ends[1]);
+    }
+    ::close(ends[1]);
+    if (process_ < 0) {
+        ::close(ends[0]);
+        return;
+    }
+    socket_ = ends[0];
+    running = this;
+}
+
+CompileServer::~CompileServer() {
+    if (running == this) running = nullptr;
+    if (socket_ >= 0) ::close(socket_);
+    if (process_ < 0) return;
+    // It has nothing to put away, and may have been stopped. Nobody else waits for it, so that its
+    // number is its own still.
+    if (::waitpid(process_, nullptr, WNOHANG) != 0) return;
+    ::kill(process_, SIGKILL);
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
+CompileTimes CompileServer::compile(const CompileRequest& request) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t count = request.programs.size();
+    if (socket_ < 0) return CompileTimes(count);
+    if (send_message(socket_, encode(request)))
+        if (const auto answer = receive_message(socket_))
+            if (auto times = decode_times(*answer, count)) return *std::move(times);
+    ::close(std::exchange(socket_, -1));
+    return CompileTimes(count);
+}
+
+CompileServer* CompileServer::current() noexcept {
+    return running;
+}
+
+}  // namespace weft
