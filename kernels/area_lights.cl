@@ -47,7 +47,7 @@ WEFT_KERNEL(area_lights)
         for (uint l = 0u; l < params.sampled_lights; ++l) {
             uint number = s * params.samples_per_set + l * params.samples_per_light;
             GLOBAL const Vpl* first = samples + number;
-            WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, first);
+            WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, samples, s);
             rays += add_lamp(scene, &params, &through, &packet, &inside, scale, first,
                              number - set * params.samples_per_set, &light);
         }

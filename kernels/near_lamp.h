@@ -69,30 +69,47 @@ static inline WFloat lamp_irradiance(const Lamps* lamps, GLOBAL const LightRecor
     return sum;
 }
 
-/// Factor for the geometry terms of a lamp's samples, Params::samples_per_light from `first` on, by
-/// lane: 1 where the lamp is far.
+/// Sum of the geometry terms of a lamp's samples in one set, from `first` on. What is hidden by the
+/// receiver's own surface counts as hidden, so here only its shading normal matters.
+static inline WFloat sampled_geometry(const Params* params, const ReceiverPacket* packet,
+                                      GLOBAL const Vpl* first) {
+    WFloat zero = WIDE(0.0f);
+    ReceiverPacket shaded = *packet;
+    shaded.normal = packet->shading;
+    WFloat sum = zero;
+    for (uint i = 0u; i < params->samples_per_light; ++i) {
+        GLOBAL const Vpl* vpl = first + i;
+        WMask useful;
+        WFloat g = connection(&shaded, vpl, VPL_SURFACE, from_vpl(&shaded, vpl), &useful);
+        sum = sum + SELECT(useful, g, zero);
+    }
+    return sum;
+}
+
+/// Factor for the geometry terms of lamp `number`'s samples in a set, by lane: 1 where the lamp is
+/// far. Over all sets of `samples` the mean is that of an unhidden lamp.
 static inline WFloat near_lamp_scale(const Params* params, const Lamps* lamps, uint number,
-                                     const ReceiverPacket* packet, GLOBAL const Vpl* first) {
+                                     const ReceiverPacket* packet, GLOBAL const Vpl* samples,
+                                     uint set) {
     WFloat zero = WIDE(0.0f);
     WFloat one = WIDE(1.0f);
     GLOBAL const LightRecord* lamp = lamps->lights + number;
     WFloat near = nearness(params, lamp, packet);
     if (!mask_any(near > zero)) return one;
-    // What is hidden by the receiver's own surface counts as hidden, so here only its shading
-    // normal matters.
-    ReceiverPacket shaded = *packet;
-    shaded.normal = packet->shading;
+    // Sets none of whose samples can send anything to the receiver add nothing; others make up for
+    // them.
     WFloat sampled = zero;
-    for (uint i = 0u; i < params->samples_per_light; ++i) {
-        GLOBAL const Vpl* vpl = first + i;
-        WMask useful;
-        WFloat g = connection(&shaded, vpl, VPL_SURFACE, from_vpl(&shaded, vpl), &useful);
-        sampled = sampled + SELECT(useful, g, zero);
+    WFloat hits = zero;
+    GLOBAL const Vpl* first = samples + number * params->samples_per_light;
+    for (uint s = 0u; s < params->sets; ++s, first += params->samples_per_set) {
+        WFloat of_set = sampled_geometry(params, packet, first);
+        hits = hits + SELECT(of_set > zero, one, zero);
+        if (s == set) sampled = of_set;
     }
     if (!mask_any((near > zero) & (sampled > zero))) return one;
-    float share = lamp->area / (float)params->samples_per_light;
+    float share = lamp->area / ((float)params->samples_per_light * (float)params->sets);
     if (lamp->both_sides != 0u) share = 2.0f * share;
-    WFloat ratio = lamp_irradiance(lamps, lamp, packet) / (sampled * share);
+    WFloat ratio = lamp_irradiance(lamps, lamp, packet) / (sampled * hits * share);
     // Neither without samples nor beyond what floats hold.
     WMask known = (near > zero) & (sampled > zero) & (ratio < WIDE(1e30f));
     return SELECT(known, one + near * (ratio - one), one);

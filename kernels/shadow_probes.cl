@@ -93,7 +93,7 @@ WEFT_KERNEL(shadow_probes)
             seen[group] |= mask_bits(looked & mask_not(blocked));
             hidden[group] |= mask_bits(blocked);
             if (!mask_any(looked & mask_not(blocked))) continue;
-            WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, first);
+            WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, samples, set);
             add_light(&params, &through, &packet, &inside, scale, first, blocked, &light);
         }
     }

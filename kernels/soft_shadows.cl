@@ -46,15 +46,15 @@ static inline WMask lanes_with(const uint* words, uint bit) {
 
 /// Luminance by all samples of a group of lights, were nothing between.
 static inline WFloat group_luminance(const Params* params, const Lamps* lamps,
-                                     const ReceiverPacket* packet, GLOBAL const Vpl* of_set,
-                                     uint group) {
+                                     const ReceiverPacket* packet, GLOBAL const Vpl* samples,
+                                     uint set, uint group) {
     WFloat zero = WIDE(0.0f);
     WFloat sum = zero;
     uint count = params->samples_per_light;
     uint end = shadow_group_light(params, group + 1u);
     for (uint l = shadow_group_light(params, group); l < end; ++l) {
-        GLOBAL const Vpl* first = of_set + l * count;
-        WFloat scale = near_lamp_scale(params, lamps, l, packet, first);
+        GLOBAL const Vpl* first = samples + set * params->samples_per_set + l * count;
+        WFloat scale = near_lamp_scale(params, lamps, l, packet, samples, set);
         for (GLOBAL const Vpl* vpl = first; vpl < first + count; ++vpl) {
             WMask useful;
             WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
@@ -90,13 +90,15 @@ typedef struct {
     uint known;    // number of the sample of a light that was looked at before; no sample's: none
 } GroupShadow;
 
-/// Adds light `number`, whose samples are from `first` on; returns the number of rays.
+/// Adds the samples of light `number` in a set; returns the number of rays.
 static inline uint add_light(Scene scene, const Params* params, const Media* media,
                              const Lamps* lamps, const ReceiverPacket* packet,
                              const PacketInside* inside, const GroupShadow* shadow, uint number,
-                             GLOBAL const Vpl* first, WideLight* light) {
+                             GLOBAL const Vpl* samples, uint set, WideLight* light) {
     uint rays = 0u;
-    WFloat scale = near_lamp_scale(params, lamps, number, packet, first);
+    WFloat scale = near_lamp_scale(params, lamps, number, packet, samples, set);
+    GLOBAL const Vpl* first =
+        samples + set * params->samples_per_set + number * params->samples_per_light;
     for (uint i = 0u; i < params->samples_per_light; ++i) {
         GLOBAL const Vpl* vpl = first + i;
         float4 flux = vpl->flux;
@@ -136,7 +138,6 @@ WEFT_KERNEL(soft_shadows)
     load_pixels(&params, slot_pixel, slot, pixel_shadows, shadow_edges, gb_albedo, irradiance,
                 &pixels);
     uint set = (block_set[block] + params.set_rotation) % params.gather_sets;
-    GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
     uint count = params.samples_per_light;
     uint start = shadow_start(&params, slot_pixel, slot, set);
     WideLight light = no_light();
@@ -148,15 +149,15 @@ WEFT_KERNEL(soft_shadows)
         shadow.hidden = lanes_with(pixels.shadows, group + SHADOW_HIDDEN);
         shadow.edge = lanes_with(pixels.edges, group);
         if (mask_any(shadow.edge))
-            shadow.edge =
-                shadow.edge &
-                visible_lanes(&params, group_luminance(&params, &lamps, &packet, of_set, group),
-                              &pixels, slopes);
+            shadow.edge = shadow.edge & visible_lanes(&params,
+                                                      group_luminance(&params, &lamps, &packet,
+                                                                      samples, set, group),
+                                                      &pixels, slopes);
         // What the first look found; of several lights it does not say which one was hidden.
         shadow.known = l + 1u == end ? start : count;
         for (; l < end; ++l)
             rays += add_light(scene, &params, &through, &lamps, &packet, &inside, &shadow, l,
-                              of_set + l * count, &light);
+                              samples, set, &light);
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);
     count_rays(counters + params.counter, rays);

@@ -40,7 +40,7 @@ inline void divide_lamps(Scene& scene, int times) {
 }
 
 /// The Cornell box with a lamp of more triangles than are known in closed form
-/// (kernels/near_lamp_limit.h).
+/// (host/scene/lamp_bounds.h).
 struct DividedBox {
     Camera camera;
     FlatScene flat;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace weft {
 namespace {
@@ -17,6 +18,25 @@ std::array<glm::dvec3, 3> corners_of(const FlatScene& flat,
         return glm::dvec3(p.x, p.y, p.z);
     };
     return {corner(triangle.v0), corner(triangle.v1), corner(triangle.v2)};
+}
+
+/// Whether each triangle shares a corner with one before it, but for the first, in some order.
+bool hangs_together(const FlatScene& flat, std::span<const shared::EmissiveTriangle> lamp) {
+    std::vector<std::array<glm::dvec3, 3>> apart;
+    for (const auto& triangle : lamp.subspan(1)) apart.push_back(corners_of(flat, triangle));
+    std::vector<glm::dvec3> reached;
+    for (const glm::dvec3& corner : corners_of(flat, lamp.front())) reached.push_back(corner);
+    const auto touches = [&](const std::array<glm::dvec3, 3>& corners) {
+        return std::find_first_of(corners.begin(), corners.end(), reached.begin(), reached.end()) !=
+               corners.end();
+    };
+    while (!apart.empty()) {
+        const auto next = std::find_if(apart.begin(), apart.end(), touches);
+        if (next == apart.end()) return false;
+        reached.insert(reached.end(), next->begin(), next->end());
+        apart.erase(next);
+    }
+    return true;
 }
 
 }  // namespace
@@ -42,7 +62,8 @@ LampBounds lamp_bounds(const FlatScene& flat, std::span<const shared::EmissiveTr
                    std::nextafter(static_cast<float>(radius), HUGE_VALF)};
     // Floats of turned panels miss their plane by rounding: of a hundred of their steps.
     constexpr double flat_share = 1e-5;
-    if (height <= flat_share * radius) {
+    if (lamp.size() <= max_panel_triangles && height <= flat_share * radius &&
+        hangs_together(flat, lamp)) {
         const glm::vec3 n(normal);
         bounds.normal = {n.x, n.y, n.z, 0.0F};
     }

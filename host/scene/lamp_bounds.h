@@ -3,6 +3,7 @@
 #ifndef WEFT_SCENE_LAMP_BOUNDS_H
 #define WEFT_SCENE_LAMP_BOUNDS_H
 
+#include <cstddef>
 #include <span>
 
 #include "device/shared_types.h"
@@ -10,10 +11,13 @@
 
 namespace weft {
 
+/// Most triangles of a lamp that counts as a panel: its light is summed over them, for every pixel.
+inline constexpr std::size_t max_panel_triangles = 16;
+
 /// What an area light lies in, kernel units: shared::LightRecord::position and axis.
 struct LampBounds {
     shared::float4 ball{};    ///< xyz middle of its corners, w distance of the furthest of them
-    shared::float4 normal{};  ///< xyz unit normal of the plane of all triangles, 0 if there is none
+    shared::float4 normal{};  ///< xyz unit normal of a lamp that is one flat panel, else 0
 };
 
 /// Bounds of emissive triangles of the scene, of which there is at least one and none is of area 0.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace weft::selftest {
@@ -29,9 +31,12 @@ std::vector<Measured> measure(const SelftestCase& tested, Executor& executor) {
 }
 
 /// Compiles what will be used; cases tell what does not compile.
-void compile_quietly(Executor& executor, std::span<const KernelUse> used) {
+void compile_quietly(Executor& executor,
+                     const std::map<std::pair<KernelId, std::uint32_t>, KernelUse>& used) {
+    std::vector<KernelUse> uses;
+    for (const auto& [key, use] : used) uses.push_back(use);
     try {
-        executor.compile(used);
+        executor.compile(uses);
     } catch (const std::exception&) {
         return;
     }
@@ -70,7 +75,7 @@ SelftestTotals run_selftest(std::span<const SelftestCase> cases,
                             std::span<Executor* const> executors,
                             const std::function<void(const CheckResult&)>& report) {
     SelftestTotals totals;
-    std::vector<KernelUse> used;
+    std::map<std::pair<KernelId, std::uint32_t>, KernelUse> used;
     for (Executor* const executor : executors) {
         compile_quietly(*executor, used);
         for (const SelftestCase& tested : cases) {
@@ -85,7 +90,8 @@ SelftestTotals run_selftest(std::span<const SelftestCase> cases,
                 report(result);
             }
         }
-        for (const KernelBuild& build : executor->builds()) used.push_back(build.use);
+        for (const KernelBuild& build : executor->builds())
+            used.try_emplace({build.use.kernel, build.use.features}, build.use);
     }
     return totals;
 }

@@ -56,6 +56,9 @@ void answer(int client) {
 }  // namespace
 
 CompileServer::CompileServer() {
+    // The connection would take the place of a standard descriptor that is closed.
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(standard, F_GETFD) < 0) return;
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
     process_ = ::fork();
