@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "counting_executor.h"
+#include "divided_scene.h"
 #include "frame/level_overlay.h"
 #include "path_fixture.h"
-#include "scene/load_scene.h"
 
 // The residual where ais undersamples: every pixel has a path of its own, so what it adds is what
 // it adds to amax, speck by speck, and means are those of path tracing.
@@ -27,17 +27,7 @@ using test::Rendering;
 
 constexpr std::size_t comparisons = 40;  // a few more than there are
 
-struct ShippedScene {
-    Camera camera;
-    FlatScene flat;
-
-    explicit ShippedScene(const std::string& file) {
-        Diagnostics diagnostics;
-        const Scene scene = load_scene(WEFT_SOURCE_DIR "/scenes/" + file, diagnostics);
-        camera = scene.cameras.at(0);
-        flat = flatten(scene);
-    }
-};
+using ShippedScene = test::DividedScene;
 
 const ShippedScene& cornell_box() {
     static const ShippedScene box("cornell-box.gltf");

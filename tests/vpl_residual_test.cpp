@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "divided_box.h"
+#include "divided_scene.h"
 #include "path_fixture.h"
 
 // Light that VPLs leave out and one path per pixel brings back: against closed forms where there

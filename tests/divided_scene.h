@@ -1,10 +1,11 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef WEFT_TESTS_DIVIDED_BOX_H
-#define WEFT_TESTS_DIVIDED_BOX_H
+#ifndef WEFT_TESTS_DIVIDED_SCENE_H
+#define WEFT_TESTS_DIVIDED_SCENE_H
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "scene/flat_scene.h"
 #include "scene/load_scene.h"
@@ -39,19 +40,23 @@ inline void divide_lamps(Scene& scene, int times) {
             divide(scene.meshes.at(instance.mesh), times);
 }
 
-/// The Cornell box with a lamp of more triangles than are known in closed form
+/// A scene that comes with Weft, with lamps of more triangles than are known in closed form
 /// (host/scene/lamp_bounds.h).
-struct DividedBox {
+struct DividedScene {
     Camera camera;
     FlatScene flat;
 
-    DividedBox() {
+    explicit DividedScene(const std::string& file) {
         Diagnostics diagnostics;
-        Scene scene = load_scene(WEFT_SOURCE_DIR "/scenes/cornell-box.gltf", diagnostics);
+        Scene scene = load_scene(WEFT_SOURCE_DIR "/scenes/" + file, diagnostics);
         divide_lamps(scene, 2);
         camera = scene.cameras.at(0);
         flat = flatten(scene);
     }
+};
+
+struct DividedBox : DividedScene {
+    DividedBox() : DividedScene("cornell-box.gltf") {}
 };
 
 }  // namespace weft::test
