@@ -105,8 +105,8 @@ typedef struct {
 // One light. `cumulative` is the inclusive sum of choice probabilities up to this light.
 typedef struct {
     float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest one
-    float4 axis;      // spot, directional: direction of travel; area: xyz normal of the plane that
-                      // all of it lies in, 0 where it does not
+    float4 axis;      // spot, directional: direction of travel; area: xyz normal of one flat
+                      // panel (host/scene/lamp_bounds.h), else 0
     float4 power;     // area: radiance; point, spot: W/sr in kernel units; directional: W/m^2
     uint kind;
     uint first, count;  // emissive triangles
