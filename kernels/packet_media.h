@@ -8,6 +8,7 @@
 #define WEFT_PACKET_MEDIA_H
 
 #include "convex_media.h"
+#include "listed_receivers.h"
 
 // Where the points of a packet are among the boundaries of media.
 typedef struct {
@@ -15,25 +16,42 @@ typedef struct {
     uint above[2];       // planes of convex boundaries that all of them lie above, a bit each
 } PacketInside;
 
-static inline PacketInside load_inside(const Params* params, const Media* media,
-                                       GLOBAL const float* planes, WFloat3 positions, uint slot) {
-    PacketInside packet;
-    packet.above[0] = 0u;
-    packet.above[1] = 0u;
-    if (!HAS(params, FEATURE_MEDIA)) {
-        for (uint lane = 0u; lane < (uint)LANES; ++lane) packet.inside[lane] = 0u;
-        return packet;
-    }
-    for (uint lane = 0u; lane < (uint)LANES; ++lane)
-        packet.inside[lane] = as_bits(planes[RECEIVER_INSIDE * params->slots + slot + lane]);
+/// Fills in the planes that lie below all of a packet.
+static inline void find_above(const Params* params, const Media* media, WFloat3 positions,
+                              PacketInside* packet) {
     uint count = media->record->boundaries;
-    if (!HAS(params, FEATURE_CONVEX_MEDIA) || count == 0u) return packet;
+    if (!HAS(params, FEATURE_CONVEX_MEDIA) || count == 0u) return;
     for (uint i = 0u; i < media->record->plane_end[count - 1u]; ++i) {
         float4 plane = media->record->planes[i];
         if (wide_lowest(wide_dot_scalar(positions, xyz(plane)) - plane.w) > 0.0f)
-            packet.above[i >> 5] |= 1u << (i & 31u);
+            packet->above[i >> 5] |= 1u << (i & 31u);
     }
+}
+
+/// Of listed slots at those positions.
+static inline PacketInside listed_inside(const Params* params, const Media* media,
+                                         GLOBAL const float* planes, WFloat3 positions,
+                                         const ReceiverList* list) {
+    PacketInside packet;
+    packet.above[0] = 0u;
+    packet.above[1] = 0u;
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        uint slot = list->slot[lane < list->count ? lane : 0u];
+        packet.inside[lane] = HAS(params, FEATURE_MEDIA)
+                                  ? as_bits(planes[RECEIVER_INSIDE * params->slots + slot])
+                                  : 0u;
+    }
+    if (HAS(params, FEATURE_MEDIA)) find_above(params, media, positions, &packet);
     return packet;
+}
+
+/// Of the slots from `slot` on.
+static inline PacketInside load_inside(const Params* params, const Media* media,
+                                       GLOBAL const float* planes, WFloat3 positions, uint slot) {
+    ReceiverList list;
+    list.count = (uint)LANES;
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) list.slot[lane] = slot + lane;
+    return listed_inside(params, media, planes, positions, &list);
 }
 
 /// 1 where a plane of a convex boundary lies below a light and all of the packet.

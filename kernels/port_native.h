@@ -79,6 +79,7 @@ struct WideOf {
     typedef float Float __attribute__((vector_size(4 * N)));
     typedef int Mask __attribute__((vector_size(4 * N)));
     typedef float Unaligned __attribute__((vector_size(4 * N), aligned(4), may_alias));
+    typedef int Words __attribute__((vector_size(4 * N), aligned(4), may_alias));
 };
 
 template <int N>
@@ -115,6 +116,12 @@ static inline WFloat wide_load(const float* p, uint i) {
 }
 static inline void wide_store(WFloat v, float* p, uint i) {
     p[i] = v;
+}
+static inline WMask load_words(const uint* p, uint i) {
+    return static_cast<WMask>(p[i]);
+}
+static inline void store_words(WMask v, uint* p, uint i) {
+    p[i] = static_cast<uint>(v);
 }
 static inline uint mask_bits(WMask m) {
     return static_cast<uint>(m);
@@ -159,6 +166,12 @@ static inline WFloat wide_load(const float* p, uint i) {
 static inline void wide_store(WFloat v, float* p, uint i) {
     *reinterpret_cast<WideOf<LANES>::Unaligned*>(p + i) = v;
 }
+static inline WMask load_words(const uint* p, uint i) {
+    return *reinterpret_cast<const WideOf<LANES>::Words*>(p + i);
+}
+static inline void store_words(WMask v, uint* p, uint i) {
+    *reinterpret_cast<WideOf<LANES>::Words*>(p + i) = v;
+}
 static inline uint mask_bits(WMask m) {
     return vector_mask_bits<LANES>(m);
 }
@@ -199,6 +212,9 @@ static inline WFloat wide_power_of_two(WFloat n) {
 }
 #define mask_none_set (WMask{})
 #endif
+
+// Words of 32 bits, one a lane (load_words); &, |, ^ and ~ only.
+typedef WMask WWords;
 
 typedef WideOf<NODE_WIDTH>::Float NFloat;
 typedef WideOf<NODE_WIDTH>::Mask NMask;

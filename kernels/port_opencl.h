@@ -25,6 +25,9 @@
 #define square_root(f) sqrt(f)
 #define absolute(f) fabs(f)
 
+// Words of 32 bits, one a lane (load_words); &, |, ^ and ~ only.
+#define WWords WMask
+
 // Built-in select() takes the second value where the mask is set; for scalars where it is not 0.
 #define SELECT(mask, a, b) select((b), (a), (mask))
 
@@ -34,6 +37,8 @@ typedef int WMask;
 #define WIDE(x) ((float)(x))
 #define wide_load(p, i) ((p)[i])
 #define wide_store(v, p, i) ((p)[i] = (v))
+#define load_words(p, i) ((int)(p)[i])
+#define store_words(v, p, i) ((p)[i] = (uint)(v))
 #define mask_any(m) ((m) != 0)
 #define mask_all(m) ((m) != 0)
 #define mask_not(m) ((m) == 0)
@@ -50,6 +55,8 @@ typedef int4 WMask;
 #define WIDE(x) ((float4)(x))
 #define wide_load(p, i) vload4(0, (p) + (i))
 #define wide_store(v, p, i) vstore4((v), 0, (p) + (i))
+#define load_words(p, i) as_int4(vload4(0, (p) + (i)))
+#define store_words(v, p, i) vstore4(as_uint4(v), 0, (p) + (i))
 #define wide_power_of_two(n) as_float4((convert_int4(n) + 127) << 23)
 #define mask_none_set ((int4)(0))
 #elif LANES == 8
@@ -58,6 +65,8 @@ typedef int8 WMask;
 #define WIDE(x) ((float8)(x))
 #define wide_load(p, i) vload8(0, (p) + (i))
 #define wide_store(v, p, i) vstore8((v), 0, (p) + (i))
+#define load_words(p, i) as_int8(vload8(0, (p) + (i)))
+#define store_words(v, p, i) vstore8(as_uint8(v), 0, (p) + (i))
 #define wide_power_of_two(n) as_float8((convert_int8(n) + 127) << 23)
 #define mask_none_set ((int8)(0))
 #elif LANES == 16
@@ -66,6 +75,8 @@ typedef int16 WMask;
 #define WIDE(x) ((float16)(x))
 #define wide_load(p, i) vload16(0, (p) + (i))
 #define wide_store(v, p, i) vstore16((v), 0, (p) + (i))
+#define load_words(p, i) as_int16(vload16(0, (p) + (i)))
+#define store_words(v, p, i) vstore16(as_uint16(v), 0, (p) + (i))
 #define wide_power_of_two(n) as_float16((convert_int16(n) + 127) << 23)
 #define mask_none_set ((int16)(0))
 #else

@@ -6,12 +6,11 @@
 // changes from pixel to pixel, so that those of a window look at places all over the light. Where
 // a point is behind a pixel's surface, or faces away, another is looked at.
 //
-// `pixel_shadows` tells of every pixel which groups of lights were seen (low bits) and which were
-// not (high bits, SHADOW_HIDDEN on). shadow_edges.cl reads it.
+// `pixel_shadows` tells of every pixel which lights were seen and which were not (shadow_words.h).
 #include "counters.h"
 #include "near_lamp.h"
 #include "packet_media.h"
-#include "shadow_groups.h"
+#include "shadow_words.h"
 
 /// Adds a light's samples from `first` on, of which `blocked` lanes see none.
 static inline void add_light(const Params* params, const Media* media, const ReceiverPacket* packet,
@@ -50,17 +49,34 @@ static inline WMask look_at_light(Scene scene, const ReceiverPacket* packet,
     return looked;
 }
 
-/// Writes what the lanes of a packet saw where their pixels are.
+/// Number of the sample of every light that a packet's pixels look at first; all of them look at
+/// the same.
+static inline uint packet_look(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
+                               uint set) {
+    uint pixel = NO_TRIANGLE;
+    for (uint lane = 0u; lane < (uint)LANES && pixel == NO_TRIANGLE; ++lane)
+        pixel = slot_pixel[slot + lane];
+    uint column = pixel % params->width / params->interleave;
+    uint row = pixel / params->width / params->interleave;
+    return shadow_look(params, column, row, set);
+}
+
+/// Writes what the lanes of a packet saw of the lights of a word where their pixels are.
 static inline void store_shadows(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
-                                 const uint* seen, const uint* hidden, GLOBAL uint* pixel_shadows) {
+                                 uint word, const uint* seen, const uint* hidden,
+                                 GLOBAL uint* pixel_shadows) {
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         uint pixel = slot_pixel[slot + lane];
         if (pixel == NO_TRIANGLE) continue;
-        uint word = 0u;
-        for (uint group = 0u; group < params->shadow_groups; ++group)
-            word |= (seen[group] >> lane & 1u) << group | (hidden[group] >> lane & 1u)
-                                                              << (group + SHADOW_HIDDEN);
-        pixel_shadows[shadow_place(params, pixel)] = word;
+        uint seen_bits = 0u;
+        uint hidden_bits = 0u;
+        for (uint bit = 0u; bit < SHADOW_WORD_LIGHTS; ++bit) {
+            seen_bits |= (seen[bit] >> lane & 1u) << bit;
+            hidden_bits |= (hidden[bit] >> lane & 1u) << bit;
+        }
+        uint place = shadow_place(params, pixel % params->width, pixel / params->width);
+        pixel_shadows[seen_plane(params, word) + place] = seen_bits;
+        pixel_shadows[hidden_plane(params, word) + place] = hidden_bits;
     }
 }
 
@@ -78,26 +94,28 @@ WEFT_KERNEL(shadow_probes)
     uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
     GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
     WideLight light = no_light();
-    uint seen[SHADOW_GROUPS];
-    uint hidden[SHADOW_GROUPS];
     uint rays = 0u;
-    uint start = shadow_start(&params, slot_pixel, slot, set);
-    for (uint group = 0u; group < params.shadow_groups; ++group) {
-        seen[group] = hidden[group] = 0u;
-        uint end = mask_any(packet.valid) ? shadow_group_light(&params, group + 1u) : 0u;
-        for (uint l = shadow_group_light(&params, group); l < end; ++l) {
+    uint look = packet_look(&params, slot_pixel, slot, set);
+    uint looked_at = mask_any(packet.valid) ? params.sampled_lights : 0u;
+    for (uint word = 0u; word < shadow_words(params.sampled_lights); ++word) {
+        uint seen[SHADOW_WORD_LIGHTS];
+        uint hidden[SHADOW_WORD_LIGHTS];
+        for (uint bit = 0u; bit < SHADOW_WORD_LIGHTS; ++bit) {
+            seen[bit] = hidden[bit] = 0u;
+            uint l = word * SHADOW_WORD_LIGHTS + bit;
+            if (l >= looked_at) continue;
             GLOBAL const Vpl* first = of_set + l * params.samples_per_light;
             WMask blocked;
-            WMask looked = look_at_light(scene, &packet, first, params.samples_per_light, start,
+            WMask looked = look_at_light(scene, &packet, first, params.samples_per_light, look,
                                          &blocked, &rays);
-            seen[group] |= mask_bits(looked & mask_not(blocked));
-            hidden[group] |= mask_bits(blocked);
-            if (!mask_any(looked & mask_not(blocked))) continue;
+            seen[bit] = mask_bits(looked & mask_not(blocked));
+            hidden[bit] = mask_bits(blocked);
+            if (seen[bit] == 0u) continue;
             WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, samples, set);
             add_light(&params, &through, &packet, &inside, scale, first, blocked, &light);
         }
+        store_shadows(&params, slot_pixel, slot, word, seen, hidden, pixel_shadows);
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);
-    store_shadows(&params, slot_pixel, slot, seen, hidden, pixel_shadows);
     count_rays(counters + params.counter, rays);
 }

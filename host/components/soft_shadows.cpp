@@ -25,27 +25,27 @@ SoftShadows::SoftShadows(const ComponentInputs& inputs)
     : executor_(inputs.executor),
       shared_(inputs.buffers),
       grid_{inputs.width, inputs.height},
-      groups_(std::min(inputs.scene.area_lights, SHADOW_GROUPS)),
-      pixel_block_(pixel_blocks(inputs.work, inputs.pixels())) {
-    const std::vector<std::uint32_t> nothing(
-        std::size_t{shared::shadow_pitch(grid_.width)} * (grid_.height + 2 * SHADOW_REACH), 0);
+      trusted_(inputs.plan.interleave <= 3 && inputs.plan.samples_per_light <= 4),
+      words_(shared::shadow_words(inputs.scene.area_lights)) {
+    const std::size_t plane =
+        shared::shadow_plane(grid_.width, grid_.height, inputs.plan.interleave);
+    const std::vector<std::uint32_t> nothing(2 * words_ * plane, 0);
     pixel_shadows_ = upload<std::uint32_t>(executor_, nothing, "shadows of pixels");
     slopes_ = upload<float>(executor_, BrightnessSlope(inputs.plan.luminance_scale).table(),
                             "brightness slopes");
-    const std::vector<std::uint32_t> none(inputs.pixels(), 0);
+    const std::vector<std::uint32_t> none(SHADOW_PLANES * words_ * inputs.pixels(), 0);
     shadow_edges_ = upload<std::uint32_t>(executor_, none, "shadow edges");
-    shadow_blocks_ = executor_.allocate(shared_.slots / PACKET_BLOCK * sizeof(std::uint32_t),
-                                        "blocks of shadow edges");
+    shadow_counts_ = executor_.allocate(words_ * inputs.pixels() * sizeof(shared::ShadowCounts),
+                                        "shadow counts");
 }
 
 void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
-    frame.params.shadow_groups = groups_;
+    frame.params.shadow_trust = trusted_ ? 1 : 0;
     look(frame, samples, irradiance);
     edges_ = {};
     if (frame.ended_early()) return;
     const Stopwatch watch;
     edges_ = find_edges();
-    write_buffer<std::uint32_t>(executor_, *shadow_blocks_, edges_.blocks);
     frame.add_host_stage("scheduling", name, watch.total());
     look_again(frame, samples, irradiance);
 }
@@ -57,17 +57,17 @@ void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance)
                                  pixel_shadows_.get(), shared_.counters.get()}),
               shared_.slots / executor_.lanes(),
               gather_items_per_launch(executor_, frame.plan.samples_per_set));
-    const std::uint32_t runs = (grid_.width + SHADOW_RUN - 1) / SHADOW_RUN * grid_.height;
+    const std::uint32_t lanes = executor_.lanes();
+    const std::uint32_t runs = (grid_.width + lanes - 1) / lanes * grid_.height;
     frame.run(KernelId::shadow_edges, "shadow edges", name, false,
-              {pixel_shadows_.get(), shadow_edges_.get()}, runs);
+              {pixel_shadows_.get(), shadow_edges_.get(), shadow_counts_.get()}, runs * words_);
 }
 
-ShadowEdges SoftShadows::find_edges() {
+ShadowEdges SoftShadows::find_edges() const {
     ShadowEdges found;
     executor_.with_mapped(*shadow_edges_, Access::read, [&](std::span<std::byte> bytes) {
-        const std::span edges(reinterpret_cast<const std::uint32_t*>(bytes.data()),
-                              pixel_block_.size());
-        found = find_shadow_edges(grid_, edges, pixel_block_, shared_.slots / PACKET_BLOCK);
+        found = find_shadow_edges(grid_, {reinterpret_cast<const std::uint32_t*>(bytes.data()),
+                                          bytes.size() / sizeof(std::uint32_t)});
     });
     return found;
 }
@@ -76,15 +76,17 @@ void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irrad
     const double gain = frame.budget != nullptr ? frame.budget->gain(name) : 1.0;
     step_ = std::min(largest_step, step_share * gain * frame.plan.threshold);
     frame.params.shadow_step = static_cast<float>(step_);
-    const auto blocks = static_cast<std::uint32_t>(edges_.blocks.size());
+    const std::uint32_t edge = shared::shadow_cell(executor_.lanes(), frame.plan.interleave);
+    const std::uint32_t cells =
+        ((grid_.width + edge - 1) / edge) * ((grid_.height + edge - 1) / edge);
+    const std::uint32_t packets = executor_.lanes();  // of a full cell
     frame.run(KernelId::soft_shadows, "area lights", name, true,
-              with_lamps(frame, {shared_.receivers.get(), shared_.block_set.get(),
-                                 shared_.slot_pixel.get(), shadow_blocks_.get(), &samples,
-                                 pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
-                                 shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
+              with_lamps(frame, {shared_.receivers.get(), shared_.pixel_slot.get(), &samples,
+                                 pixel_shadows_.get(), shadow_edges_.get(), shadow_counts_.get(),
+                                 slopes_.get(), shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
                                  shared_.counters.get()}),
-              blocks * (PACKET_BLOCK / executor_.lanes()),
-              gather_items_per_launch(executor_, frame.plan.samples_per_set));
+              cells * frame.plan.interleave * frame.plan.interleave,
+              gather_items_per_launch(executor_, frame.plan.samples_per_set * packets));
 }
 
 bool SoftShadows::can_save() const {
@@ -99,13 +101,15 @@ LevelCounts SoftShadows::counts() const {
 }
 
 void SoftShadows::add_layers(const std::string& component, Image& image) const {
-    const auto edges = read_buffer<std::uint32_t>(executor_, *shadow_edges_, pixel_block_.size());
-    Layer level{component + ".level", "Y", std::vector<float>(edges.size())};
-    Layer samples{component + ".samples", "Y", std::vector<float>(edges.size())};
-    const std::uint32_t all = (1U << groups_) - 1U;
-    for (std::size_t pixel = 0; pixel < edges.size(); ++pixel) {
-        level.values[pixel] = edges[pixel] == 0 ? 0.0F : edges[pixel] == all ? 2.0F : 1.0F;
-        samples.values[pixel] = edges[pixel] == 0 ? 0.0F : 1.0F;
+    const std::size_t pixels = std::size_t{grid_.width} * grid_.height;
+    const auto words =
+        read_buffer<std::uint32_t>(executor_, *shadow_edges_, SHADOW_PLANES * words_ * pixels);
+    Layer level{component + ".level", "Y", std::vector<float>(pixels)};
+    Layer samples{component + ".samples", "Y", std::vector<float>(pixels)};
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        const Level found = shadow_level(words, pixels, pixel);
+        level.values[pixel] = static_cast<float>(found);
+        samples.values[pixel] = found == Level::full ? 1.0F : 0.0F;
     }
     image.layers.push_back(std::move(level));
     image.layers.push_back(std::move(samples));

@@ -14,7 +14,8 @@
 namespace weft {
 
 /// Light of area lights at every pixel, with rays where they tell something: one to each light
-/// first, the others where the pixels about have not all found the same.
+/// first, the others where the pixels about have found different things that do not speak of one
+/// place.
 class SoftShadows : public SamplingDecision {
   public:
     explicit SoftShadows(const ComponentInputs& inputs);
@@ -24,21 +25,22 @@ class SoftShadows : public SamplingDecision {
 
     [[nodiscard]] LevelCounts counts() const override;
     [[nodiscard]] bool can_save() const override;
-    [[nodiscard]] bool can_spend() const override { return edges_.pixels > 0; }
+    [[nodiscard]] bool can_spend() const override { return edges_.edges > 0; }
     void add_layers(const std::string& component, Image& image) const override;
 
   private:
     void look(FrameContext& frame, Buffer& samples, Buffer& irradiance);
-    [[nodiscard]] ShadowEdges find_edges();
+    [[nodiscard]] ShadowEdges find_edges() const;
     void look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance);
 
     Executor& executor_;
     const FrameBuffers& shared_;
     TileGrid grid_;
-    std::uint32_t groups_;
     double step_ = 0.0;  ///< of the last frame; Params::shadow_step
-    std::vector<std::uint32_t> pixel_block_;
-    std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, shadow_blocks_, slopes_;
+    /// Whether a window's first looks are nearly all that full sampling has.
+    bool trusted_;
+    std::uint32_t words_;  ///< of a pixel, for a bit a light
+    std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, shadow_counts_, slopes_;
     ShadowEdges edges_;
 };
 

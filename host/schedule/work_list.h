@@ -27,7 +27,7 @@ struct WorkList {
                                       std::uint32_t interleave, std::uint32_t tile);
 
 /// The same pixels with the same sets, but a block holds pixels of one place within squares of 2 n:
-/// every second of its set in a row and column (shadow_start in kernels/shadow_groups.h).
+/// every second of its set in a row and column (shadow_look in kernels/shadow_words.h).
 [[nodiscard]] WorkList make_spread_work_list(std::uint32_t width, std::uint32_t height,
                                              std::uint32_t interleave, std::uint32_t tile);
 
