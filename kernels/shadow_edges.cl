@@ -130,6 +130,7 @@ static inline WWords disputed(ShadowWords own, int pitch) {
     return seen & hidden;
 }
 
+/// Of which nothing is known yet.
 static inline ShadowWindows no_windows(void) {
     ShadowWindows windows;
     windows.narrow = mask_none_set;

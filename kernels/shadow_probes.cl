@@ -61,16 +61,16 @@ static inline uint packet_look(const Params* params, GLOBAL const uint* slot_pix
     return shadow_look(params, column, row, set);
 }
 
-/// Writes what the lanes of a packet saw of the lights of a word where their pixels are.
+/// Writes what the lanes of a packet saw of the `lights` lights of a word where their pixels are.
 static inline void store_shadows(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
-                                 uint word, const uint* seen, const uint* hidden,
+                                 uint word, uint lights, const uint* seen, const uint* hidden,
                                  GLOBAL uint* pixel_shadows) {
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         uint pixel = slot_pixel[slot + lane];
         if (pixel == NO_TRIANGLE) continue;
         uint seen_bits = 0u;
         uint hidden_bits = 0u;
-        for (uint bit = 0u; bit < SHADOW_WORD_LIGHTS; ++bit) {
+        for (uint bit = 0u; bit < lights; ++bit) {
             seen_bits |= (seen[bit] >> lane & 1u) << bit;
             hidden_bits |= (hidden[bit] >> lane & 1u) << bit;
         }
@@ -96,14 +96,16 @@ WEFT_KERNEL(shadow_probes)
     WideLight light = no_light();
     uint rays = 0u;
     uint look = packet_look(&params, slot_pixel, slot, set);
-    uint looked_at = mask_any(packet.valid) ? params.sampled_lights : 0u;
     for (uint word = 0u; word < shadow_words(params.sampled_lights); ++word) {
         uint seen[SHADOW_WORD_LIGHTS];
         uint hidden[SHADOW_WORD_LIGHTS];
-        for (uint bit = 0u; bit < SHADOW_WORD_LIGHTS; ++bit) {
+        uint first_light = word * SHADOW_WORD_LIGHTS;
+        uint count = params.sampled_lights - first_light;
+        if (count > SHADOW_WORD_LIGHTS) count = SHADOW_WORD_LIGHTS;
+        for (uint bit = 0u; bit < count; ++bit) {
             seen[bit] = hidden[bit] = 0u;
-            uint l = word * SHADOW_WORD_LIGHTS + bit;
-            if (l >= looked_at) continue;
+            if (!mask_any(packet.valid)) continue;
+            uint l = first_light + bit;
             GLOBAL const Vpl* first = of_set + l * params.samples_per_light;
             WMask blocked;
             WMask looked = look_at_light(scene, &packet, first, params.samples_per_light, look,
@@ -114,7 +116,7 @@ WEFT_KERNEL(shadow_probes)
             WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, samples, set);
             add_light(&params, &through, &packet, &inside, scale, first, blocked, &light);
         }
-        store_shadows(&params, slot_pixel, slot, word, seen, hidden, pixel_shadows);
+        store_shadows(&params, slot_pixel, slot, word, count, seen, hidden, pixel_shadows);
     }
     store_light(&params, &light, params.gather_scale, slot, irradiance);
     count_rays(counters + params.counter, rays);

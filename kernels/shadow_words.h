@@ -8,6 +8,7 @@
 #define WEFT_SHADOW_WORDS_H
 
 #include "port.h"
+#include "shadow_layout.h"
 #include "types.h"
 
 /// Number of the sample of every light of its `set` that a pixel looks at first, by the column and

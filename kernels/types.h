@@ -243,55 +243,6 @@ static inline uint edge_pixels_of_item(uint lanes, uint samples) {
 #define SLOPE_DROPPED_BITS 20u
 #define SLOPE_ENTRIES (0x7F800000u >> SLOPE_DROPPED_BITS)
 
-// Area lights of one word of what pixels saw (shadow_words.h), a bit each.
-#define SHADOW_WORD_LIGHTS 32u
-// Pixels to every side among which all must have seen the same of a light.
-#define SHADOW_REACH 2u
-// Pixels that rows of what pixels saw are whole numbers of, a multiple of any LANES.
-#define SHADOW_RUN 16u
-// Planes of shadow_edges.cl, of words of 32 lights: whether a pixel is at an edge of a light's
-// shadow, and whether its window leaves that light in doubt.
-#define SHADOW_EDGE 0u
-#define SHADOW_DOUBT 1u
-#define SHADOW_PLANES 2u
-// Binary digits of how many of a window's pixels saw a light.
-#define SHADOW_DIGITS 5u
-
-// What the windows of pixels tell of 32 lights: by digit, how many of them saw it, and did not.
-typedef struct {
-    uint lit[SHADOW_DIGITS], dark[SHADOW_DIGITS];
-} ShadowCounts;
-
-static inline uint shadow_words(uint lights) {
-    return (lights + SHADOW_WORD_LIGHTS - 1u) / SHADOW_WORD_LIGHTS;
-}
-
-/// Pixels of a row or column after which first looks at lights repeat (shadow_look).
-static inline uint shadow_period(uint interleave) {
-    return 2u * interleave;
-}
-
-/// Pixels about the picture in which nothing is seen.
-static inline uint shadow_margin(uint interleave) {
-    return SHADOW_REACH + shadow_period(interleave);
-}
-
-/// Words of a row of what pixels saw: a margin to both sides, and whole runs.
-static inline uint shadow_pitch(uint width, uint interleave) {
-    return (width + SHADOW_RUN - 1u) / SHADOW_RUN * SHADOW_RUN + 2u * shadow_margin(interleave);
-}
-
-/// Words of a picture of what pixels saw.
-static inline uint shadow_plane(uint width, uint height, uint interleave) {
-    return shadow_pitch(width, interleave) * (height + 2u * shadow_margin(interleave));
-}
-
-/// Edge of the square of pixels of which one work-item of soft_shadows.cl takes those of a set: as
-/// many as pack well where packets are wide.
-static inline uint shadow_cell(uint lanes, uint interleave) {
-    return lanes * interleave;
-}
-
 // Counters of one launch, 64 bit in two halves.
 typedef struct {
     uint rays_low, rays_high;
@@ -383,7 +334,7 @@ typedef struct {
     float film_scale;      // a power of two that brings the scene's light to about 1
     uint choice_lights;    // lights that next-event estimation chooses from, the first entries
     uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
-    uint shadow_trust;  // 1: a window's first looks are nearly all that full sampling has
+    uint shadow_trust;     // 1: a window's first looks are nearly all that full sampling has
     float enough_support;  // of the weight of a lattice's taps, what a pixel needs on its surface
     uint edge_samples;     // further rays of an edge pixel, even; 0: none
     float roulette;        // share of the mean contribution below which VPLs are traced by chance

@@ -12,6 +12,8 @@
 #include <numeric>
 #include <random>
 
+#include "schedule/quality.h"
+
 namespace weft {
 namespace {
 
@@ -206,6 +208,30 @@ TEST(FramePlan, ManyAreaLightsAreChosenByPower) {
     const double square = std::pow(SamplingSettings{}.bound_spacing, 2);
     EXPECT_NEAR(chosen.light_bound_scale, std::numbers::pi * 9.0 * 256.0 / 65.0 / square, 1e-9);
     EXPECT_NEAR(all.light_bound_scale, std::numbers::pi * 9.0 * 4.0 / square, 1e-9);
+}
+
+TEST(FramePlan, DraftsChooseAmongMoreThanFourLights) {
+    SceneStatistics scene = room();
+    scene.area_lights = 4;
+    EXPECT_EQ(plan_frames(Algorithm::ais, sampling_of(Quality::draft), scene).samples_per_light,
+              4u);
+    scene.area_lights = 5;
+    const FramePlan chosen = plan_frames(Algorithm::ais, sampling_of(Quality::draft), scene);
+    EXPECT_EQ(chosen.samples_per_light, 0u);
+    EXPECT_EQ(chosen.samples_per_set, 16u);
+    EXPECT_FALSE(chosen.adapts_direct());
+}
+
+TEST(FramePlan, DirectLightAdaptsToAsManyLightsAsAreToldApart) {
+    SceneStatistics scene = room();
+    SamplingSettings settings;
+    settings.max_samples_per_set = 1024;
+    scene.area_lights = 64;
+    EXPECT_TRUE(plan_frames(Algorithm::ais, settings, scene).adapts_direct());
+    EXPECT_FALSE(plan_frames(Algorithm::amax, settings, scene).adapts_direct());
+    scene.area_lights = 65;
+    EXPECT_EQ(plan_frames(Algorithm::ais, settings, scene).samples_per_light, 4u);
+    EXPECT_FALSE(plan_frames(Algorithm::ais, settings, scene).adapts_direct());
 }
 
 TEST(FramePlan, InstantRadiosityMakesTheSameSetsAndUsesAll) {

@@ -44,9 +44,7 @@ void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradianc
     look(frame, samples, irradiance);
     edges_ = {};
     if (frame.ended_early()) return;
-    const Stopwatch watch;
-    edges_ = find_edges();
-    frame.add_host_stage("scheduling", name, watch.total());
+    frame.add_host_stage("scheduling", name, find_edges());
     look_again(frame, samples, irradiance);
 }
 
@@ -63,13 +61,15 @@ void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance)
               {pixel_shadows_.get(), shadow_edges_.get(), shadow_counts_.get()}, runs * words_);
 }
 
-ShadowEdges SoftShadows::find_edges() const {
-    ShadowEdges found;
+double SoftShadows::find_edges() {
+    double milliseconds = 0.0;
     executor_.with_mapped(*shadow_edges_, Access::read, [&](std::span<std::byte> bytes) {
-        found = find_shadow_edges(grid_, {reinterpret_cast<const std::uint32_t*>(bytes.data()),
-                                          bytes.size() / sizeof(std::uint32_t)});
+        const Stopwatch watch;  // of the search: mapping waits for what the device still does
+        edges_ = find_shadow_edges(grid_, {reinterpret_cast<const std::uint32_t*>(bytes.data()),
+                                           bytes.size() / sizeof(std::uint32_t)});
+        milliseconds = watch.total();
     });
-    return found;
+    return milliseconds;
 }
 
 void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
@@ -79,7 +79,8 @@ void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irrad
     const std::uint32_t edge = shared::shadow_cell(executor_.lanes(), frame.plan.interleave);
     const std::uint32_t cells =
         ((grid_.width + edge - 1) / edge) * ((grid_.height + edge - 1) / edge);
-    const std::uint32_t packets = executor_.lanes();  // of a full cell
+    // A full cell has as many packets as a packet has lanes; edges are usually of a quarter.
+    const std::uint32_t packets = std::max(1U, executor_.lanes() / 4);
     frame.run(KernelId::soft_shadows, "area lights", name, true,
               with_lamps(frame, {shared_.receivers.get(), shared_.pixel_slot.get(), &samples,
                                  pixel_shadows_.get(), shadow_edges_.get(), shadow_counts_.get(),

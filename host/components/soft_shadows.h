@@ -25,12 +25,13 @@ class SoftShadows : public SamplingDecision {
 
     [[nodiscard]] LevelCounts counts() const override;
     [[nodiscard]] bool can_save() const override;
-    [[nodiscard]] bool can_spend() const override { return edges_.edges > 0; }
+    [[nodiscard]] bool can_spend() const override { return edges_.pixels > 0; }
     void add_layers(const std::string& component, Image& image) const override;
 
   private:
     void look(FrameContext& frame, Buffer& samples, Buffer& irradiance);
-    [[nodiscard]] ShadowEdges find_edges() const;
+    /// Sets edges_; returns the milliseconds that the search took.
+    [[nodiscard]] double find_edges();
     void look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance);
 
     Executor& executor_;

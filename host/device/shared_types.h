@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-/// The structs of kernels/types.h as the host sees them.
+/// The structs of kernels/types.h, and kernels/shadow_layout.h, as the host sees them.
 namespace weft::shared {
 
 using uint = unsigned int;
@@ -14,6 +14,8 @@ struct alignas(16) float4 {
 };
 
 #include "../../kernels/types.h"
+// It uses nothing but uint.
+#include "../../kernels/shadow_layout.h"
 
 static_assert(sizeof(BvhNode) == 256);
 static_assert(sizeof(Triangle) == 16);
@@ -28,6 +30,7 @@ static_assert(sizeof(MediumRecord) == 64);
 static_assert(sizeof(MediaRecord) == 1280);
 static_assert(sizeof(CacheRecord) == 192);
 static_assert(sizeof(TileRecord) == 32);
+static_assert(sizeof(ShadowCounts) == 40);
 static_assert(sizeof(RayCounter) == 16);
 static_assert(sizeof(NonfiniteCounter) == 48);
 static_assert(sizeof(Params) % 16 == 0 && sizeof(Params) <= 1024);

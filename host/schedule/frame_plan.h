@@ -146,10 +146,12 @@ struct FramePlan {
     [[nodiscard]] bool has_sampled_direct() const {
         return direct && (samples_per_set > 0 || environment_samples > 0);
     }
-    /// One ray to a light can stand for others where there are any.
+    /// One ray to a light can stand for others where there are any. What pixels saw of more lights
+    /// than that would take more memory than all else.
     [[nodiscard]] bool adapts_direct() const {
+        constexpr std::uint32_t most_lights = 64;
         return direct && adaptive && threshold > 0.0 && samples_per_set > 0 &&
-               samples_per_light > 1;
+               samples_per_light > 1 && samples_per_set / samples_per_light <= most_lights;
     }
     /// Whether any light may go without samples at some pixels.
     [[nodiscard]] bool undersamples() const {
