@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Where shadows end, from what pixels saw of lights with one ray each (shadow_words.h): an edge of
-// a light's shadow is at every pixel that looked at it and about which not all, SHADOW_REACH to
-// every side, saw the same. There the window's looks together tell how much of the light is seen,
-// since they are looks at most of its samples, but where they do not speak of one place:
+// a light's shadow is at every pixel that looked at it and in whose window, 6 x 6 pixels, not all
+// saw the same. There the window's looks together tell how much of the light is seen, since they
+// are looks at all of its samples, but where they do not speak of one place:
 //  - pixels that are one period apart look at the same sample; where many of them disagree the
 //    shadow begins or ends within few pixels;
 //  - a pixel disagrees with both that lie a period off on a line, or with one where the other is
@@ -26,7 +26,7 @@ typedef struct {
 
 // Rows of the windows of which all pixels saw a light, or did not.
 typedef struct {
-    WWords seen[2u * SHADOW_REACH + 1u], hidden[2u * SHADOW_REACH + 1u];
+    WWords seen[SHADOW_WINDOW], hidden[SHADOW_WINDOW];
 } RowLines;
 
 /// The words of pixels about those of the work-item.
@@ -93,7 +93,7 @@ static inline void add_column(const Params* params, int x, int y, ShadowWords wo
     int pitch = (int)shadow_pitch(params->width, params->interleave);
     WWords all_seen = ~mask_none_set;
     WWords all_hidden = ~mask_none_set;
-    for (int j = 0; j <= 2 * (int)SHADOW_REACH; ++j, words = words_off(words, pitch)) {
+    for (int j = 0; j < (int)SHADOW_WINDOW; ++j, words = words_off(words, pitch)) {
         WWords s = load_words(words.seen, 0);
         WWords h = load_words(words.hidden, 0);
         WWords left = disagreement(s, s | h, words_off(words, -period));
@@ -117,11 +117,12 @@ static inline void add_column(const Params* params, int x, int y, ShadowWords wo
 
 /// The lights that any pixel of the windows about `own` saw and any did not.
 static inline WWords disputed(ShadowWords own, int pitch) {
-    int reach = (int)SHADOW_REACH;
+    int before = (int)SHADOW_BEFORE;
+    int edge = (int)SHADOW_WINDOW;
     WWords seen = mask_none_set;
     WWords hidden = mask_none_set;
-    for (int j = -reach; j <= reach; ++j) {
-        for (int i = -reach; i <= reach; ++i) {
+    for (int j = -before; j < edge - before; ++j) {
+        for (int i = -before; i < edge - before; ++i) {
             ShadowWords words = words_off(own, j * pitch + i);
             seen = seen | load_words(words.seen, 0);
             hidden = hidden | load_words(words.hidden, 0);
@@ -144,14 +145,14 @@ static inline ShadowWindows no_windows(void) {
 static inline WWords doubts(const ShadowWindows* windows, const RowLines* rows) {
     WWords lit_row = mask_none_set;
     WWords dark_row = mask_none_set;
-    for (uint j = 0u; j <= 2u * SHADOW_REACH; ++j) {
+    for (uint j = 0u; j < SHADOW_WINDOW; ++j) {
         lit_row = lit_row | rows->seen[j];
         dark_row = dark_row | rows->hidden[j];
     }
     WWords bars = (windows->lit_line & windows->dark_line) | (lit_row & dark_row);
-    // More than half of 25.
+    // More than half of 36.
     const WWords* n = windows->astray;
-    WWords most = n[4] | (n[3] & n[2] & (n[1] | n[0]));
+    WWords most = n[5] | (n[4] & (n[3] | n[2] | (n[1] & n[0])));
     return windows->narrow | bars | most;
 }
 
@@ -208,10 +209,10 @@ WEFT_KERNEL(shadow_edges)
     }
     ShadowWindows windows = no_windows();
     RowLines rows;
-    int reach = (int)SHADOW_REACH;
-    for (int i = -reach; i <= reach; ++i)
-        add_column(&params, (int)x + i, (int)y - reach, words_off(own, i - reach * pitch),
-                   i == -reach ? 1 : 0, &windows, &rows);
+    int before = (int)SHADOW_BEFORE;
+    for (int i = -before; i < (int)SHADOW_WINDOW - before; ++i)
+        add_column(&params, (int)x + i, (int)y - before, words_off(own, i - before * pitch),
+                   i == -before ? 1 : 0, &windows, &rows);
     WWords doubtful = params.shadow_trust != 0u ? edges & doubts(&windows, &rows) : edges;
     store_some(doubtful, count, planes + SHADOW_DOUBT * pixels);
     store_counts(&windows, edges, shadow_counts + word * pixels + y * params.width + x);

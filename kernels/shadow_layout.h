@@ -7,8 +7,11 @@
 
 // Area lights of one word of what pixels saw (shadow_words.h), a bit each.
 #define SHADOW_WORD_LIGHTS 32u
-// Pixels to every side among which all must have seen the same of a light.
-#define SHADOW_REACH 2u
+// Edge of a pixel's window, within which all must have seen the same of a light, and how many of
+// its columns and rows come before the pixel's own. With 3 x 3 interleaving a window holds one look
+// at every sample of four a light and set.
+#define SHADOW_WINDOW 6u
+#define SHADOW_BEFORE 2u
 // Pixels that rows of what pixels saw are whole numbers of, a multiple of any LANES.
 #define SHADOW_RUN 16u
 // Planes of shadow_edges.cl, of words of 32 lights: whether a pixel is at an edge of a light's
@@ -17,7 +20,7 @@
 #define SHADOW_DOUBT 1u
 #define SHADOW_PLANES 2u
 // Binary digits of how many of a window's pixels saw a light.
-#define SHADOW_DIGITS 5u
+#define SHADOW_DIGITS 6u
 
 // What the windows of pixels tell of 32 lights: by digit, how many of them saw it, and did not.
 typedef struct {
@@ -36,7 +39,7 @@ static inline uint shadow_period(uint interleave) {
 
 /// Pixels about the picture in which nothing is seen.
 static inline uint shadow_margin(uint interleave) {
-    return SHADOW_REACH + shadow_period(interleave);
+    return SHADOW_WINDOW - 1u - SHADOW_BEFORE + shadow_period(interleave);
 }
 
 /// Words of a row of what pixels saw: a margin to both sides, and whole runs.

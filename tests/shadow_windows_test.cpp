@@ -26,8 +26,9 @@ using test::Look;
 using test::LookedAtLights;
 using test::WrittenShadowEdges;
 
-constexpr int reach = static_cast<int>(SHADOW_REACH);
-constexpr int window_edge = 2 * reach + 1;
+constexpr int window_edge = SHADOW_WINDOW;
+constexpr int before = SHADOW_BEFORE;  // columns and rows of a window
+constexpr int after = window_edge - 1 - before;
 
 /// What the window of a pixel tells of a light.
 struct Window {
@@ -74,8 +75,8 @@ Window window_about(const LookedAtLights& all, std::uint32_t light, int x, int y
     Window window;
     Looks looks{};
     const int period = all.period();
-    for (int j = -reach; j <= reach; ++j)
-        for (int i = -reach; i <= reach; ++i) {
+    for (int j = -before; j <= after; ++j)
+        for (int i = -before; i <= after; ++i) {
             const int u = x + i;
             const int v = y + j;
             const Look own = all.at(light, u, v);
@@ -92,8 +93,8 @@ Window window_about(const LookedAtLights& all, std::uint32_t light, int x, int y
             const bool in_column = (above || !all.holds(u, v - period)) &&
                                    (below || !all.holds(u, v + period)) && (above || below);
             window.narrow = window.narrow || in_row || in_column;
-            looks.at(static_cast<std::size_t>(j + reach)).at(static_cast<std::size_t>(i + reach)) =
-                own;
+            looks.at(static_cast<std::size_t>(j + before))
+                .at(static_cast<std::size_t>(i + before)) = own;
         }
     window.edge = all.at(light, x, y) != Look::none && window.lit > 0 && window.dark > 0;
     window.row_bars = has_bars(looks, true);
@@ -221,8 +222,8 @@ void expect_all_kinds(const std::vector<Window>& windows) {
         narrow += alone && window.narrow;
         rows += alone && window.row_bars;
         columns += alone && window.column_bars;
-        just_few += window.reasons() == 0 && window.astray == 12;
-        just_many += alone && window.astray == 13;
+        just_few += window.reasons() == 0 && window.astray == 18;
+        just_many += alone && window.astray == 19;
     }
     EXPECT_GT(sure, 0U);
     EXPECT_GT(narrow, 0U);
