@@ -208,8 +208,8 @@ static inline uint look_again(Scene scene, const Params* params, const SecondLoo
                                edges);
         looks = first_looks(cell, edges);
     }
-    WFloat share = window_shares(cell, shadow.bit, edges);
     WFloat before = SELECT(seen_lanes(cell, shadow.bit, edges), one, zero);
+    WFloat share = doubtful != 0 ? before : window_shares(cell, shadow.bit, edges);
     WideLight light = no_light();
     uint rays = 0u;
     for (uint i = 0u; i < params->samples_per_light; ++i) {

@@ -19,13 +19,18 @@ constexpr const char* name = "direct";
 constexpr double step_share = 0.2;
 constexpr double largest_step = 2.0;
 
+// From this threshold on, a window's first looks may tell how much of a light is seen: what they
+// tell wavers by a just noticeable difference and more where the camera moves.
+constexpr double draft_threshold = 20.0;
+
 }  // namespace
 
 SoftShadows::SoftShadows(const ComponentInputs& inputs)
     : executor_(inputs.executor),
       shared_(inputs.buffers),
       grid_{inputs.width, inputs.height},
-      trusted_(inputs.plan.interleave <= 3 && inputs.plan.samples_per_light <= 4),
+      trusted_(inputs.plan.threshold >= draft_threshold && inputs.plan.interleave <= 3 &&
+               inputs.plan.samples_per_light <= 4),
       words_(shared::shadow_words(inputs.scene.area_lights)) {
     const std::size_t plane =
         shared::shadow_plane(grid_.width, grid_.height, inputs.plan.interleave);

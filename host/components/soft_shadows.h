@@ -38,7 +38,7 @@ class SoftShadows : public SamplingDecision {
     const FrameBuffers& shared_;
     TileGrid grid_;
     double step_ = 0.0;  ///< of the last frame; Params::shadow_step
-    /// Whether a window's first looks are nearly all that full sampling has.
+    /// Whether a window's first looks are all that full sampling has, and good enough.
     bool trusted_;
     std::uint32_t words_;  ///< of a pixel, for a bit a light
     std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, shadow_counts_, slopes_;
