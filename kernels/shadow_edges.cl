@@ -12,7 +12,8 @@
 //    can;
 //  - a whole row or column is dark and another one lit: bars whose distance is the period;
 //  - pixels did not look, since they show other surfaces or none.
-// There the light is in doubt. One work-item for LANES pixels of a row and 32 lights.
+// There the light is in doubt; without shadow_trust it is at all edges. One work-item for LANES
+// pixels of a row and 32 lights.
 #include "shadow_words.h"
 
 // What is known of LANES windows, by light: whether a shadow is narrow, whether all pixels of any
@@ -203,7 +204,8 @@ WEFT_KERNEL(shadow_edges)
     // Pixels beyond the picture's end have not looked at anything.
     WWords edges = disputed(own, pitch) & looked;
     store_some(edges, count, planes + SHADOW_EDGE * pixels);
-    if (!mask_any(edges != mask_none_set)) {
+    // Windows that are not trusted need not be looked into.
+    if (params.shadow_trust == 0u || !mask_any(edges != mask_none_set)) {
         store_some(edges, count, planes + SHADOW_DOUBT * pixels);
         return;
     }
@@ -213,7 +215,7 @@ WEFT_KERNEL(shadow_edges)
     for (int i = -before; i < (int)SHADOW_WINDOW - before; ++i)
         add_column(&params, (int)x + i, (int)y - before, words_off(own, i - before * pitch),
                    i == -before ? 1 : 0, &windows, &rows);
-    WWords doubtful = params.shadow_trust != 0u ? edges & doubts(&windows, &rows) : edges;
+    WWords doubtful = edges & doubts(&windows, &rows);
     store_some(doubtful, count, planes + SHADOW_DOUBT * pixels);
     store_counts(&windows, edges, shadow_counts + word * pixels + y * params.width + x);
 }

@@ -95,7 +95,7 @@ static inline void find_edge_pixels(const Params* params, uint cell, uint set, u
         at->edges = edges;
         at->doubtful = planes[SHADOW_DOUBT * plane + pixel];
         at->seen = pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
-        at->counts = shadow_counts[word * plane + pixel];
+        if (params->shadow_trust != 0u) at->counts = shadow_counts[word * plane + pixel];
         found->some |= edges;
     }
 }
