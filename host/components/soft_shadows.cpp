@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "frame/virtual_lights.h"
 #include "schedule/brightness.h"
+#include "schedule/quality.h"
 
 namespace weft {
 namespace {
@@ -19,9 +20,12 @@ constexpr const char* name = "direct";
 constexpr double step_share = 0.2;
 constexpr double largest_step = 2.0;
 
-// From this threshold on, a window's first looks may tell how much of a light is seen: what they
-// tell wavers by a just noticeable difference and more where the camera moves.
-constexpr double draft_threshold = 20.0;
+// Whether a window's first looks may tell how much of a light is seen. What they tell wavers by a
+// just noticeable difference and more where the camera moves: drafts alone may show that. And one
+// window must hold looks at all samples of a set.
+bool windows_serve(const FramePlan& plan) {
+    return plan.threshold >= draft_threshold && plan.interleave <= 3 && plan.samples_per_light <= 4;
+}
 
 }  // namespace
 
@@ -29,8 +33,7 @@ SoftShadows::SoftShadows(const ComponentInputs& inputs)
     : executor_(inputs.executor),
       shared_(inputs.buffers),
       grid_{inputs.width, inputs.height},
-      trusted_(inputs.plan.threshold >= draft_threshold && inputs.plan.interleave <= 3 &&
-               inputs.plan.samples_per_light <= 4),
+      trusted_(windows_serve(inputs.plan)),
       words_(shared::shadow_words(inputs.scene.area_lights)) {
     const std::size_t plane =
         shared::shadow_plane(grid_.width, grid_.height, inputs.plan.interleave);
@@ -40,8 +43,8 @@ SoftShadows::SoftShadows(const ComponentInputs& inputs)
                             "brightness slopes");
     const std::vector<std::uint32_t> none(SHADOW_PLANES * words_ * inputs.pixels(), 0);
     shadow_edges_ = upload<std::uint32_t>(executor_, none, "shadow edges");
-    shadow_counts_ = executor_.allocate(words_ * inputs.pixels() * sizeof(shared::ShadowCounts),
-                                        "shadow counts");
+    const std::size_t counted = trusted_ ? words_ * inputs.pixels() : 1;
+    shadow_counts_ = executor_.allocate(counted * sizeof(shared::ShadowCounts), "shadow counts");
 }
 
 void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
