@@ -7,8 +7,14 @@
 #ifndef WEFT_PACKET_MEDIA_H
 #define WEFT_PACKET_MEDIA_H
 
+#include "connection.h"
 #include "convex_media.h"
-#include "listed_receivers.h"
+
+// Slots of up to LANES receivers.
+typedef struct {
+    uint slot[LANES];
+    uint count;
+} ReceiverList;
 
 // Where the points of a packet are among the boundaries of media.
 typedef struct {

@@ -35,7 +35,7 @@ static inline WMask look_at_light(Scene scene, const ReceiverPacket* packet,
                                   uint* rays) {
     WMask looked = mask_none_set;
     *blocked = mask_none_set;
-    for (uint i = 0u; i < count; ++i) {
+    for (uint i = 0u; i < count && mask_any(packet->valid & mask_not(looked)); ++i) {
         GLOBAL const Vpl* vpl = first + (start + i) % count;
         WFloat3 d = from_vpl(packet, vpl);
         WMask useful;

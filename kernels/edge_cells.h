@@ -1,0 +1,212 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pixels at the edges of area lights' shadows, gathered from squares of the picture into packets.
+#ifndef WEFT_EDGE_CELLS_H
+#define WEFT_EDGE_CELLS_H
+
+#include "packet_media.h"
+#include "receiver_values.h"
+#include "shadow_words.h"
+
+#define CELL_PIXELS ((uint)(LANES * LANES))
+
+// A pixel with edges of shadows: which of 32 lights they are of, are in doubt and were seen first;
+// and what its window tells of how much of them is seen.
+typedef struct {
+    uint pixel, slot;
+    uint first_look;  // number of a light's sample
+    uint edges, doubtful, seen;
+    float reflectance, radiance;  // luminance of albedo / pi, and of what the first looks add up to
+    ShadowCounts counts;
+} EdgePixel;
+
+// Position, shading normal and geometric normal of a receiver.
+#define CELL_VALUES 9u
+
+// Those of a cell. Packets are made of them for every light and sample, so what packets hold is
+// gathered from the whole picture's planes once.
+typedef struct {
+    EdgePixel pixels[LANES * LANES];
+    float receivers[CELL_VALUES][LANES * LANES];
+    uint count;
+    uint some;  // lights of which any has an edge
+} EdgeCell;
+
+// Some of them, by their places in the cell.
+typedef struct {
+    uint place[LANES * LANES];
+    uint count;
+} EdgeList;
+
+// As many of a list as make a packet.
+typedef struct {
+    ReceiverList list;
+    uint place[LANES];
+} EdgePacket;
+
+// What cells are found from.
+typedef struct {
+    GLOBAL const float* receiver_planes;
+    GLOBAL const uint* pixel_slot;
+    GLOBAL const uint* pixel_shadows;
+    GLOBAL const uint* shadow_edges;
+    GLOBAL const ShadowCounts* shadow_counts;
+    GLOBAL const float4* gb_albedo;
+    GLOBAL const float* irradiance;
+} ShadowPlanes;
+
+/// Every second bit of a number below 256.
+static inline uint even_bits(uint code) {
+    uint bits = code & 0x55u;
+    bits = (bits | bits >> 1) & 0x33u;
+    return (bits | bits >> 2) & 0x0Fu;
+}
+
+/// What is known of a pixel, x and y, that looked at sample `look` of every light first.
+static inline EdgePixel edge_pixel(const Params* params, const ShadowPlanes* from, uint word,
+                                   uint x, uint y, uint look) {
+    uint pixel = y * params->width + x;
+    uint plane = params->width * params->height;
+    GLOBAL const uint* planes = from->shadow_edges + SHADOW_PLANES * word * plane + pixel;
+    EdgePixel found;
+    found.pixel = pixel;
+    found.slot = from->pixel_slot[pixel];
+    found.first_look = look;
+    found.edges = planes[SHADOW_EDGE * plane];
+    found.doubtful = planes[SHADOW_DOUBT * plane];
+    found.seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
+    found.reflectance = luminance(xyz(from->gb_albedo[pixel])) * 0.318309886f;
+    float3 e = receiver_vector(from->irradiance, 0u, params->slots, found.slot);
+    found.radiance = found.reflectance * luminance(e);
+    if (params->shadow_trust != 0u) found.counts = from->shadow_counts[word * plane + pixel];
+    return found;
+}
+
+/// Copies a vector of a receiver to three of a cell's planes.
+static inline void copy_vector(const Params* params, GLOBAL const float* planes, uint first,
+                               uint slot, uint to, uint place, EdgeCell* cell) {
+    float3 v = receiver_vector(planes, first, params->slots, slot);
+    cell->receivers[to][place] = v.x;
+    cell->receivers[to + 1u][place] = v.y;
+    cell->receivers[to + 2u][place] = v.z;
+}
+
+/// Copies what packets need of the receiver of a slot.
+static inline void copy_receiver(const Params* params, GLOBAL const float* planes, uint slot,
+                                 uint place, EdgeCell* cell) {
+    uint normal = HAS(params, FEATURE_SMOOTH_NORMALS) ? RECEIVER_NORMAL_X : RECEIVER_SHADING_X;
+    copy_vector(params, planes, RECEIVER_X, slot, 0u, place, cell);
+    copy_vector(params, planes, RECEIVER_SHADING_X, slot, 3u, place, cell);
+    copy_vector(params, planes, normal, slot, 6u, place, cell);
+}
+
+/// Finds the pixels of a set (by place, not rotated) in a cell that have an edge of any light of a
+/// word, along a Morton curve.
+static inline void find_edge_pixels(const Params* params, uint cell, uint set, uint rotated,
+                                    uint word, const ShadowPlanes* from, EdgeCell* found) {
+    uint edge = shadow_cell((uint)LANES, params->interleave);
+    uint columns = (params->width + edge - 1u) / edge;
+    uint column = cell % columns * (uint)LANES;
+    uint row = cell / columns * (uint)LANES;
+    uint plane = params->width * params->height;
+    GLOBAL const uint* edges = from->shadow_edges + (SHADOW_PLANES * word + SHADOW_EDGE) * plane;
+    found->count = 0u;
+    found->some = 0u;
+    for (uint i = 0u; i < CELL_PIXELS; ++i) {
+        uint u = column + even_bits(i);
+        uint v = row + even_bits(i >> 1);
+        uint x = u * params->interleave + set % params->interleave;
+        uint y = v * params->interleave + set / params->interleave;
+        if (x >= params->width || y >= params->height) continue;
+        uint of_lights = edges[y * params->width + x];
+        if (of_lights == 0u) continue;
+        EdgePixel* at = found->pixels + found->count;
+        *at = edge_pixel(params, from, word, x, y, shadow_look(params, u, v, rotated));
+        copy_receiver(params, from->receiver_planes, at->slot, found->count++, found);
+        found->some |= of_lights;
+    }
+}
+
+/// Those of a cell that have a light's edge and are in doubt, or are not.
+static inline void list_edges(const EdgeCell* cell, uint bit, int doubtful, EdgeList* list) {
+    list->count = 0u;
+    for (uint i = 0u; i < cell->count; ++i) {
+        const EdgePixel* at = cell->pixels + i;
+        uint wanted = doubtful != 0 ? at->doubtful : at->edges & ~at->doubtful;
+        if ((wanted >> bit & 1u) != 0u) list->place[list->count++] = i;
+    }
+}
+
+/// The next packet of a list, from its entry `next` on, without pixels whose first look was at
+/// sample `known`; `next` becomes the entry after it. Empty where none is left.
+static inline EdgePacket next_packet(const EdgeCell* cell, const EdgeList* from, uint known,
+                                     uint* next) {
+    EdgePacket packet;
+    uint count = 0u;
+    for (; *next < from->count && count < (uint)LANES; ++*next) {
+        uint place = from->place[*next];
+        if (cell->pixels[place].first_look == known) continue;
+        packet.list.slot[count] = cell->pixels[place].slot;
+        packet.place[count++] = place;
+    }
+    packet.list.count = count;
+    return packet;
+}
+
+/// A vector of lanes; those beyond the packet have that of the first.
+static inline WFloat3 packet_vector(const EdgeCell* cell, uint first, const EdgePacket* packet) {
+    float x[LANES];
+    float y[LANES];
+    float z[LANES];
+    for (uint lane = 0u; lane < (uint)LANES; ++lane) {
+        uint place = packet->place[lane < packet->list.count ? lane : 0u];
+        x[lane] = cell->receivers[first][place];
+        y[lane] = cell->receivers[first + 1u][place];
+        z[lane] = cell->receivers[first + 2u][place];
+    }
+    return wide_vector(wide_load(x, 0), wide_load(y, 0), wide_load(z, 0));
+}
+
+/// The receivers of a packet that holds at least one.
+static inline ReceiverPacket packet_receivers(const Params* params, const EdgeCell* cell,
+                                              const EdgePacket* edges) {
+    ReceiverPacket packet;
+    packet.position = packet_vector(cell, 0u, edges);
+    packet.shading = packet_vector(cell, 3u, edges);
+    packet.normal = packet.shading;
+    if (HAS(params, FEATURE_SMOOTH_NORMALS)) packet.normal = packet_vector(cell, 6u, edges);
+    uint count = edges->list.count;
+    packet.valid = mask_of(count < 32u ? (1u << count) - 1u : 0xFFFFFFFFu);
+    return packet;
+}
+
+/// The lanes whose first look saw the light.
+static inline WMask seen_lanes(const EdgeCell* cell, uint bit, const EdgePacket* packet) {
+    uint lanes = 0u;
+    for (uint lane = 0u; lane < packet->list.count; ++lane)
+        lanes |= (cell->pixels[packet->place[lane]].seen >> bit & 1u) << lane;
+    return mask_of(lanes);
+}
+
+/// How much of a light the pixels of a window saw, of those that looked at it.
+static inline float seen_share(const EdgePixel* pixel, uint bit) {
+    uint lit = 0u;
+    uint dark = 0u;
+    for (uint k = 0u; k < SHADOW_DIGITS; ++k) {
+        lit |= (pixel->counts.lit[k] >> bit & 1u) << k;
+        dark |= (pixel->counts.dark[k] >> bit & 1u) << k;
+    }
+    return (float)lit / (float)(lit + dark);
+}
+
+/// That of lanes.
+static inline WFloat window_shares(const EdgeCell* cell, uint bit, const EdgePacket* packet) {
+    float shares[LANES];
+    for (uint lane = 0u; lane < (uint)LANES; ++lane)
+        shares[lane] =
+            lane < packet->list.count ? seen_share(cell->pixels + packet->place[lane], bit) : 0.0f;
+    return wide_load(shares, 0);
+}
+
+#endif
