@@ -78,6 +78,7 @@ void measure(const std::string& file, std::span<Method> methods) {
         RenderSettings settings = test::small_settings(Algorithm::ais, size, size);
         // Undersampling as by its quality, with as many VPLs and points on lights for all.
         const SamplingSettings of_quality = sampling_of(method.quality);
+        settings.sampling.first_look_samples = of_quality.first_look_samples;
         settings.sampling.threshold = method.full ? 0.0 : of_quality.threshold;
         settings.sampling.enough_support = of_quality.enough_support;
         settings.sampling.roulette = of_quality.roulette;

@@ -234,6 +234,18 @@ TEST(FramePlan, DirectLightAdaptsToAsManyLightsAsAreToldApart) {
     EXPECT_FALSE(plan_frames(Algorithm::ais, settings, scene).adapts_direct());
 }
 
+TEST(FramePlan, FewSamplesOnLightsAreAllLookedAtAtOnce) {
+    SceneStatistics scene = room();
+    scene.area_lights = 15;
+    EXPECT_FALSE(plan_frames(Algorithm::ais, {}, scene).adapts_direct());
+    scene.area_lights = 16;
+    EXPECT_TRUE(plan_frames(Algorithm::ais, {}, scene).adapts_direct());
+    scene.area_lights = 3;
+    EXPECT_FALSE(plan_frames(Algorithm::ais, sampling_of(Quality::high), scene).adapts_direct());
+    scene.area_lights = 4;
+    EXPECT_TRUE(plan_frames(Algorithm::ais, sampling_of(Quality::high), scene).adapts_direct());
+}
+
 TEST(FramePlan, InstantRadiosityMakesTheSameSetsAndUsesAll) {
     for (const double reflectance : {0.1, 0.5, 0.9}) {
         const FramePlan igi = plan_frames(Algorithm::igi, {}, room(reflectance));

@@ -98,10 +98,16 @@ TEST(FrameTime, IsInTheStatistics) {
     const TemporaryFolder folder;
     const std::string stats = folder.path() / "stats.json";
     const std::string output = folder.path() / "out.exr";
-    const auto result =
-        run_program({"render", test::shipped_scene("cornell-box.gltf"), "--algorithm", "ais",
-                     "--backend", "embree", "--size", "64x64", "--spp", "3", "--frame-time", "2m",
-                     "--stats", stats, "--progress", "none", "-o", output});
+    const auto result = run_program({"render",       test::shipped_scene("gallery.gltf"),
+                                     "--algorithm",  "ais",
+                                     "--quality",    "high",
+                                     "--backend",    "embree",
+                                     "--size",       "64x64",
+                                     "--spp",        "3",
+                                     "--frame-time", "2m",
+                                     "--stats",      stats,
+                                     "--progress",   "none",
+                                     "-o",           output});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json found = json::parse(test::text_of_file(stats));
     EXPECT_EQ(found.at("options").at("frame_time"), 120.0);

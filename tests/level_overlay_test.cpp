@@ -152,8 +152,10 @@ class LevelOverlayFiles : public testing::Test {
   protected:
     [[nodiscard]] std::string at(const std::string& name) const { return folder_.path() / name; }
     [[nodiscard]] test::ProgramResult render(std::vector<std::string> more) const {
-        std::vector<std::string> arguments{"render",      test::shipped_scene("cornell-box.gltf"),
+        // Enough lights, at that quality, for direct light to adapt as well.
+        std::vector<std::string> arguments{"render",      test::shipped_scene("gallery.gltf"),
                                            "--size",      "40x32",
+                                           "--quality",   "high",
                                            "--backend",   "embree",
                                            "--progress",  "none",
                                            "--algorithm", "ais"};

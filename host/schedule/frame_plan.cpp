@@ -95,6 +95,7 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.media = scene.media;
     plan.media_light = scene.scattering && scene.media_light && lights > 0;
     plan.direct = scene.direct;
+    plan.first_look_samples = settings.first_look_samples;
     plan.indirect = scene.indirect;
     plan.temporal = algorithm == Algorithm::tic || (settings.cached && settings.temporal);
     const bool hemispheres = algorithm == Algorithm::irradiance_cache;

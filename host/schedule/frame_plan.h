@@ -33,6 +33,9 @@ struct SamplingSettings {
     /// Of ais: errors of undersampling, in just noticeable differences, that are let pass.
     double threshold = 10.0;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1, for the same
+    /// Of ais: samples of a set from which on each area light is looked at with one ray before any
+    /// others. With fewer, finding the ends of shadows costs more time than the rays it saves.
+    std::uint32_t first_look_samples = 64;
     /// Of ais: share of its taps' weight that a pixel needs on its own surface, else it is sampled
     /// more densely.
     double enough_support = 0.4;
@@ -88,8 +91,9 @@ struct FramePlan {
     std::array<std::uint32_t, MAX_BOUNCES> survivors{};
     std::array<std::uint32_t, MAX_BOUNCES> first_vpl{};
 
-    std::uint32_t samples_per_light = 0;  ///< 0: chosen by power
-    std::uint32_t samples_per_set = 0;    ///< area light samples; 0: none
+    std::uint32_t samples_per_light = 0;   ///< 0: chosen by power
+    std::uint32_t samples_per_set = 0;     ///< area light samples; 0: none
+    std::uint32_t first_look_samples = 0;  ///< as the settings have it
     std::uint32_t environment_samples = 0;
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
@@ -151,7 +155,8 @@ struct FramePlan {
     [[nodiscard]] bool adapts_direct() const {
         constexpr std::uint32_t most_lights = 64;
         return direct && adaptive && threshold > 0.0 && samples_per_set > 0 &&
-               samples_per_light > 1 && samples_per_set / samples_per_light <= most_lights;
+               samples_per_set >= first_look_samples && samples_per_light > 1 &&
+               samples_per_set / samples_per_light <= most_lights;
     }
     /// Whether any light may go without samples at some pixels.
     [[nodiscard]] bool undersamples() const {

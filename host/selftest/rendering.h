@@ -30,7 +30,7 @@ struct Rendering {
                                     std::uint32_t channel = 0) const;
 };
 
-/// Settings for a small picture.
+/// Settings for a small picture, in which direct light adapts however few lights there are.
 [[nodiscard]] RenderSettings small_settings(Algorithm algorithm, std::uint32_t width,
                                             std::uint32_t height);
 
