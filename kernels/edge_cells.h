@@ -11,13 +11,16 @@
 
 #define CELL_PIXELS ((uint)(LANES * LANES))
 
+// Where packets may be of pixels that looked at any sample first.
+#define ANY_LOOK 0xFFFFFFFFu
+
 // A pixel with edges of shadows: which of 32 lights they are of, are in doubt and were seen first;
 // and what its window tells of how much of them is seen.
 typedef struct {
-    uint pixel, slot;
+    uint slot;
     uint first_look;  // number of a light's sample
     uint edges, doubtful, seen;
-    float reflectance, radiance;  // luminance of albedo / pi, and of what the first looks add up to
+    float reflectance, radiance;  // luminance of albedo / pi, and of what is known so far
     ShadowCounts counts;
 } EdgePixel;
 
@@ -64,23 +67,20 @@ static inline uint even_bits(uint code) {
 }
 
 /// What is known of a pixel, x and y, that looked at sample `look` of every light first.
-static inline EdgePixel edge_pixel(const Params* params, const ShadowPlanes* from, uint word,
-                                   uint x, uint y, uint look) {
+static inline void find_edge_pixel(const Params* params, const ShadowPlanes* from, uint word,
+                                   uint x, uint y, uint look, EdgePixel* found) {
     uint pixel = y * params->width + x;
     uint plane = params->width * params->height;
     GLOBAL const uint* planes = from->shadow_edges + SHADOW_PLANES * word * plane + pixel;
-    EdgePixel found;
-    found.pixel = pixel;
-    found.slot = from->pixel_slot[pixel];
-    found.first_look = look;
-    found.edges = planes[SHADOW_EDGE * plane];
-    found.doubtful = planes[SHADOW_DOUBT * plane];
-    found.seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
-    found.reflectance = luminance(xyz(from->gb_albedo[pixel])) * 0.318309886f;
-    float3 e = receiver_vector(from->irradiance, 0u, params->slots, found.slot);
-    found.radiance = found.reflectance * luminance(e);
-    if (params->shadow_trust != 0u) found.counts = from->shadow_counts[word * plane + pixel];
-    return found;
+    found->slot = from->pixel_slot[pixel];
+    found->first_look = look;
+    found->edges = planes[SHADOW_EDGE * plane];
+    found->doubtful = planes[SHADOW_DOUBT * plane];
+    found->seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
+    found->reflectance = luminance(xyz(from->gb_albedo[pixel])) * 0.318309886f;
+    float3 e = receiver_vector(from->irradiance, 0u, params->slots, found->slot);
+    found->radiance = found->reflectance * luminance(e);
+    if (params->shadow_trust != 0u) found->counts = from->shadow_counts[word * plane + pixel];
 }
 
 /// Copies a vector of a receiver to three of a cell's planes.
@@ -122,7 +122,7 @@ static inline void find_edge_pixels(const Params* params, uint cell, uint set, u
         uint of_lights = edges[y * params->width + x];
         if (of_lights == 0u) continue;
         EdgePixel* at = found->pixels + found->count;
-        *at = edge_pixel(params, from, word, x, y, shadow_look(params, u, v, rotated));
+        find_edge_pixel(params, from, word, x, y, shadow_look(params, u, v, rotated), at);
         copy_receiver(params, from->receiver_planes, at->slot, found->count++, found);
         found->some |= of_lights;
     }
@@ -139,7 +139,7 @@ static inline void list_edges(const EdgeCell* cell, uint bit, int doubtful, Edge
 }
 
 /// The next packet of a list, from its entry `next` on, without pixels whose first look was at
-/// sample `known`; `next` becomes the entry after it. Empty where none is left.
+/// sample `known`, if not ANY_LOOK; `next` becomes the entry after it. Empty where none is left.
 static inline EdgePacket next_packet(const EdgeCell* cell, const EdgeList* from, uint known,
                                      uint* next) {
     EdgePacket packet;

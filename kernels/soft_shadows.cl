@@ -72,7 +72,7 @@ static inline void find_visible(const Params* params, const SecondLook* look,
     for (uint place = 0u; place < CELL_PIXELS; ++place) found->scale[place] = 0.0f;
     uint kept = 0u;
     for (uint next = 0u; next < edges->count;) {
-        EdgePacket some = next_packet(cell, edges, NO_TRIANGLE, &next);
+        EdgePacket some = next_packet(cell, edges, ANY_LOOK, &next);
         ReceiverPacket packet = packet_receivers(params, cell, &some);
         WFloat scale = near_lamp_scale(params, &look->lamps, shadow->number, &packet, look->samples,
                                        look->set);
@@ -192,7 +192,7 @@ static inline void trust_windows(const Params* params, const SecondLook* look,
     EdgeList edges;
     list_edges(cell, shadow->bit, 0, &edges);
     for (uint next = 0u; next < edges.count;) {
-        EdgePacket packet = next_packet(cell, &edges, NO_TRIANGLE, &next);
+        EdgePacket packet = next_packet(cell, &edges, ANY_LOOK, &next);
         take_shares(params, look, shadow, cell, &packet);
     }
 }

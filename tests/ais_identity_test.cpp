@@ -275,7 +275,8 @@ TEST(AisIdentity, InASphereTheMeanStaysAtAnyThreshold) {
 TEST(AisIdentity, OpenClEqualsTheNativeKernelsBitForBit) {
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
     for (const auto& [lights, name] : all_lights)
-        for (const double threshold : {0.5, 12.0}) {
+        // With 40, windows of first looks are trusted.
+        for (const double threshold : {0.5, 12.0, 40.0}) {
             const RenderSettings settings = settings_of(Algorithm::ais, 97, 70, threshold);
             const Rendering native =
                 render_room(test::shared_executor(Backend::own_bvh), lights, settings, 2);
@@ -309,7 +310,8 @@ TEST(AisIdentity, EmbreeDiffersAtAlmostNoPixel) {
         }
         // Rays that graze the ball may differ, and with them whole tiles; of many lamps many do.
         const bool many = lights == Lights::many_lamps || lights == Lights::chosen;
-        EXPECT_LE(different, pixels / (many ? 30 : 1000)) << name;
+        // A first look counts in 6 x 6 pixels' windows, by the filter in 64 pixels.
+        EXPECT_LE(different, many ? pixels / 30 : std::size_t{64}) << name;
     }
 }
 

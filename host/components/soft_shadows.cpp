@@ -21,8 +21,8 @@ constexpr double step_share = 0.2;
 constexpr double largest_step = 2.0;
 
 // Whether a window's first looks may tell how much of a light is seen. What they tell wavers by a
-// just noticeable difference and more where the camera moves: drafts alone may show that. And one
-// window must hold looks at all samples of a set.
+// just noticeable difference and more where the camera moves, which only drafts let pass. And one
+// window must hold looks at all samples that the sets have of a light.
 bool windows_serve(const FramePlan& plan) {
     return plan.threshold >= draft_threshold && plan.interleave <= 3 && plan.samples_per_light <= 4;
 }
