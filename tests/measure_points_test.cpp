@@ -113,6 +113,31 @@ TEST(MeasurePoints, AFamilyOfSlowFramesIsNotTriedFurther) {
     EXPECT_TRUE(machine.made.empty());
 }
 
+TEST(MeasurePoints, BudgetsAreFilledByFramesThatAreNotTheFirst) {
+    MadeUp machine;
+    Measuring measuring = machine.measuring();
+    measuring.make = [make = measuring.make](const Preset& preset, std::uint32_t seed,
+                                             bool first_alone) {
+        MeasuredPicture picture = make(preset, seed, first_alone);
+        picture.ms *= first_alone ? 2.5 : 1.0;  // the first of a process takes longer
+        return picture;
+    };
+    std::vector<Candidate> candidates;
+    for (const char* const family : {"a", "b"})
+        candidates.push_back({family, family, {Algorithm::ais, {}, 1}, "", family[0] == 'a'});
+    std::vector<std::string> skipped;
+    const std::vector<double> budgets{20.0, 100.0, 2000.0};
+    const MeasurePlan plan{.repetitions = 2, .slow_ms = 1000.0, .wish = {budgets, 10000}};
+    const auto points = measure_points(candidates, plan, measuring, skipped);
+    std::set<std::string> names;
+    for (const TradeoffPoint& point : points) names.insert(point.name);
+    // Half of two seconds would be too slow, and what does not fill budgets is measured alone.
+    EXPECT_EQ(names,
+              (std::set<std::string>{"a", "b", "a spp 11", "a spp 16", "a spp 55", "a spp 82"}));
+    EXPECT_TRUE(skipped.empty());
+    for (const TradeoffPoint& point : points) EXPECT_EQ(point.runs_ms.size(), 2U);
+}
+
 TEST(MeasurePoints, TheFrontIsThatOfTheChosenError) {
     std::vector<TradeoffPoint> points(3);
     const double times[] = {1.0, 2.0, 3.0};

@@ -52,6 +52,23 @@ TEST(SettingsSweep, NamesAndSettingsAreUnique) {
         }
 }
 
+TEST(SettingsSweep, ThoseThatFillBudgetsAreNamedAlikeWithAnySamples) {
+    for (const SweepScene& scene : all_scenes())
+        for (const SweepSize size : {SweepSize::quick, SweepSize::full}) {
+            std::set<std::string> filling, settings;
+            for (const Candidate& candidate : settings_sweep(scene, size)) {
+                EXPECT_EQ(with_samples(candidate, candidate.preset.samples).name, candidate.name);
+                if (!candidate.fills_budgets) continue;
+                filling.insert(candidate.family);
+                EXPECT_TRUE(
+                    settings.insert(preset_json(with_samples(candidate, 7).preset).dump()).second)
+                    << candidate.name;
+            }
+            EXPECT_TRUE(filling.contains("ais"));
+            EXPECT_TRUE(filling.contains("path"));
+        }
+}
+
 TEST(SettingsSweep, EverySettingCanBeKeptInAFile) {
     const TemporaryFolder folder;
     for (const Candidate& candidate : settings_sweep({}, SweepSize::full)) {
@@ -85,6 +102,9 @@ TEST(SettingsSweep, LeavesOutWhatTheSceneDoesNotCallFor) {
         EXPECT_EQ(candidate.name.find("light samples"), std::string::npos);
     }
     EXPECT_LT(exact.size(), direct.size());
+    const auto plain = settings_sweep({.indirect = false, .adapts = false}, SweepSize::full);
+    for (const Candidate& candidate : plain)
+        EXPECT_EQ(candidate.name.find("threshold"), std::string::npos);
     const auto foggy = settings_sweep({.media = true, .media_light = true}, SweepSize::full);
     EXPECT_FALSE(has_family(foggy, "irradiance-cache"));
     EXPECT_TRUE(has_family(foggy, "ic"));
@@ -117,8 +137,18 @@ TEST(SettingsSweep, ReadsTheSceneFromItsPlan) {
     scene.area_lights = 0;
     scene.punctual_lights = 1;
     EXPECT_FALSE(called_for().sampled_lights);
+    EXPECT_TRUE(called_for().adapts);
     scene.mean_reflectance = 0.0;
     EXPECT_FALSE(called_for().indirect);
+    EXPECT_FALSE(called_for().adapts);
+    // Lights are looked at first where a set has enough samples on them.
+    scene.area_lights = 1;
+    EXPECT_FALSE(called_for().adapts);
+    scene.area_lights = 16;
+    EXPECT_TRUE(called_for().adapts);
+    scene.area_lights = 0;
+    scene.media = scene.scattering = true;
+    EXPECT_TRUE(called_for().adapts);
 }
 
 }  // namespace

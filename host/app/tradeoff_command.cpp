@@ -204,7 +204,10 @@ class TradeoffRun {
     }
 
     [[nodiscard]] MeasurePlan plan() const {
-        return {.repetitions = options_.repetitions, .seed = options_.seed};
+        // More samples than the reference has would be held against its noise.
+        return {.repetitions = options_.repetitions,
+                .seed = options_.seed,
+                .wish = {options_.budgets_ms, options_.reference_spp}};
     }
 
     Measuring measuring() {

@@ -13,8 +13,11 @@
 namespace weft {
 namespace {
 
+// Frames that say how long one takes when it is not the first.
+constexpr std::uint32_t probe_frames = 4;
+
 struct Entrant {
-    const Candidate* candidate;
+    Candidate candidate;
     double expected_ms;
 };
 
@@ -45,9 +48,33 @@ std::vector<Entrant> warm_up(std::span<const Candidate> candidates, const Measur
         if (barred || expected > plan.slow_ms)
             skipped.push_back(candidate.name);
         else
-            entrants.push_back({&candidate, expected});
+            entrants.push_back({candidate, expected});
     }
     return entrants;
+}
+
+/// Adds entrants that use budgets up.
+void fill_budgets(std::vector<Entrant>& entrants, const MeasurePlan& plan,
+                  const Measuring& measuring) {
+    double longest = 0.0;
+    for (const double budget : plan.wish.budgets_ms) longest = std::max(longest, budget);
+    std::set<std::string> known;
+    for (const Entrant& entrant : entrants) known.insert(entrant.candidate.name);
+    const std::size_t count = entrants.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Entrant base = entrants[i];
+        const double frame_ms = base.expected_ms / base.candidate.preset.samples;
+        if (!base.candidate.fills_budgets || probe_frames * frame_ms > longest) continue;
+        measuring.report(0.0, "frames of " + base.candidate.name);
+        const Candidate probe = with_samples(base.candidate, probe_frames);
+        const MeasuredPicture made = measuring.make(probe.preset, plan.seed, false);
+        const double sample_ms = made.ms / std::max(1U, made.frames);
+        for (Candidate& candidate : budget_candidates(base.candidate, sample_ms, plan.wish)) {
+            const double expected = sample_ms * candidate.preset.samples;
+            if (expected <= plan.slow_ms && known.insert(candidate.name).second)
+                entrants.push_back({std::move(candidate), expected});
+        }
+    }
 }
 
 Interval interval_of(const std::vector<std::vector<double>>& runs, std::size_t measure) {
@@ -82,15 +109,16 @@ std::uint32_t picture_seed(std::uint32_t first, std::uint32_t index) {
 std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,
                                           const MeasurePlan& plan, const Measuring& measuring,
                                           std::vector<std::string>& skipped) {
-    const std::vector<Entrant> entrants = warm_up(candidates, plan, measuring, skipped);
+    std::vector<Entrant> entrants = warm_up(candidates, plan, measuring, skipped);
+    fill_budgets(entrants, plan, measuring);
     double all_ms = 0.0;
     std::vector<TradeoffPoint> points;
     for (const Entrant& entrant : entrants) {
         all_ms += entrant.expected_ms * plan.repetitions;
         TradeoffPoint point;
-        point.name = entrant.candidate->name;
-        point.family = entrant.candidate->family;
-        point.preset = entrant.candidate->preset;
+        point.name = entrant.candidate.name;
+        point.family = entrant.candidate.family;
+        point.preset = entrant.candidate.preset;
         points.push_back(std::move(point));
     }
     double done_ms = 0.0;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tradeoff/budget_candidates.h"
 #include "tradeoff/measured_picture.h"
 #include "tradeoff/settings_sweep.h"
 #include "tradeoff/tradeoff_result.h"
@@ -20,6 +21,7 @@ struct MeasurePlan {
     std::uint32_t repetitions = 5;  ///< 2 and up
     std::uint32_t seed = 0;         ///< of the first picture of each; those that follow have others
     double slow_ms = 30e3;          ///< settings whose pictures take longer are left out
+    BudgetWish wish{};              ///< what those that fill budgets are measured for besides
 };
 
 /// What it needs done.
@@ -39,7 +41,8 @@ struct Measuring {
 /// the machine for a while slows all of them alike. Before the first round each makes one frame
 /// that does not count: kernels are compiled and memory is touched. One that would take longer than
 /// plan.slow_ms goes to `skipped`, and so does, untried, all of a family that took so long for a
-/// single frame. Returns the others by rising time, without pictures.
+/// single frame. Those that fill budgets then say by a few frames more how long a sample takes, and
+/// come into the rounds with budget_candidates too. Returns all by rising time, without pictures.
 [[nodiscard]] std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,
                                                         const MeasurePlan& plan,
                                                         const Measuring& measuring,

@@ -28,6 +28,12 @@ class Sweep {
         add_gathered();
         add_records();
         add_paths();
+        for (const char* const variant : {"", "high"}) fill_budgets(variant, Algorithm::ais);
+        fill_budgets("", Algorithm::path);
+        if (!full_) return;
+        for (const char* const variant : {"draft", "compensation"})
+            fill_budgets(variant, Algorithm::ais);
+        fill_budgets("", Algorithm::igi);
     }
 
   private:
@@ -37,12 +43,20 @@ class Sweep {
 
     void add(const std::string& variant, Algorithm algorithm, const SamplingSettings& sampling,
              std::uint32_t samples = 1) {
-        std::string name(to_string(algorithm));
-        if (!variant.empty()) name += " " + variant;
-        if (samples > 1 || algorithm == Algorithm::path) name += fmt::format(" spp {}", samples);
-        const Preset preset{algorithm, sampling, samples};
-        if (known_.insert(preset_json(preset).dump()).second)
-            candidates.push_back({name, std::string(to_string(algorithm)), preset});
+        const Candidate plain{
+            {}, std::string(to_string(algorithm)), {algorithm, sampling, 1}, variant};
+        const Candidate candidate = with_samples(plain, samples);
+        if (known_.insert(preset_json(candidate.preset).dump()).second)
+            candidates.push_back(candidate);
+    }
+
+    /// The first of these settings that is there is worth all the time of a budget.
+    void fill_budgets(const std::string& variant, Algorithm algorithm) {
+        const auto found =
+            std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+                return candidate.variant == variant && candidate.preset.algorithm == algorithm;
+            });
+        if (found != candidates.end()) found->fills_budgets = true;
     }
 
     /// Variants of one number of a setting.
@@ -62,7 +76,7 @@ class Sweep {
         if (samples_light()) {
             add("draft", ais, sampling_of(Quality::draft));
             add("high", ais, sampling_of(Quality::high));
-            vary("threshold", ais, &SamplingSettings::threshold, {40.0});
+            if (scene_.adapts) vary("threshold", ais, &SamplingSettings::threshold, {40.0});
         }
         for (const std::uint32_t samples : {4U, 16U}) add("", ais, {}, samples);
         if (has_vpls()) vary("vpls", ais, &SamplingSettings::vpls_per_set, {16U});
@@ -78,7 +92,7 @@ class Sweep {
 
     void add_more_adaptive() {
         constexpr Algorithm ais = Algorithm::ais;
-        vary("threshold", ais, &SamplingSettings::threshold, {3.0, 5.0, 20.0});
+        if (scene_.adapts) vary("threshold", ais, &SamplingSettings::threshold, {3.0, 5.0, 20.0});
         if (has_vpls()) vary("vpls", ais, &SamplingSettings::vpls_per_set, {32U, 128U, 256U});
         if (scene_.sampled_lights)
             vary("light samples", ais, &SamplingSettings::samples_per_light, {2U, 16U});
@@ -153,11 +167,22 @@ class Sweep {
 
 }  // namespace
 
+Candidate with_samples(const Candidate& candidate, std::uint32_t samples) {
+    Candidate other = candidate;
+    other.preset.samples = samples;
+    other.name = candidate.family;
+    if (!candidate.variant.empty()) other.name += " " + candidate.variant;
+    if (samples > 1 || candidate.preset.algorithm == Algorithm::path)
+        other.name += fmt::format(" spp {}", samples);
+    return other;
+}
+
 SweepScene sweep_scene(const FramePlan& plan) {
     return {.indirect = plan.has_indirect(),
             .sampled_lights = plan.samples_per_set > 0 || plan.environment_samples > 0,
             .media = plan.media,
-            .media_light = plan.media_light};
+            .media_light = plan.media_light,
+            .adapts = plan.undersamples() || plan.media_light};
 }
 
 std::vector<Candidate> settings_sweep(const SweepScene& scene, SweepSize size) {

@@ -15,7 +15,12 @@ struct Candidate {
     std::string name;    ///< unique among those of a sweep, such as "ais threshold 20"
     std::string family;  ///< the algorithm
     Preset preset;
+    std::string variant{};       ///< what `name` says besides the algorithm and the samples
+    bool fills_budgets = false;  ///< worth as many samples as there is time for
 };
+
+/// The same settings with that many samples per pixel, named after them.
+[[nodiscard]] Candidate with_samples(const Candidate& candidate, std::uint32_t samples);
 
 /// What of a scene decides which settings make a difference.
 struct SweepScene {
@@ -23,6 +28,7 @@ struct SweepScene {
     bool sampled_lights = true;  ///< some light has an area, or is the environment
     bool media = false;          ///< light goes through participating media
     bool media_light = false;    ///< which scatter some of it to the camera
+    bool adapts = true;          ///< `ais` may leave out samples of it
 };
 
 /// That of a scene for which frames of the standard setting are planned like this.

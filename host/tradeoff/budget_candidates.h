@@ -1,0 +1,29 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TRADEOFF_BUDGET_CANDIDATES_H
+#define WEFT_TRADEOFF_BUDGET_CANDIDATES_H
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tradeoff/settings_sweep.h"
+
+namespace weft {
+
+/// Time of a picture that users ask about, and how many samples may be spent on it.
+struct BudgetWish {
+    std::span<const double> budgets_ms;
+    std::uint32_t most_samples = 1;  ///< per pixel
+};
+
+/// The settings of `base` with as many samples as use budgets up: about half of each, and about
+/// four fifths, as on a machine whose times scatter the latter cannot be promised to keep to it.
+/// `sample_ms`: time of one sample of every pixel. By rising samples, each number once, without
+/// that of `base`; none where there is no time for two samples, or `sample_ms` is no such time.
+[[nodiscard]] std::vector<Candidate> budget_candidates(const Candidate& base, double sample_ms,
+                                                       const BudgetWish& wish);
+
+}  // namespace weft
+
+#endif
