@@ -14,14 +14,12 @@
 // Where packets may be of pixels that looked at any sample first.
 #define ANY_LOOK 0xFFFFFFFFu
 
-// A pixel with edges of shadows: which of 32 lights they are of, are in doubt and were seen first;
-// and what its window tells of how much of them is seen.
+// A pixel with edges of shadows: which of 32 lights they are of, and which were seen first.
 typedef struct {
     uint slot;
     uint first_look;  // number of a light's sample
-    uint edges, doubtful, seen;
+    uint edges, seen;
     float reflectance, radiance;  // luminance of albedo / pi, and of what is known so far
-    ShadowCounts counts;
 } EdgePixel;
 
 // Position, shading normal and geometric normal of a receiver.
@@ -54,7 +52,6 @@ typedef struct {
     GLOBAL const uint* pixel_slot;
     GLOBAL const uint* pixel_shadows;
     GLOBAL const uint* shadow_edges;
-    GLOBAL const ShadowCounts* shadow_counts;
     GLOBAL const float4* gb_albedo;
     GLOBAL const float* irradiance;
 } ShadowPlanes;
@@ -71,16 +68,13 @@ static inline void find_edge_pixel(const Params* params, const ShadowPlanes* fro
                                    uint x, uint y, uint look, EdgePixel* found) {
     uint pixel = y * params->width + x;
     uint plane = params->width * params->height;
-    GLOBAL const uint* planes = from->shadow_edges + SHADOW_PLANES * word * plane + pixel;
     found->slot = from->pixel_slot[pixel];
     found->first_look = look;
-    found->edges = planes[SHADOW_EDGE * plane];
-    found->doubtful = planes[SHADOW_DOUBT * plane];
+    found->edges = from->shadow_edges[word * plane + pixel];
     found->seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
     found->reflectance = luminance(xyz(from->gb_albedo[pixel])) * 0.318309886f;
     float3 e = receiver_vector(from->irradiance, 0u, params->slots, found->slot);
     found->radiance = found->reflectance * luminance(e);
-    if (params->shadow_trust != 0u) found->counts = from->shadow_counts[word * plane + pixel];
 }
 
 /// Copies a vector of a receiver to three of a cell's planes.
@@ -110,7 +104,7 @@ static inline void find_edge_pixels(const Params* params, uint cell, uint set, u
     uint column = cell % columns * (uint)LANES;
     uint row = cell / columns * (uint)LANES;
     uint plane = params->width * params->height;
-    GLOBAL const uint* edges = from->shadow_edges + (SHADOW_PLANES * word + SHADOW_EDGE) * plane;
+    GLOBAL const uint* edges = from->shadow_edges + word * plane;
     found->count = 0u;
     found->some = 0u;
     for (uint i = 0u; i < CELL_PIXELS; ++i) {
@@ -128,14 +122,11 @@ static inline void find_edge_pixels(const Params* params, uint cell, uint set, u
     }
 }
 
-/// Those of a cell that have a light's edge and are in doubt, or are not.
-static inline void list_edges(const EdgeCell* cell, uint bit, int doubtful, EdgeList* list) {
+/// Those of a cell that have a light's edge.
+static inline void list_edges(const EdgeCell* cell, uint bit, EdgeList* list) {
     list->count = 0u;
-    for (uint i = 0u; i < cell->count; ++i) {
-        const EdgePixel* at = cell->pixels + i;
-        uint wanted = doubtful != 0 ? at->doubtful : at->edges & ~at->doubtful;
-        if ((wanted >> bit & 1u) != 0u) list->place[list->count++] = i;
-    }
+    for (uint i = 0u; i < cell->count; ++i)
+        if ((cell->pixels[i].edges >> bit & 1u) != 0u) list->place[list->count++] = i;
 }
 
 /// The next packet of a list, from its entry `next` on, without pixels whose first look was at
@@ -187,26 +178,6 @@ static inline WMask seen_lanes(const EdgeCell* cell, uint bit, const EdgePacket*
     for (uint lane = 0u; lane < packet->list.count; ++lane)
         lanes |= (cell->pixels[packet->place[lane]].seen >> bit & 1u) << lane;
     return mask_of(lanes);
-}
-
-/// How much of a light the pixels of a window saw, of those that looked at it.
-static inline float seen_share(const EdgePixel* pixel, uint bit) {
-    uint lit = 0u;
-    uint dark = 0u;
-    for (uint k = 0u; k < SHADOW_DIGITS; ++k) {
-        lit |= (pixel->counts.lit[k] >> bit & 1u) << k;
-        dark |= (pixel->counts.dark[k] >> bit & 1u) << k;
-    }
-    return (float)lit / (float)(lit + dark);
-}
-
-/// That of lanes.
-static inline WFloat window_shares(const EdgeCell* cell, uint bit, const EdgePacket* packet) {
-    float shares[LANES];
-    for (uint lane = 0u; lane < (uint)LANES; ++lane)
-        shares[lane] =
-            lane < packet->list.count ? seen_share(cell->pixels + packet->place[lane], bit) : 0.0f;
-    return wide_load(shares, 0);
 }
 
 #endif

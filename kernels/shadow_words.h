@@ -3,7 +3,7 @@
 //
 // What pixels saw of area lights with one ray each (shadow_probes.cl), a bit a light: for every 32
 // lights a plane of words of the lights that were seen, and one of those that were hidden. Planes
-// have a margin about the picture (shadow_margin), in which nothing is seen or hidden.
+// have a margin about the picture (SHADOW_MARGIN), in which nothing is seen or hidden.
 #ifndef WEFT_SHADOW_WORDS_H
 #define WEFT_SHADOW_WORDS_H
 
@@ -20,18 +20,17 @@ static inline uint shadow_look(const Params* params, uint column, uint row, uint
 
 /// Place of a pixel in a plane.
 static inline uint shadow_place(const Params* params, uint x, uint y) {
-    uint margin = shadow_margin(params->interleave);
-    return (y + margin) * shadow_pitch(params->width, params->interleave) + x + margin;
+    return (y + SHADOW_MARGIN) * shadow_pitch(params->width) + x + SHADOW_MARGIN;
 }
 
 /// Where the words of the lights that were seen begin, of 32 lights from 32 `word` on.
 static inline uint seen_plane(const Params* params, uint word) {
-    return 2u * word * shadow_plane(params->width, params->height, params->interleave);
+    return 2u * word * shadow_plane(params->width, params->height);
 }
 
 /// Where the words of the lights that were hidden begin.
 static inline uint hidden_plane(const Params* params, uint word) {
-    return (2u * word + 1u) * shadow_plane(params->width, params->height, params->interleave);
+    return (2u * word + 1u) * shadow_plane(params->width, params->height);
 }
 
 #endif

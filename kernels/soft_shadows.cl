@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Second look at area lights, at the edges of their shadows (shadow_edges.cl): what
-// shadow_probes.cl took for each light, all of its samples or none, is put right. Where the first
-// looks of a window speak of one place, they tell how much of the light is seen; elsewhere rays go
-// to the samples that the pixel did not look at, unless the light means too little there to be
-// seen.
+// shadow_probes.cl took for each light, all of its samples or none, is put right by rays to the
+// samples that the pixel did not look at, unless the light means too little there to be seen.
 //
 // One work-item for the pixels of one set in a square of shadow_cell pixels. Those that share a
 // light's edge are packed together, and anew for each of its samples, so that packets are full
@@ -63,12 +61,12 @@ static inline int may_show(const Params* params, const SecondLook* look, const E
     return change * brightness_slope(look->slopes, there) < params->shadow_step ? 0 : 1;
 }
 
-/// The pixels whose windows leave a light in doubt, but those to which it means too little.
+/// The pixels at the edges of a light's shadow, but those to which it means too little.
 static inline void find_visible(const Params* params, const SecondLook* look,
                                 const ShadowLight* shadow, const EdgeCell* cell,
                                 LightEdges* found) {
     EdgeList* edges = &found->edges;
-    list_edges(cell, shadow->bit, 1, edges);
+    list_edges(cell, shadow->bit, edges);
     for (uint place = 0u; place < CELL_PIXELS; ++place) found->scale[place] = 0.0f;
     uint kept = 0u;
     for (uint next = 0u; next < edges->count;) {
@@ -141,7 +139,7 @@ static inline uint look_at_sample(Scene scene, const Params* params, const Secon
     return mask_count(useful);
 }
 
-/// Sends rays to a light from the pixels of a cell whose windows leave it in doubt; returns their
+/// Sends rays to a light from the pixels of a cell at the edges of its shadow; returns their
 /// number.
 static inline uint look_again(Scene scene, const Params* params, const SecondLook* look,
                               const ShadowLight* shadow, const EdgeCell* cell) {
@@ -160,49 +158,11 @@ static inline uint look_again(Scene scene, const Params* params, const SecondLoo
     return rays;
 }
 
-/// Gives the pixels of a packet as much of a light as their windows tell.
-static inline void take_shares(const Params* params, const SecondLook* look,
-                               const ShadowLight* shadow, const EdgeCell* cell,
-                               const EdgePacket* edges) {
-    WFloat zero = WIDE(0.0f);
-    ReceiverPacket packet = packet_receivers(params, cell, edges);
-    PacketInside inside =
-        listed_inside(params, &look->media, look->receiver_planes, packet.position, &edges->list);
-    WFloat scale =
-        near_lamp_scale(params, &look->lamps, shadow->number, &packet, look->samples, look->set);
-    WFloat before = SELECT(seen_lanes(cell, shadow->bit, edges), WIDE(1.0f), zero);
-    WFloat change = (window_shares(cell, shadow->bit, edges) - before) * scale;
-    WideLight light = no_light();
-    for (uint i = 0u; i < params->samples_per_light; ++i) {
-        GLOBAL const Vpl* vpl = shadow->first + i;
-        float4 flux = vpl->flux;
-        if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
-        WFloat3 d = from_vpl(&packet, vpl);
-        WMask useful;
-        WFloat g = connection(&packet, vpl, VPL_SURFACE, d, &useful);
-        add_connection(params, &look->media, &packet, &inside, xyz(vpl->position), flux, g * change,
-                       d, i, useful & mask_not(change == zero), &light);
-    }
-    add_to_listed(params, &light, params->gather_scale, &edges->list, look->irradiance);
-}
-
-/// take_shares of all pixels of a cell whose windows leave no doubt.
-static inline void trust_windows(const Params* params, const SecondLook* look,
-                                 const ShadowLight* shadow, const EdgeCell* cell) {
-    EdgeList edges;
-    list_edges(cell, shadow->bit, 0, &edges);
-    for (uint next = 0u; next < edges.count;) {
-        EdgePacket packet = next_packet(cell, &edges, ANY_LOOK, &next);
-        take_shares(params, look, shadow, cell, &packet);
-    }
-}
-
 WEFT_KERNEL(soft_shadows)
 (PARAMS, SCENE_ARGS, MEDIA_ARGS, LAMP_ARGS, GLOBAL const float* receiver_planes,
  GLOBAL const uint* pixel_slot, GLOBAL const Vpl* samples, GLOBAL const uint* pixel_shadows,
- GLOBAL const uint* shadow_edges, GLOBAL const ShadowCounts* shadow_counts,
- GLOBAL const float* slopes, GLOBAL const float4* gb_albedo, GLOBAL float* irradiance,
- GLOBAL RayCounter* counters) {
+ GLOBAL const uint* shadow_edges, GLOBAL const float* slopes, GLOBAL const float4* gb_albedo,
+ GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
     if (GLOBAL_ID >= params.count) return;
     uint item = params.first + GLOBAL_ID;
     SCENE_MAKE(scene);
@@ -211,8 +171,8 @@ WEFT_KERNEL(soft_shadows)
     uint sets = params.interleave * params.interleave;
     uint set = (item % sets + params.set_rotation) % params.gather_sets;
     SecondLook look = {through, lamps, receiver_planes, samples, slopes, irradiance, set};
-    ShadowPlanes planes = {receiver_planes, pixel_slot, pixel_shadows, shadow_edges,
-                           shadow_counts,   gb_albedo,  irradiance};
+    ShadowPlanes planes = {receiver_planes, pixel_slot, pixel_shadows,
+                           shadow_edges,    gb_albedo,  irradiance};
     uint rays = 0u;
     for (uint word = 0u; word < shadow_words(params.sampled_lights); ++word) {
         EdgeCell cell;
@@ -224,7 +184,6 @@ WEFT_KERNEL(soft_shadows)
             shadow.first =
                 samples + set * params.samples_per_set + shadow.number * params.samples_per_light;
             rays += look_again(scene, &params, &look, &shadow, &cell);
-            if (params.shadow_trust != 0u) trust_windows(&params, &look, &shadow, &cell);
         }
     }
     count_rays(counters + params.counter, rays);

@@ -334,7 +334,6 @@ typedef struct {
     float film_scale;      // a power of two that brings the scene's light to about 1
     uint choice_lights;    // lights that next-event estimation chooses from, the first entries
     uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
-    uint shadow_trust;     // 1: a window's first looks are nearly all that full sampling has
     float enough_support;  // of the weight of a lattice's taps, what a pixel needs on its surface
     uint edge_samples;     // further rays of an edge pixel, even; 0: none
     float roulette;        // share of the mean contribution below which VPLs are traced by chance
@@ -347,6 +346,7 @@ typedef struct {
     uint cache_records;    // how many there are
     uint cache_words;      // words of a packet's bits by VPL (cache_masks.h); 0: none are kept
     uint moved_boxes;      // see moved.h
+    uint pad;
 } Params;
 
 #endif

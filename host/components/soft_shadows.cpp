@@ -8,7 +8,6 @@
 #include "base/stopwatch.h"
 #include "frame/virtual_lights.h"
 #include "schedule/brightness.h"
-#include "schedule/quality.h"
 
 namespace weft {
 namespace {
@@ -20,35 +19,23 @@ constexpr const char* name = "direct";
 constexpr double step_share = 0.2;
 constexpr double largest_step = 2.0;
 
-// Whether a window's first looks may tell how much of a light is seen. What they tell wavers by a
-// just noticeable difference and more where the camera moves, which only drafts let pass. And one
-// window must hold looks at all samples that the sets have of a light.
-bool windows_serve(const FramePlan& plan) {
-    return plan.threshold >= draft_threshold && plan.interleave <= 3 && plan.samples_per_light <= 4;
-}
-
 }  // namespace
 
 SoftShadows::SoftShadows(const ComponentInputs& inputs)
     : executor_(inputs.executor),
       shared_(inputs.buffers),
       grid_{inputs.width, inputs.height},
-      trusted_(windows_serve(inputs.plan)),
       words_(shared::shadow_words(inputs.scene.area_lights)) {
-    const std::size_t plane =
-        shared::shadow_plane(grid_.width, grid_.height, inputs.plan.interleave);
+    const std::size_t plane = shared::shadow_plane(grid_.width, grid_.height);
     const std::vector<std::uint32_t> nothing(2 * words_ * plane, 0);
     pixel_shadows_ = upload<std::uint32_t>(executor_, nothing, "shadows of pixels");
     slopes_ = upload<float>(executor_, BrightnessSlope(inputs.plan.luminance_scale).table(),
                             "brightness slopes");
-    const std::vector<std::uint32_t> none(SHADOW_PLANES * words_ * inputs.pixels(), 0);
+    const std::vector<std::uint32_t> none(words_ * inputs.pixels(), 0);
     shadow_edges_ = upload<std::uint32_t>(executor_, none, "shadow edges");
-    const std::size_t counted = trusted_ ? words_ * inputs.pixels() : 1;
-    shadow_counts_ = executor_.allocate(counted * sizeof(shared::ShadowCounts), "shadow counts");
 }
 
 void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
-    frame.params.shadow_trust = trusted_ ? 1 : 0;
     look(frame, samples, irradiance);
     edges_ = {};
     if (frame.ended_early()) return;
@@ -66,7 +53,7 @@ void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance)
     const std::uint32_t lanes = executor_.lanes();
     const std::uint32_t runs = (grid_.width + lanes - 1) / lanes * grid_.height;
     frame.run(KernelId::shadow_edges, "shadow edges", name, false,
-              {pixel_shadows_.get(), shadow_edges_.get(), shadow_counts_.get()}, runs * words_);
+              {pixel_shadows_.get(), shadow_edges_.get()}, runs * words_);
 }
 
 double SoftShadows::find_edges() {
@@ -91,8 +78,8 @@ void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irrad
     const std::uint32_t packets = std::max(1U, executor_.lanes() / 4);
     frame.run(KernelId::soft_shadows, "area lights", name, true,
               with_lamps(frame, {shared_.receivers.get(), shared_.pixel_slot.get(), &samples,
-                                 pixel_shadows_.get(), shadow_edges_.get(), shadow_counts_.get(),
-                                 slopes_.get(), shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
+                                 pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
+                                 shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
                                  shared_.counters.get()}),
               cells * frame.plan.interleave * frame.plan.interleave,
               gather_items_per_launch(executor_, frame.plan.samples_per_set * packets));
@@ -111,8 +98,7 @@ LevelCounts SoftShadows::counts() const {
 
 void SoftShadows::add_layers(const std::string& component, Image& image) const {
     const std::size_t pixels = std::size_t{grid_.width} * grid_.height;
-    const auto words =
-        read_buffer<std::uint32_t>(executor_, *shadow_edges_, SHADOW_PLANES * words_ * pixels);
+    const auto words = read_buffer<std::uint32_t>(executor_, *shadow_edges_, words_ * pixels);
     Layer level{component + ".level", "Y", std::vector<float>(pixels)};
     Layer samples{component + ".samples", "Y", std::vector<float>(pixels)};
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {

@@ -14,8 +14,7 @@
 namespace weft {
 
 /// Light of area lights at every pixel, with rays where they tell something: one to each light
-/// first, the others where the pixels about have found different things that do not speak of one
-/// place.
+/// first, the others where the pixels about have found different things.
 class SoftShadows : public SamplingDecision {
   public:
     explicit SoftShadows(const ComponentInputs& inputs);
@@ -37,11 +36,9 @@ class SoftShadows : public SamplingDecision {
     Executor& executor_;
     const FrameBuffers& shared_;
     TileGrid grid_;
-    double step_ = 0.0;  ///< of the last frame; Params::shadow_step
-    /// Whether a window's first looks are all that full sampling has, and good enough.
-    bool trusted_;
+    double step_ = 0.0;    ///< of the last frame; Params::shadow_step
     std::uint32_t words_;  ///< of a pixel, for a bit a light
-    std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, shadow_counts_, slopes_;
+    std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, slopes_;
     ShadowEdges edges_;
 };
 

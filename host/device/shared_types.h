@@ -30,7 +30,6 @@ static_assert(sizeof(MediumRecord) == 64);
 static_assert(sizeof(MediaRecord) == 1280);
 static_assert(sizeof(CacheRecord) == 192);
 static_assert(sizeof(TileRecord) == 32);
-static_assert(sizeof(ShadowCounts) == 48);
 static_assert(sizeof(RayCounter) == 16);
 static_assert(sizeof(NonfiniteCounter) == 48);
 static_assert(sizeof(Params) % 16 == 0 && sizeof(Params) <= 1024);

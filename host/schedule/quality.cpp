@@ -9,7 +9,7 @@ namespace weft {
 SamplingSettings sampling_of(Quality quality) {
     SamplingSettings settings;
     if (quality == Quality::draft) {
-        settings.threshold = draft_threshold;
+        settings.threshold = 20.0;
         settings.enough_support = 0.3;
         settings.roulette = 4.0;
         settings.cache_error = 0.2;

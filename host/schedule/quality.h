@@ -10,10 +10,6 @@ namespace weft {
 /// How much time a picture is worth. `preview` is the standard setting.
 enum class Quality : std::uint8_t { draft, preview, high };
 
-/// Least threshold of a draft, in just noticeable differences: errors may be seen, and waver where
-/// the camera moves.
-constexpr double draft_threshold = 20.0;
-
 /// The settings that stand for a quality: errors of undersampling that may be seen, and how many
 /// VPLs and points on lights a pixel's set has.
 [[nodiscard]] SamplingSettings sampling_of(Quality quality);

@@ -10,13 +10,8 @@ namespace weft {
 
 Level shadow_level(std::span<const std::uint32_t> words, std::size_t pixels, std::size_t pixel) {
     std::uint32_t edges = 0;
-    std::uint32_t doubtful = 0;
-    for (std::size_t at = pixel; at < words.size(); at += SHADOW_PLANES * pixels) {
-        edges |= words[at + SHADOW_EDGE * pixels];
-        doubtful |= words[at + SHADOW_DOUBT * pixels];
-    }
-    if (doubtful != 0) return Level::full;
-    return edges != 0 ? Level::middle : Level::coarse;
+    for (std::size_t at = pixel; at < words.size(); at += pixels) edges |= words[at];
+    return edges != 0 ? Level::full : Level::coarse;
 }
 
 ShadowEdges find_shadow_edges(const TileGrid& grid, std::span<const std::uint32_t> words) {
@@ -30,7 +25,6 @@ ShadowEdges find_shadow_edges(const TileGrid& grid, std::span<const std::uint32_
             const std::size_t end = first + std::min<std::size_t>(TILE_EDGE, grid.width - left);
             for (std::size_t pixel = first; pixel < end; ++pixel) {
                 const Level level = shadow_level(words, pixels, pixel);
-                found.edges += level != Level::coarse ? 1 : 0;
                 found.pixels += level == Level::full ? 1 : 0;
                 levels[left / TILE_EDGE] = std::max(levels[left / TILE_EDGE], level);
             }

@@ -14,13 +14,11 @@ namespace weft {
 /// How densely area lights are sampled, decided from what one ray to each light found.
 struct ShadowEdges {
     std::vector<Level> levels;  ///< by tile, the highest of its pixels
-    std::uint64_t edges = 0;    ///< pixels close to the end of a shadow
-    std::uint64_t pixels = 0;   ///< of those, pixels to which further rays may go
+    std::uint64_t pixels = 0;   ///< at the edge of a shadow, from where further rays may go
 };
 
-/// Of a pixel: full where further rays may go to any light, middle where its neighbours' first
-/// looks tell how much of a light it sees, coarse where one look has to do. `words`: what
-/// shadow_edges.cl wrote, SHADOW_PLANES of a picture for every 32 lights.
+/// Of a pixel: full where further rays may go to any light, coarse where one look has to do.
+/// `words`: what shadow_edges.cl wrote, a picture for every 32 lights.
 [[nodiscard]] Level shadow_level(std::span<const std::uint32_t> words, std::size_t pixels,
                                  std::size_t pixel);
 
