@@ -15,6 +15,13 @@ namespace {
 
 using namespace native;
 
+/// Distance of floats about `exact`, which is 0 or more.
+double unit_at(double exact) {
+    // Below the smallest normal float they are evenly apart; ilogb(0) is no exponent.
+    const double normal = static_cast<double>(std::numeric_limits<float>::min());
+    return std::ldexp(1.0, std::ilogb(std::max(exact, normal)) - 23);
+}
+
 std::array<float, LANES> exp_minus(const std::array<float, LANES>& depths) {
     std::array<float, LANES> results{};
     wide_store(wide_exp_minus(wide_load(depths.data(), 0)), results.data(), 0);
@@ -40,8 +47,8 @@ TEST(WideMaths, ExponentialIsCorrectToOneUlp) {
         const std::array<float, LANES> results = exp_minus(depths);
         for (std::size_t lane = 0; lane < LANES; ++lane) {
             const double exact = std::exp(-static_cast<double>(depths[lane]));
-            const double unit = std::ldexp(1.0, std::max(std::ilogb(exact) - 23, -149));
-            worst = std::max(worst, std::abs(static_cast<double>(results[lane]) - exact) / unit);
+            worst = std::max(worst,
+                             std::abs(static_cast<double>(results[lane]) - exact) / unit_at(exact));
         }
     }
     EXPECT_LT(worst, 1.0);
@@ -78,9 +85,8 @@ TEST(WideMaths, UpperAngleIsCorrectToThreeUlp) {
             const auto x = static_cast<float>(3.7 * std::cos(angle));
             if (y < 0.0F) continue;
             const double exact = std::atan2(static_cast<double>(y), static_cast<double>(x));
-            const double unit = std::ldexp(1.0, std::max(std::ilogb(exact) - 23, -149));
-            worst =
-                std::max(worst, std::abs(static_cast<double>(upper_angle(y, x)) - exact) / unit);
+            worst = std::max(
+                worst, std::abs(static_cast<double>(upper_angle(y, x)) - exact) / unit_at(exact));
         }
     }
     EXPECT_LT(worst, 3.0);
