@@ -275,7 +275,6 @@ TEST(AisIdentity, InASphereTheMeanStaysAtAnyThreshold) {
 TEST(AisIdentity, OpenClEqualsTheNativeKernelsBitForBit) {
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
     for (const auto& [lights, name] : all_lights)
-        // With 40, windows of first looks are trusted.
         for (const double threshold : {0.5, 12.0, 40.0}) {
             const RenderSettings settings = settings_of(Algorithm::ais, 97, 70, threshold);
             const Rendering native =
