@@ -349,7 +349,7 @@ TEST(AmbientOcclusion, LayerIsTheMeanOfItsPicturesFrames) {
     const std::vector<float> both = values(renderer);
     EXPECT_NE(first, both);
     // A frame that ends early is dropped, a new picture begins anew.
-    EXPECT_FALSE(renderer.render_frame([](const std::string&, double) { return false; }));
+    EXPECT_FALSE(renderer.render_frame([](Stage, double) { return false; }));
     EXPECT_EQ(values(renderer), both);
     renderer.set_camera(room_camera());
     ASSERT_TRUE(renderer.render_frame({}));

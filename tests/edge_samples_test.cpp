@@ -40,7 +40,7 @@ RenderSettings without_edges(RenderSettings settings) {
 
 const StageStats* edge_stage(const Rendering& rendering) {
     for (const StageStats& stage : rendering.stats.front().stages)
-        if (stage.name == "edge samples") return &stage;
+        if (stage.stage == Stage::edge_samples) return &stage;
     return nullptr;
 }
 

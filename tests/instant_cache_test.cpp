@@ -229,8 +229,7 @@ TEST(InstantCache, AFrameThatEndsEarlyIsDefined) {
         Renderer renderer(test::shared_executor(backend), flat, front_camera(),
                           settings_of(Algorithm::ic, 64, 48));
         int asked = 0;
-        EXPECT_FALSE(
-            renderer.render_frame([&](const std::string&, double) { return ++asked < 6; }));
+        EXPECT_FALSE(renderer.render_frame([&](Stage, double) { return ++asked < 6; }));
         const Rendering part{renderer.image(), renderer.stats(), renderer.plan()};
         test::expect_clean(part);
         EXPECT_TRUE(renderer.render_frame({}));

@@ -290,8 +290,7 @@ TEST(IrradianceCache, AFrameThatEndsEarlyIsDefined) {
             Renderer renderer(test::shared_executor(backend), flat, facing_ball(),
                               settings_of(64, 48, 16));
             int asked = 0;
-            EXPECT_FALSE(
-                renderer.render_frame([&](const std::string&, double) { return ++asked < most; }));
+            EXPECT_FALSE(renderer.render_frame([&](Stage, double) { return ++asked < most; }));
             const Rendering part{renderer.image(), renderer.stats(), renderer.plan()};
             test::expect_clean(part);
             EXPECT_TRUE(renderer.render_frame({}));

@@ -106,7 +106,9 @@ TEST(KernelMeter, CountsWhatItIsGiven) {
 
 TEST(KernelMeter, RaysFollowTheOrderOfStages) {
     FrameStats frame;
-    frame.stages = {{"a", "", 2.0, 5, 0}, {"host", "", 7.0, 0, 0}, {"b", "", 3.0, 11, 0}};
+    frame.stages = {{Stage::primary_rays, "", 2.0, 5, 0},
+                    {Stage::scheduling, "", 7.0, 0, 0},
+                    {Stage::vpl_gather, "", 3.0, 11, 0}};
     frame.rays = 16;
     std::vector<KernelUse> runs(2);
     runs[0].ms = 2.0;
@@ -125,10 +127,10 @@ struct Sums {
     std::uint64_t rays = 0;
 };
 
-Sums stages_of(const FrameStats& frame, std::string_view name) {
+Sums stages_of(const FrameStats& frame, Stage wanted) {
     Sums sums;
     for (const StageStats& stage : frame.stages)
-        if (stage.name == name) sums = {sums.ms + stage.ms, sums.rays + stage.rays};
+        if (stage.stage == wanted) sums = {sums.ms + stage.ms, sums.rays + stage.rays};
     return sums;
 }
 
@@ -164,13 +166,13 @@ TEST(KernelMeter, AFrameIsTheSameThroughIt) {
             }
             EXPECT_EQ(rays, frame.rays);
             // Kernels that one stage alone runs, and every run of which is one of that stage.
-            for (const auto& [kernel, stage] : {std::pair{KernelId::gbuffer, "primary rays"},
-                                                std::pair{KernelId::compose, "composition"}}) {
+            for (const auto& [kernel, stage] : {std::pair{KernelId::gbuffer, Stage::primary_rays},
+                                                std::pair{KernelId::compose, Stage::composition}}) {
                 const Sums of_kernel = uses_of(uses, kernel);
                 const Sums of_stage = stages_of(frame, stage);
-                EXPECT_GT(of_kernel.ms, 0.0) << stage;
-                EXPECT_DOUBLE_EQ(of_kernel.ms, of_stage.ms) << stage;
-                EXPECT_EQ(of_kernel.rays, of_stage.rays) << stage;
+                EXPECT_GT(of_kernel.ms, 0.0) << stage_name(stage);
+                EXPECT_DOUBLE_EQ(of_kernel.ms, of_stage.ms) << stage_name(stage);
+                EXPECT_EQ(of_kernel.rays, of_stage.rays) << stage_name(stage);
             }
             EXPECT_EQ(uses_of(uses, KernelId::gbuffer).rays, 40U * 32U);
         }

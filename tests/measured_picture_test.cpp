@@ -37,9 +37,9 @@ double error_of(const std::vector<double>& errors, ErrorMeasure measure) {
 }
 
 /// A scene, and what measures its pictures.
-class Stage {
+class Setting {
   public:
-    Stage(const Scene& scene, const Camera& camera) : flat_(flatten(scene)), camera_(camera) {}
+    Setting(const Scene& scene, const Camera& camera) : flat_(flatten(scene)), camera_(camera) {}
 
     [[nodiscard]] MeasuredPicture make(const Preset& preset, std::uint32_t seed,
                                        bool first_alone = false,
@@ -57,7 +57,7 @@ class Stage {
 };
 
 /// A room with a lamp: noise, shadows and light by way of walls.
-Stage room() {
+Setting room() {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material(glm::vec3(0.6F)));
     builder.add(test::quad_mesh({-0.3F, 0.95F, 0.3F}, {0.6F, 0, 0}, {0, 0, -0.6F}),
@@ -69,7 +69,7 @@ Stage room() {
 
 /// The inside of a sphere that glows and reflects: radiance e / (1 - rho) wherever one looks.
 constexpr float furnace_radiance = 2.0F;
-Stage furnace() {
+Setting furnace() {
     SceneBuilder builder;
     builder.add(test::icosphere(2, true), builder.material(glm::vec3(0.5F), glm::vec3(1.0F)));
     return {builder.scene, test::look_at({0.1, 0.2, 0.3}, {0.0, 0.0, -1.0}, 0.9)};
@@ -77,7 +77,7 @@ Stage furnace() {
 
 /// Nothing but surroundings that are as bright everywhere: every picture of it is exact.
 constexpr float sky_radiance = 0.5F;
-Stage sky() {
+Setting sky() {
     SceneBuilder builder;
     builder.scene.environment = Environment{glm::vec3(sky_radiance)};
     return {builder.scene, test::look_at({0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}, 0.8)};
@@ -93,9 +93,9 @@ Preset preset_of(Algorithm algorithm, std::uint32_t samples) {
 constexpr Algorithm some_algorithms[] = {Algorithm::ais, Algorithm::igi, Algorithm::path};
 
 TEST(MeasuredPicture, IsItsBeautyAloneAndWhatItTook) {
-    const Stage stage = room();
+    const Setting setting = room();
     for (const Algorithm algorithm : some_algorithms) {
-        const MeasuredPicture made = stage.make(preset_of(algorithm, 3), 1);
+        const MeasuredPicture made = setting.make(preset_of(algorithm, 3), 1);
         EXPECT_EQ(made.image.width, size.width);
         EXPECT_EQ(made.image.height, size.height);
         ASSERT_EQ(made.image.layers.size(), 1U);
@@ -109,7 +109,7 @@ TEST(MeasuredPicture, IsItsBeautyAloneAndWhatItTook) {
 }
 
 TEST(MeasuredPicture, IsThatOfTheRendererWithTheSameSeed) {
-    const Stage stage = room();
+    const Setting setting = room();
     for (const Algorithm algorithm : {Algorithm::ais, Algorithm::igi}) {
         const Preset preset = preset_of(algorithm, 2);
         RenderSettings settings;
@@ -118,33 +118,33 @@ TEST(MeasuredPicture, IsThatOfTheRendererWithTheSameSeed) {
         settings.height = size.height;
         settings.seed = 5;
         settings.samples = 2;
-        Renderer renderer(test::shared_executor(Backend::own_bvh), stage.flat(), stage.camera(),
+        Renderer renderer(test::shared_executor(Backend::own_bvh), setting.flat(), setting.camera(),
                           settings);
         while (renderer.samples() < 2) (void)renderer.render_frame({});
         const auto values = [&](std::uint32_t seed) {
-            return stage.make(preset, seed).image.layers.at(0).values;
+            return setting.make(preset, seed).image.layers.at(0).values;
         };
         EXPECT_EQ(values(5), renderer.image().find("")->values);
         EXPECT_EQ(values(5), values(5));
         EXPECT_NE(values(5), values(6));
     }
     const Preset paths = preset_of(Algorithm::path, 2);
-    EXPECT_EQ(stage.make(paths, 5).image.layers[0].values,
-              stage.make(paths, 5).image.layers[0].values);
-    EXPECT_NE(stage.make(paths, 5).image.layers[0].values,
-              stage.make(paths, 6).image.layers[0].values);
+    EXPECT_EQ(setting.make(paths, 5).image.layers[0].values,
+              setting.make(paths, 5).image.layers[0].values);
+    EXPECT_NE(setting.make(paths, 5).image.layers[0].values,
+              setting.make(paths, 6).image.layers[0].values);
 }
 
 TEST(MeasuredPicture, StopsAfterTheFirstFrameAndWhereItIsToldTo) {
-    const Stage stage = room();
-    const MeasuredPicture first = stage.make(preset_of(Algorithm::ais, 3), 1, true);
+    const Setting setting = room();
+    const MeasuredPicture first = setting.make(preset_of(Algorithm::ais, 3), 1, true);
     EXPECT_EQ(first.frames, 1U);
-    EXPECT_LT(first.rays, stage.make(preset_of(Algorithm::ais, 3), 1).rays);
+    EXPECT_LT(first.rays, setting.make(preset_of(Algorithm::ais, 3), 1).rays);
     for (const Algorithm algorithm : some_algorithms) {
         // Within some frame after the first.
         int asked = 0;
-        const MeasuredPicture ended =
-            stage.make(preset_of(algorithm, 100000), 1, false, [&asked] { return ++asked < 400; });
+        const MeasuredPicture ended = setting.make(preset_of(algorithm, 100000), 1, false,
+                                                   [&asked] { return ++asked < 400; });
         EXPECT_GE(asked, 400);
         EXPECT_GE(ended.frames, 1U);
         EXPECT_LT(ended.frames, 100000U);
@@ -153,9 +153,9 @@ TEST(MeasuredPicture, StopsAfterTheFirstFrameAndWhereItIsToldTo) {
 }
 
 TEST(MeasuredPicture, ErrorsOfAnExactPictureAreClosedForms) {
-    const Stage stage = sky();
+    const Setting setting = sky();
     for (const Algorithm algorithm : some_algorithms) {
-        const Image picture = stage.make(preset_of(algorithm, 2), 1).image;
+        const Image picture = setting.make(preset_of(algorithm, 2), 1).image;
         EXPECT_EQ(error_values(constant_picture(sky_radiance), picture),
                   std::vector<double>(error_measures, 0.0));
         for (const float ratio : {0.8F, 1.25F, 4.0F}) {
@@ -171,13 +171,14 @@ TEST(MeasuredPicture, ErrorsOfAnExactPictureAreClosedForms) {
     }
 }
 
-/// Measures `candidates` on a stage against a reference of one value.
-std::vector<TradeoffPoint> measured(const Stage& stage, const std::vector<Candidate>& candidates,
+/// Measures `candidates` on a setting against a reference of one value.
+std::vector<TradeoffPoint> measured(const Setting& setting,
+                                    const std::vector<Candidate>& candidates,
                                     std::uint32_t repetitions, float reference) {
     const Image expected = constant_picture(reference);
     const Measuring measuring{
         .make = [&](const Preset& preset, std::uint32_t seed,
-                    bool first_alone) { return stage.make(preset, seed, first_alone); },
+                    bool first_alone) { return setting.make(preset, seed, first_alone); },
         .judge = [&](const Image& image) { return error_values(expected, image); },
         .report = [](double, const std::string&) {}};
     std::vector<std::string> skipped;

@@ -142,7 +142,7 @@ TEST(PathResume, FramesEndedByTheUserAreWhole) {
         PathRenderer renderer(test::shared_executor(Backend::own_bvh), everything(), camera(),
                               settings, std::move(sums));
         // Asked to end at once: the first frame, of one sample, is finished all the same.
-        EXPECT_FALSE(renderer.render_frame([](const std::string&, double) { return false; }));
+        EXPECT_FALSE(renderer.render_frame([](Stage, double) { return false; }));
         EXPECT_EQ(renderer.samples(), interruption);
         EXPECT_EQ(renderer.samples_left(), 30 - interruption);
         settings.samples.first = interruption;

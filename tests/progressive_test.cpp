@@ -164,19 +164,21 @@ TEST(Progressive, FramesEndedEarlyAreDroppedAndChangeNothing) {
     for (const Backend backend : test::backends()) {
         const auto expected = after_each_frame(backend, settings, 3);
         // Ended at every stage in turn.
-        for (const char* stage : {"primary rays", "receivers", "light samples", "area lights",
-                                  "VPL walk", "VPL gather"}) {
+        for (const Stage stage : {Stage::primary_rays, Stage::receivers, Stage::light_samples,
+                                  Stage::area_lights, Stage::vpl_walk, Stage::vpl_gather}) {
             Renderer renderer(test::shared_executor(backend), room(), camera(), settings);
             ASSERT_TRUE(renderer.render_frame({}));
             ASSERT_TRUE(renderer.render_frame({}));
-            const bool complete = renderer.render_frame(
-                [&](const std::string& name, double) { return name != stage; });
+            const bool complete =
+                renderer.render_frame([&](Stage running, double) { return running != stage; });
             if (complete) continue;  // a stage of one launch has nothing to leave out
-            EXPECT_EQ(renderer.samples(), 2U) << stage;
-            EXPECT_EQ(test::differing_values(renderer.image(), expected[1]), 0U) << stage;
+            EXPECT_EQ(renderer.samples(), 2U) << stage_name(stage);
+            EXPECT_EQ(test::differing_values(renderer.image(), expected[1]), 0U)
+                << stage_name(stage);
             ASSERT_TRUE(renderer.render_frame({}));
-            EXPECT_EQ(renderer.samples(), 3U) << stage;
-            EXPECT_EQ(test::differing_values(renderer.image(), expected[2]), 0U) << stage;
+            EXPECT_EQ(renderer.samples(), 3U) << stage_name(stage);
+            EXPECT_EQ(test::differing_values(renderer.image(), expected[2]), 0U)
+                << stage_name(stage);
         }
     }
 }
@@ -189,7 +191,7 @@ TEST(Progressive, AFirstFrameEndedEarlyIsKeptAndClean) {
         std::uint32_t asked = 0;
         Renderer renderer(test::shared_executor(backend), room(), camera(), settings);
         const bool complete = renderer.render_frame(
-            [&](const std::string& name, double) { return name != "VPL gather" || ++asked < 3; });
+            [&](Stage stage, double) { return stage != Stage::vpl_gather || ++asked < 3; });
         ASSERT_FALSE(complete);
         EXPECT_EQ(renderer.samples(), 1U);
         const Rendering kept{renderer.image(), renderer.stats(), renderer.plan()};

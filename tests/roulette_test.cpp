@@ -50,7 +50,7 @@ double mean_indirect(const Rendering& rendering) {
 std::uint64_t rays_of(const Rendering& rendering) {
     std::uint64_t rays = 0;
     for (const StageStats& stage : rendering.stats.front().stages)
-        if (stage.name == "VPL gather") rays += stage.rays;
+        if (stage.stage == Stage::vpl_gather) rays += stage.rays;
     return rays;
 }
 

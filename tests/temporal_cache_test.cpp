@@ -29,10 +29,10 @@ RenderSettings settings_of(std::uint32_t width, std::uint32_t height) {
 }
 
 /// Rays of all stages of this name in the last frame.
-std::uint64_t rays_of(const Renderer& renderer, const std::string& stage) {
+std::uint64_t rays_of(const Renderer& renderer, Stage stage) {
     std::uint64_t rays = 0;
     for (const StageStats& stats : renderer.stats().back().stages)
-        if (stats.name == stage) rays += stats.rays;
+        if (stats.stage == stage) rays += stats.rays;
     return rays;
 }
 
@@ -140,9 +140,10 @@ TEST(TemporalCache, WithoutChangesNothingIsTracedForRecords) {
         EXPECT_EQ(stats.cache->kept, made);
         EXPECT_EQ(stats.cache->updated, 0U);
         EXPECT_EQ(stats.cache->made, 0U);
-        for (const char* const stage :
-             {"VPL walk", "VPL doubts", "record doubts", "record updates", "irradiance records"})
-            EXPECT_EQ(rays_of(follower.renderer, stage), 0U) << stage;
+        for (const Stage stage :
+             {Stage::vpl_walk, Stage::vpl_invalidation, Stage::record_invalidation,
+              Stage::record_updates, Stage::irradiance_records})
+            EXPECT_EQ(rays_of(follower.renderer, stage), 0U) << stage_name(stage);
     }
     EXPECT_EQ(follower.renderer.stats()[0].rays > follower.renderer.stats()[1].rays, true);
 }
@@ -154,8 +155,8 @@ TEST(TemporalCache, LightsAndColoursAreSummedUpWithoutRays) {
     for (Material& material : dimmed.room.scene.materials) material.emission *= 0.5F;
     for (PunctualLight& light : dimmed.room.scene.lights) light.intensity *= 0.5F;
     const FrameStats& stats = dimmed.next();
-    EXPECT_EQ(rays_of(dimmed.renderer, "VPL walk"), 0U);
-    EXPECT_EQ(rays_of(dimmed.renderer, "record updates"), 0U);
+    EXPECT_EQ(rays_of(dimmed.renderer, Stage::vpl_walk), 0U);
+    EXPECT_EQ(rays_of(dimmed.renderer, Stage::record_updates), 0U);
     EXPECT_EQ(stats.cache->updated, stats.cache->kept);
     const std::vector<float> after = dimmed.renderer.image().find("indirect")->values;
     double worst = 0.0;
@@ -167,8 +168,8 @@ TEST(TemporalCache, LightsAndColoursAreSummedUpWithoutRays) {
     // And a colour changes flux only.
     dimmed.room.scene.materials[0].albedo = {0.2F, 0.4F, 0.6F};
     dimmed.next();
-    EXPECT_EQ(rays_of(dimmed.renderer, "VPL walk"), 0U);
-    EXPECT_EQ(rays_of(dimmed.renderer, "record updates"), 0U);
+    EXPECT_EQ(rays_of(dimmed.renderer, Stage::vpl_walk), 0U);
+    EXPECT_EQ(rays_of(dimmed.renderer, Stage::record_updates), 0U);
 }
 
 TEST(TemporalCache, ALightThatGoesOutAndOnAgainIsFollowed) {
@@ -275,7 +276,7 @@ TEST(TemporalCache, AnEarlyEndLeavesNothingHalfDone) {
         follower.renderer.update_scene();
         follower.renderer.move_camera(test::room_camera());
         int left = steps;
-        follower.renderer.render_frame([&](const std::string&, double) { return left-- > 0; });
+        follower.renderer.render_frame([&](Stage, double) { return left-- > 0; });
         follower.room.move(0, {-0.05, 0.1, 0.0});
         EXPECT_EQ(follower.next().cache->differing, 0U) << "steps " << steps;
     }

@@ -88,7 +88,7 @@ TEST(UnwrittenMemory, WholeFramesDoNotKnowIt) {
 Image interrupted(Executor& executor, const FlatScene& scene, const RenderSettings& how, int calls,
                   bool& complete) {
     Renderer renderer(executor, scene, camera(), how);
-    complete = renderer.render_frame([&](const std::string&, double) { return calls-- > 0; });
+    complete = renderer.render_frame([&](Stage, double) { return calls-- > 0; });
     return renderer.image();
 }
 

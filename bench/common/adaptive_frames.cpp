@@ -99,7 +99,7 @@ FrameTime frame_time(const FrameStats& stats, const Timing& timing) {
     for (const StageStats& stage : stats.stages) {
         time.all.add(stage);
         const auto same = std::find_if(time.stages.begin(), time.stages.end(), [&](const auto& s) {
-            return s.name == stage.name && s.component == stage.component;
+            return s.stage == stage.stage && s.component == stage.component;
         });
         if (same == time.stages.end()) {
             time.stages.push_back(stage);
@@ -110,15 +110,15 @@ FrameTime frame_time(const FrameStats& stats, const Timing& timing) {
         if (stage.component == "indirect") time.indirect.add(stage);
         if (stage.component == "direct") time.direct.add(stage);
         if (stage.component == "media") time.media.add(stage);
-        if (stage.name == "VPL gather") time.vpl_gather.add(stage);
-        if (stage.name == "area lights") time.area_lights.add(stage);
+        if (stage.stage == Stage::vpl_gather) time.vpl_gather.add(stage);
+        if (stage.stage == Stage::area_lights) time.area_lights.add(stage);
     }
     return time;
 }
 
-double FrameTime::stage_ms(const std::string& component, const std::string& name) const {
+double FrameTime::stage_ms(const std::string& component, Stage wanted) const {
     for (const StageStats& stage : stages)
-        if (stage.component == component && stage.name == name) return stage.ms;
+        if (stage.component == component && stage.stage == wanted) return stage.ms;
     return 0.0;
 }
 

@@ -61,7 +61,7 @@ struct FrameTime {
     std::vector<LevelStats> levels;  ///< of adaptive components
 
     /// Milliseconds of that stage; 0 where there is none.
-    [[nodiscard]] double stage_ms(const std::string& component, const std::string& name) const;
+    [[nodiscard]] double stage_ms(const std::string& component, Stage stage) const;
     /// Pixels that the component sampled; 0 where it is not adaptive.
     [[nodiscard]] std::uint64_t sampled(std::string_view component) const;
 };

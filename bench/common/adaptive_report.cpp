@@ -84,12 +84,12 @@ std::string time_row(const AdaptiveScene& scene, const MethodFrames& method) {
 /// Where the milliseconds of full frames go: a line for every stage, a column for every method.
 std::string stage_table(const AdaptiveScene& scene) {
     std::string text = fmt::format("  {:28}", "stage, ms");
-    std::vector<std::pair<std::string, std::string>> stages;
+    std::vector<std::pair<std::string, Stage>> stages;
     for (const MethodFrames& method : scene.frames.methods) {
         text += fmt::format("{:>9}", method.name);
         if (method.of(FrameView::full).empty()) continue;
         for (const StageStats& stage : method.of(FrameView::full).front().stages) {
-            const std::pair key(stage.component, stage.name);
+            const std::pair key(stage.component, stage.stage);
             if (std::find(stages.begin(), stages.end(), key) == stages.end()) stages.push_back(key);
         }
     }
@@ -103,8 +103,9 @@ std::string stage_table(const AdaptiveScene& scene) {
         text += "\n";
     };
     for (const auto& stage : stages)
-        line(stage.first.empty() ? stage.second : stage.first + ": " + stage.second,
-             [&](const FrameTime& time) { return time.stage_ms(stage.first, stage.second); });
+        line(
+            (stage.first.empty() ? "" : stage.first + ": ") + std::string(stage_name(stage.second)),
+            [&](const FrameTime& time) { return time.stage_ms(stage.first, stage.second); });
     line("outside of the device", [](const FrameTime& time) { return time.wall_ms - time.all.ms; });
     return text;
 }
@@ -137,7 +138,7 @@ nlohmann::json time_json(const FrameTime& time) {
         levels[level.component] = {{"tiles", level.tiles}, {"samples", level.samples}};
     nlohmann::json stages = nlohmann::json::array();
     for (const StageStats& stage : time.stages)
-        stages.push_back({{"name", stage.name},
+        stages.push_back({{"name", stage_name(stage.stage)},
                           {"component", stage.component},
                           {"ms", stage.ms},
                           {"rays", stage.rays}});

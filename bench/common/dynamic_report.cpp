@@ -72,8 +72,8 @@ nlohmann::json rays_by_class(const nlohmann::json& sequences) {
 nlohmann::json stage_sums(const std::vector<StageStats>& stages, bool rays) {
     nlohmann::json sums = nlohmann::json::object();
     for (const StageStats& stage : stages) {
-        if (rays && (stage.rays == 0 || stage.name == "primary rays")) continue;
-        nlohmann::json& sum = sums[stage.name];
+        if (rays && (stage.rays == 0 || stage.stage == Stage::primary_rays)) continue;
+        nlohmann::json& sum = sums[std::string(stage_name(stage.stage))];
         if (rays)
             sum = (sum.is_null() ? 0 : sum.get<std::uint64_t>()) + stage.rays;
         else

@@ -84,9 +84,9 @@ struct Audit {
 
     void add(const DynamicFrame& frame) {
         // Light paths are only doubted where something has changed, and only then all is compared.
-        const bool followed =
-            std::any_of(frame.stages.begin(), frame.stages.end(),
-                        [](const StageStats& stage) { return stage.name == "VPL doubts"; });
+        const bool followed = std::any_of(
+            frame.stages.begin(), frame.stages.end(),
+            [](const StageStats& stage) { return stage.stage == Stage::vpl_invalidation; });
         if (!frame.cache || !followed) return;
         ++frames;
         compared += frame.cache->kept;

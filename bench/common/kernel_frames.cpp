@@ -14,7 +14,7 @@ namespace weft::bench {
 namespace {
 
 bool same_stage(const StageStats& a, const StageStats& b) {
-    return a.name == b.name && a.component == b.component;
+    return a.stage == b.stage && a.component == b.component;
 }
 
 void add_stages(const std::vector<StageStats>& stages, std::vector<StageStats>& sums) {

@@ -46,7 +46,7 @@ nlohmann::json stages_json(const BackendFrames& backend, const BackendFrames& ba
     nlohmann::json stages = nlohmann::json::array();
     for (const StageStats& stage : example(backend).stages) {
         const Figure ms = [&](const MeteredFrame& frame) { return frame.stage_ms(stage); };
-        stages.push_back({{"name", stage.name},
+        stages.push_back({{"name", stage_name(stage.stage)},
                           {"component", stage.component},
                           {"ms", median_of(backend, ms)},
                           {"ratio", ratio(backend, base, ms)},

@@ -84,10 +84,10 @@ nlohmann::json stages_json(const MethodFrames& frames) {
     nlohmann::json stages = nlohmann::json::object();
     if (frames.of(FrameView::full).empty()) return stages;
     for (const StageStats& stage : frames.of(FrameView::full).front().stages) {
-        const std::string name =
-            stage.component.empty() ? stage.name : stage.component + ": " + stage.name;
+        const std::string name = (stage.component.empty() ? "" : stage.component + ": ") +
+                                 std::string(stage_name(stage.stage));
         stages[name] = significant(frames.median_of(FrameView::full, [&](const FrameTime& time) {
-            return time.stage_ms(stage.component, stage.name);
+            return time.stage_ms(stage.component, stage.stage);
         }));
     }
     return stages;

@@ -79,20 +79,21 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
 }
 
 /// How far a frame is, from what its stages cost as a rule.
-double share_of_frame(const std::string& stage, double done) {
+double share_of_frame(Stage stage, double done) {
     constexpr double before_gather = 0.1;
     constexpr double direct = 0.15;
-    if (stage == "VPL gather" || stage == "hemisphere rays")
+    if (stage == Stage::vpl_gather || stage == Stage::hemisphere_rays)
         return before_gather + direct + 0.7 * done;
-    if (stage == "area lights" || stage == "distant light") return before_gather + direct * done;
-    if (stage == "VPL residual") return 0.95;
-    if (stage == "reconstruction" || stage == "composition") return 0.97;
+    if (stage == Stage::area_lights || stage == Stage::distant_light)
+        return before_gather + direct * done;
+    if (stage == Stage::vpl_residual) return 0.95;
+    if (stage == Stage::reconstruction || stage == Stage::composition) return 0.97;
     return before_gather * done * 0.5;
 }
 
 /// Stages that read no light, but that every later one builds on: the first frame has them whole.
-bool is_needed_by_all(const std::string& stage) {
-    return stage == "primary rays" || stage == "receivers";
+bool is_needed_by_all(Stage stage) {
+    return stage == Stage::primary_rays || stage == Stage::receivers;
 }
 
 /// Renders frames until the options' count, their time or the user ends it.
@@ -104,11 +105,11 @@ bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& p
     const double budget_ms = timed ? *options.time_seconds * 1000.0 : 0.0;
     double shown = 0.0;
     std::uint32_t frame = 0;
-    const KeepGoing keep_going = [&](const std::string& stage, double done) {
+    const KeepGoing keep_going = [&](Stage stage, double done) {
         double fraction = (frame + share_of_frame(stage, done)) / frames;
         if (timed) fraction = std::max(fraction, std::min(1.0, watch.total() / budget_ms));
         shown = std::max(shown, fraction);
-        progress.update(shown, stage);
+        progress.update(shown, stage_name(stage));
         // A first frame is finished even when the time is up: less than a picture helps nobody.
         if (frame == 0 && is_needed_by_all(stage)) return true;
         const bool out_of_time = timed && frame > 0 && watch.total() > budget_ms;

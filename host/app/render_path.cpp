@@ -62,8 +62,8 @@ bool render_path(PathRenderer& renderer, const RenderOptions& options, Progress&
         if (options.time_seconds) return std::min(1.0, watch.total() / budget_ms);
         return all > 0 ? static_cast<double>(all - renderer.samples_left()) / all : 1.0;
     };
-    const KeepGoing keep_going = [&](const std::string& stage, double) {
-        progress.update(share_done(), stage);
+    const KeepGoing keep_going = [&](Stage stage, double) {
+        progress.update(share_done(), stage_name(stage));
         return !interrupt_flag();
     };
     while (renderer.samples_left() > 0 && !interrupt_flag()) {

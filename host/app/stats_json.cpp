@@ -19,7 +19,7 @@ constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "
                                                                    "surface", "media"};
 
 nlohmann::json stage_json(const StageStats& stage) {
-    nlohmann::json json{{"name", stage.name},
+    nlohmann::json json{{"name", stage_name(stage.stage)},
                         {"component", stage.component},
                         {"ms", stage.ms},
                         {"rays", stage.rays}};

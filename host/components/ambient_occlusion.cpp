@@ -81,7 +81,7 @@ void AmbientOcclusion::gather(FrameContext& frame, const InterleavedIrradiance::
     frame.params.list_first = 0;
     frame.params.list_stride = occlusion_directions_per_set;
     frame.params.list_length = occlusion_directions_per_set * (all ? frame.plan.sets : 1);
-    frame.run(KernelId::ambient_occlusion, "occlusion rays", name, true,
+    frame.run(KernelId::ambient_occlusion, Stage::occlusion_rays, name, true,
               {&slots.receivers, &slots.block_set, directions_.get(), &slots.irradiance,
                frame.buffers.counters.get()},
               slots.count, 0, slots.first);
@@ -95,7 +95,7 @@ void AmbientOcclusion::reconstruct(FrameContext& frame) {
         frames_ = 0;
     }
     add_frame(frame.executor);
-    frame.add_host_stage("occlusion layer", name, watch.total());
+    frame.add_host_stage(Stage::occlusion_layer, name, watch.total());
 }
 
 void AmbientOcclusion::add_frame(Executor& executor) {

@@ -46,7 +46,7 @@ ComponentNeeds needs(const FramePlan& plan) {
 /// A list of lights that all receivers gather: of set k, `length` samples from first + k stride on.
 struct GatheredLights {
     KernelId kernel;
-    const char* stage;
+    Stage stage;
     std::uint32_t first, stride, length;
 };
 
@@ -111,7 +111,7 @@ void Direct::sample_distant(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
     frame.params.list_first = plan.area_samples() + plan.punctual_lights;
     frame.params.list_stride = plan.environment_samples;
-    frame.run(KernelId::distant_light, "distant light", name, true,
+    frame.run(KernelId::distant_light, Stage::distant_light, name, true,
               with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
                                    frame.scene_buffers.lights.get(),
                                    shared_.or_nothing(shared_.light_samples),
@@ -135,15 +135,15 @@ void Direct::sample(FrameContext& frame) {
         soft_shadows_->sample(frame, *shared_.light_samples, *irradiance_);
     } else if (plan.samples_per_set > 0) {
         gather(frame,
-               {area_light_kernel(plan), "area lights", 0, plan.samples_per_set,
+               {area_light_kernel(plan), Stage::area_lights, 0, plan.samples_per_set,
                 plan.gather_sets == 1 ? plan.area_samples() : plan.samples_per_set},
                irradiance_.get());
     }
     if (plan.punctual_lights > 0)
-        gather(
-            frame,
-            {KernelId::vpl_gather, "punctual lights", plan.area_samples(), 0, plan.punctual_lights},
-            exact_irradiance_.get());
+        gather(frame,
+               {KernelId::vpl_gather, Stage::punctual_lights, plan.area_samples(), 0,
+                plan.punctual_lights},
+               exact_irradiance_.get());
     if (plan.has_distant()) sample_distant(frame);
 }
 

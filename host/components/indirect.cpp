@@ -57,7 +57,7 @@ void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& s
     const float roulette_before =
         std::exchange(frame.params.roulette, static_cast<float>(plan.roulette));
     frame.run(
-        KernelId::vpl_gather, "VPL gather", name, true,
+        KernelId::vpl_gather, Stage::vpl_gather, name, true,
         with_media(frame.buffers, {&slots.receivers, &slots.block_set, frame.buffers.vpls.get(),
                                    &slots.irradiance, frame.buffers.counters.get()}),
         slots.count / lanes, gather_items_per_launch(frame.executor, frame.params.list_length),

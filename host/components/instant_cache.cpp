@@ -84,16 +84,16 @@ void InstantCache::make_records(FrameContext& frame, const std::vector<std::uint
     Stopwatch watch;
     const std::vector<std::uint32_t> ordered = record_order(frame, pixels);
     const std::uint32_t first = pool_.append(ordered);
-    frame.add_host_stage("record places", name, watch.lap());
+    frame.add_host_stage(Stage::record_places, name, watch.lap());
     place_records(frame, name, pool_, first, *pixel_slot_);
     pool_.set_states(CACHE_FRESH);
-    gather_records(frame, name, "irradiance records", pool_, first, nullptr);
+    gather_records(frame, name, Stage::irradiance_records, pool_, first, nullptr);
     if (frame.ended_early()) return;
     watch.lap();
     const RecordPool::Contents made = pool_.read(first);
     store_.set(frame.executor, made.records);
     if (kept_) kept_->add(frame, made, ordered, first);
-    frame.add_host_stage("record store", name, watch.lap());
+    frame.add_host_stage(Stage::record_store, name, watch.lap());
 }
 
 void InstantCache::sample(FrameContext& frame) {

@@ -63,7 +63,7 @@ ComponentNeeds needs_of_interleaved(bool adapts) {
 
 void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,
                      Buffer& irradiance, Buffer& filtered) {
-    frame.run(KernelId::reconstruct, "reconstruction", component, false,
+    frame.run(KernelId::reconstruct, Stage::reconstruction, component, false,
               with_gbuffer(gbuffer, {frame.buffers.pixel_slot.get(), &irradiance, &filtered}),
               TileGrid{frame.params.width, frame.params.height}.tiles());
 }

@@ -96,13 +96,13 @@ void IrradianceCache::trace_batch(FrameContext& frame, std::uint32_t first, std:
     frame.params.list_stride = frame.plan.cache_elevations;
     frame.params.list_length = frame.plan.cache_azimuths;
     const FrameBuffers& buffers = frame.buffers;
-    frame.run(KernelId::hemisphere_rays, "hemisphere rays", name, true,
+    frame.run(KernelId::hemisphere_rays, Stage::hemisphere_rays, name, true,
               with_geometry(frame.scene_buffers,
                             {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
                              &pool_.receivers(), &pool_.slot_pixel(), cells_.get(),
                              buffers.counters.get(), buffers.nonfinite.get()}),
               count * cells_of(frame.plan));
-    frame.run(KernelId::hemisphere_records, "irradiance records", name, false,
+    frame.run(KernelId::hemisphere_records, Stage::irradiance_records, name, false,
               with_gbuffer(buffers.gbuffer, {&pool_.receivers(), &pool_.slot_pixel(), cells_.get(),
                                              &pool_.planes()}),
               count);
@@ -113,7 +113,7 @@ std::uint32_t IrradianceCache::make_records(FrameContext& frame,
                                             const std::vector<std::uint32_t>& pixels) {
     Stopwatch watch;
     const std::uint32_t first = pool_.append(record_order(frame, pixels));
-    frame.add_host_stage("record places", name, watch.lap());
+    frame.add_host_stage(Stage::record_places, name, watch.lap());
     place_records(frame, name, pool_, first, *pixel_slot_);
     for (std::uint32_t slot = first; slot < pool_.slots(); slot += batch_)
         trace_batch(frame, slot, std::min(batch_, pool_.slots() - slot));
@@ -137,7 +137,7 @@ void IrradianceCache::fill_store(FrameContext& frame, std::uint32_t first) {
         records.back().position.w = std::max(radii[i], least);
     }
     store_.set(frame.executor, records);
-    frame.add_host_stage("record store", name, watch.lap());
+    frame.add_host_stage(Stage::record_store, name, watch.lap());
 }
 
 void IrradianceCache::sample(FrameContext& frame) {

@@ -51,7 +51,7 @@ class Media : public Component {
   private:
     /// A list of virtual lights; see Params.
     struct Lights {
-        const char* stage;
+        Stage stage;
         Buffer* buffer;
         std::uint32_t first, stride, length;
         std::uint32_t steps;
@@ -104,7 +104,7 @@ void Media::gather_distant(FrameContext& frame, const InterleavedIrradiance::Slo
     const GBuffer& ends = frame.buffers.view_media->ends();
     frame.params.media_steps = frame.plan.media_steps;
     frame.run(
-        KernelId::media_distant, "distant light in media", name, true,
+        KernelId::media_distant, Stage::media_distant_light, name, true,
         with_media(frame.buffers, {frame.scene_buffers.lights.get(), ends[gbuffer_position].get(),
                                    ends[gbuffer_albedo].get(), &slots.slot_pixel, &slots.block_set,
                                    &slots.irradiance, frame.buffers.counters.get()}),
@@ -117,16 +117,17 @@ void Media::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slot
     const std::uint32_t sets = plan.gather_sets == 1 ? plan.sets : 1;
     std::vector<Lights> lists;
     if (samples_)
-        lists.push_back({"area lights in media", samples_.get(), 0, plan.media_samples_per_set,
+        lists.push_back({Stage::media_area_lights, samples_.get(), 0, plan.media_samples_per_set,
                          plan.media_samples_per_set * sets, 1, 0.0});
     if (plan.punctual_lights > 0)
-        lists.push_back({"punctual lights in media", buffers.light_samples.get(),
+        lists.push_back({Stage::media_punctual_lights, buffers.light_samples.get(),
                          plan.area_samples(), 0, plan.punctual_lights, plan.media_steps, 0.0});
     if (plan.has_vpls())
-        lists.push_back({"VPLs in media", buffers.vpls.get(), 0, plan.vpls_per_set,
+        lists.push_back({Stage::media_vpls, buffers.vpls.get(), 0, plan.vpls_per_set,
                          plan.vpls_per_set * sets, 1, plan.roulette});
     // An empty list leaves all dark.
-    if (lists.empty()) lists.push_back({"media", buffers.nothing.get(), 0, 0, 0, 1, 0.0});
+    if (lists.empty())
+        lists.push_back({Stage::media_clear, buffers.nothing.get(), 0, 0, 0, 1, 0.0});
     frame.params.media_adds = 0;
     for (const Lights& lights : lists) {
         gather_lights(frame, slots, lights);

@@ -39,12 +39,12 @@ void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradianc
     look(frame, samples, irradiance);
     edges_ = {};
     if (frame.ended_early()) return;
-    frame.add_host_stage("scheduling", name, find_edges());
+    frame.add_host_stage(Stage::scheduling, name, find_edges());
     look_again(frame, samples, irradiance);
 }
 
 void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
-    frame.run(KernelId::shadow_probes, "shadow probes", name, true,
+    frame.run(KernelId::shadow_probes, Stage::shadow_probes, name, true,
               with_lamps(frame, {shared_.receivers.get(), shared_.block_set.get(),
                                  shared_.slot_pixel.get(), &samples, &irradiance,
                                  pixel_shadows_.get(), shared_.counters.get()}),
@@ -52,7 +52,7 @@ void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance)
               gather_items_per_launch(executor_, frame.plan.samples_per_set));
     const std::uint32_t lanes = executor_.lanes();
     const std::uint32_t runs = (grid_.width + lanes - 1) / lanes * grid_.height;
-    frame.run(KernelId::shadow_edges, "shadow edges", name, false,
+    frame.run(KernelId::shadow_edges, Stage::shadow_edges, name, false,
               {pixel_shadows_.get(), shadow_edges_.get()}, runs * words_);
 }
 
@@ -76,7 +76,7 @@ void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irrad
         ((grid_.width + edge - 1) / edge) * ((grid_.height + edge - 1) / edge);
     // A full cell has as many packets as a packet has lanes; edges are usually of a quarter.
     const std::uint32_t packets = std::max(1U, executor_.lanes() / 4);
-    frame.run(KernelId::soft_shadows, "area lights", name, true,
+    frame.run(KernelId::soft_shadows, Stage::area_lights, name, true,
               with_lamps(frame, {shared_.receivers.get(), shared_.pixel_slot.get(), &samples,
                                  pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
                                  shared_.gbuffer[gbuffer_albedo].get(), &irradiance,

@@ -103,7 +103,7 @@ void VplResidual::sample(FrameContext& frame) {
         const std::uint32_t slots_before = std::exchange(frame.params.slots, to.slots.stride);
         frame.params.list_length = to.parts;
         frame.run(
-            KernelId::vpl_residual, "VPL residual", "", true,
+            KernelId::vpl_residual, Stage::vpl_residual, "", true,
             with_geometry(frame.scene_buffers,
                           {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
                            to.slots.receivers, to.slots.slot_pixel, to.direct, to.indirect,
@@ -119,7 +119,7 @@ void VplResidual::reconstruct(FrameContext& frame) {
         Buffer* const filtered =
             apart.part == LightPart::direct ? composed.direct : composed.indirect;
         frame.run(
-            KernelId::filter_residual, "reconstruction", "", false,
+            KernelId::filter_residual, Stage::reconstruction, "", false,
             with_gbuffer(shared_, {shared_.pixel_slot.get(), apart.irradiance.get(), filtered}),
             frame.params.width * frame.params.height);
     }

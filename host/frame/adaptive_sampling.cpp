@@ -34,7 +34,7 @@ TileGeometry::TileGeometry(Executor& executor, std::uint32_t width, std::uint32_
       buffer_(executor.allocate(grid_.tiles() * sizeof(shared::TileRecord), "tiles")) {}
 
 void TileGeometry::examine(FrameContext& frame, const GBuffer& gbuffer) {
-    frame.run(KernelId::tile_geometry, "tile geometry", "", false,
+    frame.run(KernelId::tile_geometry, Stage::tile_geometry, "", false,
               with_gbuffer(gbuffer, {buffer_.get()}), grid_.tiles());
     records_ = read_buffer<shared::TileRecord>(frame.executor, *buffer_, grid_.tiles());
     ordered_masks_.clear();
@@ -118,7 +118,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
             fade_.show(scheduler_->heights());
         }
     }
-    frame.add_host_stage("scheduling", component, host_ms);
+    frame.add_host_stage(Stage::scheduling, component, host_ms);
     frame.params.slots = slots_before;
 }
 
@@ -151,7 +151,7 @@ void AdaptiveSampling::run_round(FrameContext& frame, const char* component, con
     const auto first = static_cast<std::uint32_t>(work_.pixels.size()) - count;
     // Also in a frame that ends early: reconstruction finds the samples by their pixels.
     frame.run_whole([&] {
-        frame.run(KernelId::receivers, "receivers", component, false,
+        frame.run(KernelId::receivers, Stage::receivers, component, false,
                   with_gbuffer(gbuffer, {slot_pixel_.get(), view_inside(frame.buffers),
                                          receivers_.get(), pixel_slot_.get()}),
                   count, 0, first);
@@ -164,7 +164,7 @@ std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const 
                                                      Buffer& irradiance) {
     const std::uint32_t points = lattice_points(grid_, level);
     frame.params.list_stride = stride_of(level);
-    frame.run(KernelId::lattice_signal, "heuristic", component, false,
+    frame.run(KernelId::lattice_signal, Stage::heuristic, component, false,
               with_gbuffer(gbuffer, {pixel_slot_.get(), &irradiance, signal_.get()}), points);
     return read_buffer<shared::float4>(frame.executor, *signal_, points);
 }
@@ -174,7 +174,7 @@ void AdaptiveSampling::reconstruct(FrameContext& frame, const char* component,
                                    Buffer& irradiance, Buffer& filtered) {
     write_buffer<float>(frame.executor, *tile_height_, scheduler_->heights());
     const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
-    frame.run(KernelId::reconstruct_tiles, "reconstruction", component, false,
+    frame.run(KernelId::reconstruct_tiles, Stage::reconstruction, component, false,
               with_gbuffer(gbuffer, {&tiles.buffer(), tile_height_.get(), pixel_slot_.get(),
                                      &irradiance, &filtered}),
               grid_.tiles());

@@ -17,7 +17,7 @@ CachedPixels::CachedPixels(Executor& executor, std::uint32_t width, std::uint32_
 
 void CachedPixels::begin(FrameContext& frame, const char* component) {
     frame.run_whole([&] {
-        frame.run(KernelId::cache_tiles, "tile bounds", component, false,
+        frame.run(KernelId::cache_tiles, Stage::tile_bounds, component, false,
                   with_gbuffer(frame.buffers.gbuffer,
                                {tile_boxes_.get(), irradiance_.get(), missing_.get()}),
                   grid_.tiles());
@@ -26,7 +26,7 @@ void CachedPixels::begin(FrameContext& frame, const char* component) {
 
 void CachedPixels::look_up(FrameContext& frame, const char* component, const RecordStore& store) {
     frame.params.cache_records = store.count();
-    frame.run(KernelId::cache_lookup, "cache lookup", component, true,
+    frame.run(KernelId::cache_lookup, Stage::cache_lookup, component, true,
               with_gbuffer(frame.buffers.gbuffer,
                            {tile_boxes_.get(), &store.records(), &store.boxes(), &store.used(),
                             irradiance_.get(), missing_.get(), frame.buffers.counters.get()}),

@@ -30,7 +30,7 @@ EdgeSamples::EdgeSamples(Executor& executor, std::uint32_t width, std::uint32_t 
 void EdgeSamples::find(FrameContext& frame) {
     // The third buffer of the geometry is that of instances.
     Buffer* const instances = frame.scene_buffers.geometry.at(2).get();
-    frame.run(KernelId::edge_masks, "edge detection", "", false,
+    frame.run(KernelId::edge_masks, Stage::edge_detection, "", false,
               with_gbuffer(frame.buffers, {instances, masks_.get()}), grid_.tiles());
     const auto words =
         read_buffer<std::uint32_t>(frame.executor, *masks_, std::size_t{2} * grid_.tiles());
@@ -53,7 +53,7 @@ void EdgeSamples::sample(FrameContext& frame) {
     const std::uint32_t pixels_per_item =
         shared::edge_pixels_of_item(frame.executor.lanes(), frame.params.edge_samples);
     frame.run(
-        KernelId::edge_samples, "edge samples", "", true,
+        KernelId::edge_samples, Stage::edge_samples, "", true,
         with_geometry(
             frame.scene_buffers,
             with_gbuffer(buffers,

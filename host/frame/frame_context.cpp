@@ -127,7 +127,7 @@ void clear_nonfinite(Executor& executor, Buffer& counter) {
     write_buffer(executor, counter, std::span<const shared::NonfiniteCounter>(&clear, 1));
 }
 
-void FrameContext::run(KernelId kernel, const char* stage, const char* component, bool traces,
+void FrameContext::run(KernelId kernel, Stage stage, const char* component, bool traces,
                        const std::vector<Buffer*>& arguments, std::uint32_t items,
                        std::uint32_t items_per_launch, std::uint32_t first_item) {
     if (items == 0 || (ended_early_ && !finishing_)) return;
@@ -149,13 +149,13 @@ void FrameContext::run(KernelId kernel, const char* stage, const char* component
                         items_per_launch,
                         first_item,
                         &stages_.back().ms};
-    const std::string name = stage;
-    const bool complete = executor.run(
-        launch, [&](double done) { return finishing_ || !keep_going_ || keep_going_(name, done); });
+    const bool complete = executor.run(launch, [&](double done) {
+        return finishing_ || !keep_going_ || keep_going_(stage, done);
+    });
     ended_early_ = ended_early_ || !complete;
 }
 
-void FrameContext::add_host_stage(const char* stage, const char* component, double ms) {
+void FrameContext::add_host_stage(Stage stage, const char* component, double ms) {
     stages_.push_back({stage, component, ms, 0, 0});
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "device/executor.h"
+#include "frame/stage.h"
 #include "scene/flat_scene.h"
 #include "schedule/frame_budget.h"
 #include "schedule/frame_plan.h"
@@ -104,7 +105,7 @@ void clear_nonfinite(Executor& executor, Buffer& counter);
 
 /// What one stage of a frame took.
 struct StageStats {
-    std::string name;
+    Stage stage{};
     std::string component;
     double ms = 0.0;
     std::uint64_t rays = 0;
@@ -112,7 +113,7 @@ struct StageStats {
 };
 
 /// Asked between launches with the stage's share done, in [0, 1]; false ends the frame early.
-using KeepGoing = std::function<bool(const std::string& stage, double done)>;
+using KeepGoing = std::function<bool(Stage stage, double done)>;
 
 /// What every frame of a rendering shares.
 struct FrameInputs {
@@ -136,7 +137,7 @@ class FrameContext : public FrameInputs {
 
     /// Runs one kernel as a stage and records its time and rays. After an early end nothing heavy
     /// runs any more. `arguments` follow Params (and the scene where `traces`).
-    void run(KernelId kernel, const char* stage, const char* component, bool traces,
+    void run(KernelId kernel, Stage stage, const char* component, bool traces,
              const std::vector<Buffer*>& arguments, std::uint32_t items,
              std::uint32_t items_per_launch = 0, std::uint32_t first_item = 0);
 
@@ -152,7 +153,7 @@ class FrameContext : public FrameInputs {
     /// The stages so far, with what they counted.
     [[nodiscard]] const std::deque<StageStats>& stages();
     /// Records work of the host between stages.
-    void add_host_stage(const char* stage, const char* component, double ms);
+    void add_host_stage(Stage stage, const char* component, double ms);
 
     shared::Params params;
 

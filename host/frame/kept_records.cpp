@@ -37,15 +37,15 @@ bool same_bits(const T& a, const T& b) {
 void place_records(FrameContext& frame, const char* component, const RecordPool& pool,
                    std::uint32_t first, Buffer& pixel_slot) {
     const std::uint32_t slots_before = std::exchange(frame.params.slots, pool.room());
-    frame.run(KernelId::receivers, "receivers", component, false,
+    frame.run(KernelId::receivers, Stage::receivers, component, false,
               with_gbuffer(frame.buffers.gbuffer, {&pool.slot_pixel(), view_inside(frame.buffers),
                                                    &pool.receivers(), &pixel_slot}),
               pool.slots() - first, 0, first);
     frame.params.slots = slots_before;
 }
 
-void gather_records(FrameContext& frame, const char* component, const char* stage,
-                    const RecordPool& pool, std::uint32_t first, const SceneMotion* motion) {
+void gather_records(FrameContext& frame, const char* component, Stage stage, const RecordPool& pool,
+                    std::uint32_t first, const SceneMotion* motion) {
     const shared::Params before = frame.params;
     frame.params.slots = pool.room();
     frame.params.list_first = 0;
@@ -77,7 +77,7 @@ void KeptRecords::refresh(FrameContext& frame, const char* component) {
     const bool begins = frame.begins != FrameContext::Begins::nothing;
     const Stopwatch watch;
     if (begins) motion_.observe(frame.executor, frame.scene);
-    frame.add_host_stage("changes", component, watch.total());
+    frame.add_host_stage(Stage::scene_changes, component, watch.total());
     // After an early end the pool may hold records that were not finished.
     if (slots_.size() != pool_.slots()) usable_ = false;
     if (frame.begins == FrameContext::Begins::sequence || !usable_ || (begins && motion_.all()))
@@ -89,7 +89,7 @@ void KeptRecords::refresh(FrameContext& frame, const char* component) {
     if (store_is_old_) {
         const Stopwatch filling;
         fill_store(frame.executor);
-        frame.add_host_stage("record store", component, filling.total());
+        frame.add_host_stage(Stage::record_store, component, filling.total());
     }
     stats_.kept = store_.count();
     stats_.bytes = pool_.bytes_per_record() * pool_.room();
@@ -122,13 +122,13 @@ void KeptRecords::update_records(FrameContext& frame, const char* component) {
     frame.other_scene = &motion_.traced();
     const std::uint32_t lanes = frame.executor.lanes();
     frame.run(
-        KernelId::cache_doubts, "record doubts", component, true,
+        KernelId::cache_doubts, Stage::record_invalidation, component, true,
         {&pool_.receivers(), &pool_.planes(), frame.buffers.vpls.get(), &paths_.changes(),
          &motion_.boxes(), &pool_.doubts(), &pool_.packet_states(), frame.buffers.counters.get()},
         pool_.slots() / lanes, gather_items_per_launch(frame.executor, frame.params.list_length));
     frame.other_scene = nullptr;
     frame.params = before;
-    gather_records(frame, component, "record updates", pool_, 0, &motion_);
+    gather_records(frame, component, Stage::record_updates, pool_, 0, &motion_);
     if (frame.ended_early()) return;
     store_is_old_ = true;
     const std::vector<std::uint32_t> states = pool_.states();

@@ -22,7 +22,7 @@ void place_records(FrameContext& frame, const char* component, const RecordPool&
 
 /// Gathers VPLs into the records of the slots from `first` on, as their states have it. `motion`:
 /// what has moved, where any of them may have been computed before.
-void gather_records(FrameContext& frame, const char* component, const char* stage,
+void gather_records(FrameContext& frame, const char* component, Stage stage,
                     const RecordPool& pool, std::uint32_t first, const SceneMotion* motion);
 
 /// Temporal Instant Caching (Debattista et al. 2009): records and VPLs outlast their frame, and

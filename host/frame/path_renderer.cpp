@@ -189,7 +189,7 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
     params_.samples = count;
     bool wanted = true;
     // Asked all the same, so that progress is seen.
-    const KeepGoing listen = [&](const std::string& stage, double done) {
+    const KeepGoing listen = [&](Stage stage, double done) {
         if (keep_going) wanted = keep_going(stage, done) && wanted;
         return true;
     };
@@ -201,7 +201,7 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
     for (Buffer* const buffer :
          media_.followed_by({sums_.get(), buffers_.counters.get(), buffers_.nonfinite.get()}))
         arguments.push_back(buffer);
-    frame.run(kernel(), "paths", "", true, arguments, settings_.width * settings_.height,
+    frame.run(kernel(), Stage::paths, "", true, arguments, settings_.width * settings_.height,
               std::max(64U, items / count));
     stats_.push_back(frame_stats(frame, watch));
     stats_.back().picture = picture_;

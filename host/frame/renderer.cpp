@@ -207,12 +207,12 @@ shared::Params Renderer::params_of_frame(std::uint32_t frame) const {
 }
 
 void Renderer::trace_primary(FrameContext& frame) {
-    frame.run(KernelId::gbuffer, "primary rays", "", true,
+    frame.run(KernelId::gbuffer, Stage::primary_rays, "", true,
               with_geometry(scene_buffers_, with_gbuffer(buffers_, {})),
               pixel_blocks(settings_.width, settings_.height, executor_.lanes()));
     if (buffers_.view_media) buffers_.view_media->find(frame);
     if (all_receivers_)
-        frame.run(KernelId::receivers, "receivers", "", false,
+        frame.run(KernelId::receivers, Stage::receivers, "", false,
                   with_gbuffer(buffers_, {buffers_.slot_pixel.get(), view_inside(buffers_),
                                           buffers_.receivers.get(), buffers_.pixel_slot.get()}),
                   buffers_.slots);
@@ -222,7 +222,7 @@ void Renderer::trace_primary(FrameContext& frame) {
 void Renderer::compose(FrameContext& frame) {
     if (buffers_.edges) buffers_.edges->find(frame);
     Buffer* const masks = buffers_.edges ? &buffers_.edges->masks() : buffers_.nothing.get();
-    frame.run(KernelId::compose, "composition", "", false,
+    frame.run(KernelId::compose, Stage::composition, "", false,
               with_gbuffer(buffers_, with_irradiance(buffers_, {buffers_.film_high.get(),
                                                                 buffers_.film_low.get(),
                                                                 buffers_.nonfinite.get(), masks})),
@@ -272,7 +272,7 @@ void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
             {active.name, counts.tiles, counts.samples, budget_.gain(active.name)});
     }
     for (StageStats& stage : stats_.back().stages) {
-        if (stage.name != "primary rays") continue;
+        if (stage.stage != Stage::primary_rays) continue;
         stage.rays = std::uint64_t{settings_.width} * settings_.height;
         stats_.back().rays += stage.rays;
     }

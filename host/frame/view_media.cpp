@@ -43,7 +43,7 @@ void ViewMedia::find(FrameContext& frame) const {
         if (i == gbuffer_shading || i == gbuffer_emission) continue;  // filled once
         others.push_back(ends_.empty() ? frame.buffers.nothing.get() : ends_[i].get());
     }
-    frame.run(KernelId::view_media, "view rays through media", "", false,
+    frame.run(KernelId::view_media, Stage::view_media, "", false,
               with_gbuffer(frame.buffers.gbuffer, others),
               frame.params.width * frame.params.height);
 }

@@ -11,7 +11,7 @@
 namespace weft {
 
 void make_light_samples(FrameContext& frame, const char* component) {
-    frame.run(KernelId::light_samples, "light samples", component, false,
+    frame.run(KernelId::light_samples, Stage::light_samples, component, false,
               with_geometry(frame.scene_buffers,
                             {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
                              frame.buffers.or_nothing(frame.buffers.light_samples)}),
@@ -37,7 +37,7 @@ void make_media_samples(FrameContext& frame, const char* component, Buffer& samp
     frame.params.samples_per_set = plan.media_samples_per_set;
     frame.params.light_bound_scale *=
         static_cast<float>(plan.media_samples_per_set) / static_cast<float>(plan.samples_per_set);
-    frame.run(KernelId::light_samples, "light samples", component, false,
+    frame.run(KernelId::light_samples, Stage::light_samples, component, false,
               with_geometry(frame.scene_buffers, {frame.scene_buffers.lights.get(),
                                                   frame.scene_buffers.emissive.get(), &samples}),
               plan.sets * plan.media_samples_per_set);
@@ -57,7 +57,7 @@ std::vector<Buffer*> with_light_paths(FrameContext& frame, const std::vector<Buf
 
 void run_walk(FrameContext& frame, const char* component, Buffer* doubts, Buffer* memory,
               Buffer* changes) {
-    frame.run(KernelId::vpl_walk, "VPL walk", component, true,
+    frame.run(KernelId::vpl_walk, Stage::vpl_walk, component, true,
               with_light_paths(frame, {doubts, memory, changes, frame.buffers.vpls.get(),
                                        frame.buffers.counters.get()}),
               frame.plan.sets * frame.plan.paths_per_set);
@@ -83,7 +83,7 @@ void LightPaths::walk(FrameContext& frame, const char* component, const SceneMot
     if (known) {
         frame.other_scene = &motion.traced();
         frame.run(
-            KernelId::vpl_doubts, "VPL doubts", component, true,
+            KernelId::vpl_doubts, Stage::vpl_invalidation, component, true,
             with_light_paths(frame, {memory_.get(), doubts_.get(), frame.buffers.counters.get()}),
             paths_);
         frame.other_scene = nullptr;

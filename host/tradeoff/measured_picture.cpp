@@ -46,7 +46,7 @@ MeasuredPicture measure_picture(const PictureSubject& subject, const Preset& pre
                                 std::uint32_t seed, bool first_alone) {
     const std::unique_ptr<FrameRenderer> renderer = renderer_of(subject, preset, seed);
     const auto goes_on = [&] { return !subject.go_on || subject.go_on(); };
-    const KeepGoing keep_going = [&](const std::string&, double) { return goes_on(); };
+    const KeepGoing keep_going = [&](Stage, double) { return goes_on(); };
     // A frame of path tracing may hold many samples.
     while (renderer->samples() < preset.samples) {
         (void)renderer->render_frame(keep_going);
