@@ -7,16 +7,17 @@
 // hidden by it. One work-item per slot, and one ray at a time: the rays of a receiver share no end
 // point.
 #include "counters.h"
+#include "kernel.h"
 #include "receiver_values.h"
+#include "sample_sets.h"
 #include "sampling.h"
 #include "trace.h"
 
 WEFT_KERNEL(ambient_occlusion)
-(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
- GLOBAL const float4* directions, GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = params.first + GLOBAL_ID;
-    uint stride = params.slots;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = range.first + GLOBAL_ID;
+    uint stride = slots;
     uint open = 0u;
     uint rays = 0u;
     if (receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f) {
@@ -26,9 +27,9 @@ WEFT_KERNEL(ambient_occlusion)
         float3 normal = shading;
         if (HAS(&params, FEATURE_SMOOTH_NORMALS))
             normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
-        uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-        GLOBAL const float4* first = directions + params.list_first + set * params.list_stride;
-        for (uint i = 0u; i < params.list_length; ++i) {
+        uint set = receiver_set(&params, block_set, slot);
+        GLOBAL const float4* first = directions + list.first + set * list.stride;
+        for (uint i = 0u; i < list.length; ++i) {
             float4 about_z = first[i];
             float3 direction = turn_to(xyz(about_z), shading);
             if (!(dot3(direction, normal) > 0.0f)) continue;
@@ -36,9 +37,9 @@ WEFT_KERNEL(ambient_occlusion)
             if (trace_any(scene, position, direction, about_z.w) == 0) ++open;
         }
     }
-    float sky = 3.14159265f * ((float)open / (float)params.list_length);
+    float sky = 3.14159265f * ((float)open / (float)list.length);
     irradiance[slot] = sky;
     irradiance[stride + slot] = sky;
     irradiance[2u * stride + slot] = sky;
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

@@ -4,15 +4,17 @@
 // Irradiance from a set's samples on area lights, in packets: as vpl_gather makes it of VPLs, with
 // a ray to every sample, but right close to a lamp too (near_lamp.h).
 #include "counters.h"
+#include "kernel.h"
 #include "near_lamp.h"
 #include "packet_media.h"
+#include "sample_sets.h"
 
 /// Adds a lamp's samples from `first` on to `light`; returns the number of rays.
-static inline uint add_lamp(Scene scene, const Params* params, const Media* media,
+static inline uint add_lamp(Scene scene, const RenderParams* params, const Media* media,
                             const ReceiverPacket* packet, const PacketInside* inside, WFloat scale,
                             GLOBAL const Vpl* first, uint number, WideLight* light) {
     uint rays = 0u;
-    for (uint i = 0u; i < params->samples_per_light; ++i) {
+    for (uint i = 0u; i < params->sampling.lights.per_light; ++i) {
         GLOBAL const Vpl* vpl = first + i;
         float4 flux = vpl->flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
@@ -29,29 +31,28 @@ static inline uint add_lamp(Scene scene, const Params* params, const Media* medi
 }
 
 WEFT_KERNEL(area_lights)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, LAMP_ARGS, GLOBAL const float* receiver_planes,
- GLOBAL const uint* block_set, GLOBAL const Vpl* samples, GLOBAL float* irradiance,
- GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     LAMP_MAKE(lamps);
-    ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    uint sets = mask_any(packet.valid) ? params.list_length / params.samples_per_set : 0u;
+    ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);
+    PacketInside inside =
+        load_inside(&params, &through, receiver_planes, slots, packet.position, slot);
+    uint set = receiver_set(&params, block_set, slot);
+    uint sets = mask_any(packet.valid) ? receiver_sets(&params) : 0u;
     WideLight light = no_light();
     uint rays = 0u;
     for (uint s = set; s < set + sets; ++s) {
-        for (uint l = 0u; l < params.sampled_lights; ++l) {
-            uint number = s * params.samples_per_set + l * params.samples_per_light;
+        for (uint l = 0u; l < params.scene.area_lights; ++l) {
+            uint number = s * params.sampling.lights.per_set + l * params.sampling.lights.per_light;
             GLOBAL const Vpl* first = samples + number;
             WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, samples, s);
             rays += add_lamp(scene, &params, &through, &packet, &inside, scale, first,
-                             number - set * params.samples_per_set, &light);
+                             number - set * params.sampling.lights.per_set, &light);
         }
     }
-    store_light(&params, &light, params.gather_scale, slot, irradiance);
-    count_rays(counters + params.counter, rays);
+    store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
+    count_rays(counters + range.counter, rays);
 }

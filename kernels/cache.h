@@ -6,7 +6,7 @@
 #ifndef WEFT_CACHE_H
 #define WEFT_CACHE_H
 
-// Planes of new records, each Params::slots floats.
+// Planes of new records, each with a float for every slot of the pool.
 #define RECORD_LIGHT 0u  // irradiance, rgb
 #define RECORD_MOVE 3u   // its gradient over places: x, y, z of red, of green, of blue
 #define RECORD_TURN 12u  // and over turns of the normal, likewise

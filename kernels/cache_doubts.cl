@@ -8,6 +8,7 @@
 #include "cache_masks.h"
 #include "connection.h"
 #include "counters.h"
+#include "kernel.h"
 #include "moved.h"
 #include "packet_media.h"
 
@@ -17,10 +18,11 @@ typedef struct {
     float3 lower, upper;
 } BoundedPacket;
 
-static inline BoundedPacket load_packet(const Params* params, GLOBAL const float* receiver_planes,
+static inline BoundedPacket load_packet(const RenderParams* params,
+                                        GLOBAL const float* receiver_planes, uint stride,
                                         uint slot) {
     BoundedPacket packet;
-    packet.receivers = load_receivers(params, receiver_planes, slot);
+    packet.receivers = load_receivers(params, receiver_planes, stride, slot);
     packet.lower = f3(M_INFINITY, M_INFINITY, M_INFINITY);
     packet.upper = -packet.lower;
     LaneVectors places = lanes_of(packet.receivers.position);
@@ -34,13 +36,14 @@ static inline BoundedPacket load_packet(const Params* params, GLOBAL const float
 }
 
 /// Lanes whose connection with a VPL has to be traced again.
-static inline uint doubtful_lanes(const Params* params, Scene moved, const BoundedPacket* packet,
-                                  GLOBAL const Vpl* vpl, uint change,
+static inline uint doubtful_lanes(const RecordUpdate* update, Scene moved,
+                                  const BoundedPacket* packet, GLOBAL const Vpl* vpl, uint change,
                                   GLOBAL const float4* moved_boxes, uint* rays) {
     if (!(max_component(xyz(vpl->flux)) > 0.0f)) return 0u;
     float3 at = xyz(vpl->position);
-    if ((change & VPL_MOVED) == 0u && meets_moved(params, moved_boxes, lowest3(packet->lower, at),
-                                                  highest3(packet->upper, at)) == 0)
+    if ((change & VPL_MOVED) == 0u &&
+        meets_moved(update->moved_boxes, moved_boxes, lowest3(packet->lower, at),
+                    highest3(packet->upper, at)) == 0)
         return 0u;
     WFloat3 d = from_vpl(&packet->receivers, vpl);
     WMask useful;
@@ -51,40 +54,38 @@ static inline uint doubtful_lanes(const Params* params, Scene moved, const Bound
 }
 
 /// 1 where any record of the packet has something that moved within its reach.
-static inline int any_near_moved(const Params* params, const BoundedPacket* packet,
+static inline int any_near_moved(const RecordUpdate* update, const BoundedPacket* packet,
                                  GLOBAL const float* records, GLOBAL const float4* moved_boxes,
-                                 uint slot) {
+                                 uint stride, uint slot) {
     LaneVectors places = lanes_of(packet->receivers.position);
     uint valid = mask_bits(packet->receivers.valid);
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
-        float reach = GUARD_REACH * records[RECORD_MOST * params->slots + slot + lane];
+        float reach = GUARD_REACH * records[RECORD_MOST * stride + slot + lane];
         if ((valid >> lane & 1u) != 0u &&
-            is_near_moved(params, moved_boxes, lane_vector(&places, lane), reach) != 0)
+            is_near_moved(update->moved_boxes, moved_boxes, lane_vector(&places, lane), reach) != 0)
             return 1;
     }
     return 0;
 }
 
 WEFT_KERNEL(cache_doubts)
-(PARAMS, SCENE_ARGS, GLOBAL const float* receiver_planes, GLOBAL const float* records,
- GLOBAL const Vpl* vpls, GLOBAL const uint* vpl_changes, GLOBAL const float4* moved_boxes,
- GLOBAL uint* doubts, GLOBAL uint* states, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint number = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint number = range.first + GLOBAL_ID;
     uint slot = number * (uint)LANES;
     SCENE_MAKE(moved);
-    BoundedPacket packet = load_packet(&params, receiver_planes, slot);
+    BoundedPacket packet = load_packet(&params, receiver_planes, slots, slot);
     uint state = CACHE_KEEP;
     uint rays = 0u;
-    uint count = mask_any(packet.receivers.valid) ? params.list_length : 0u;
-    if (count > 0u && any_near_moved(&params, &packet, records, moved_boxes, slot) != 0)
+    uint count = mask_any(packet.receivers.valid) ? update.vpls : 0u;
+    if (count > 0u && any_near_moved(&update, &packet, records, moved_boxes, slots, slot) != 0)
         state = CACHE_UPDATE;
     uint word = 0u;
     for (uint i = 0u; i < count; ++i) {
         uint change = vpl_changes[i];
-        uint bits = doubtful_lanes(&params, moved, &packet, vpls + i, change, moved_boxes, &rays);
+        uint bits = doubtful_lanes(&update, moved, &packet, vpls + i, change, moved_boxes, &rays);
         if (bits != 0u || change != 0u) state = CACHE_UPDATE;
-        if (params.cache_words == 0u) {
+        if (update.mask_words == 0u) {
             // All of them are traced then.
             if (state == CACHE_UPDATE) break;
             continue;
@@ -92,8 +93,8 @@ WEFT_KERNEL(cache_doubts)
         if (cache_shift(i) == 0u) word = 0u;
         word |= bits << cache_shift(i);
         if (i + 1u == count || cache_shift(i + 1u) == 0u)
-            doubts[cache_word(&params, number, i)] = word;
+            doubts[cache_word(update.mask_words, number, i)] = word;
     }
     states[number] = state;
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

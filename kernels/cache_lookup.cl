@@ -4,10 +4,10 @@
 // Irradiance of the pixels of a tile from the records about them, each extrapolated to first order
 // (Ward and Heckbert 1992). A record serves a place x with normal n' with the weight
 //   1 - |x - x_i|^2 / R_i^2 - (1 - n.n') / e,
-// where e is Params::cache_error: by 1 - n.n' a turn changes light that comes along the normal
-// beyond the first order. It has no steps, and holds where x does not lie behind its surface and,
-// where something may lie between the two, where a ray finds nothing. Pixels with too little weight
-// are missing.
+// where e is SamplingParams::record_error: by 1 - n.n' a turn changes light that comes along the
+// normal beyond the first order. It has no steps, and holds where x does not lie behind its surface
+// and, where something may lie between the two, where a ray finds nothing. Pixels with too little
+// weight are missing.
 //
 // Records of hemispheres (FEATURE_HEMISPHERES) have the weights of Ward, Rubinstein and Clear 1988,
 // 1 / error - 1 / e with the error |x - x_i| e / R_i + sqrt(1 - n.n'), here times e.
@@ -16,6 +16,7 @@
 #include "cache.h"
 #include "connection.h"
 #include "counters.h"
+#include "kernel.h"
 #include "offset.h"
 #include "packet_media.h"
 #include "tile_window.h"
@@ -54,16 +55,17 @@ typedef struct {
 } CachedTile;
 
 /// Ward's weights, below 0 where the record does not serve: of squared distances and 1 - cosines.
-static inline NFloat ward_weights(const Params* params, float radius, NFloat square,
+static inline NFloat ward_weights(const RenderParams* params, float radius, NFloat square,
                                   NFloat turned) {
-    float least_turn = m_max(params->cache_error * params->cache_error, LEAST_TURN);
+    float least_turn =
+        m_max(params->sampling.record_error * params->sampling.record_error, LEAST_TURN);
     NFloat share = node_square_root(VMAX(turned, NODE(0.0f)) * (1.0f / least_turn)) +
                    node_square_root(square) * (1.0f / radius);
     return NODE(1.0f) / VMAX(share, NODE(LEAST_ERROR_SHARE)) - NODE(1.0f);
 }
 
 /// Weights of a record for a row of pixels; 0 where it does not serve.
-static inline NFloat row_weights(const Params* params, const SurfaceRow* row,
+static inline NFloat row_weights(const RenderParams* params, const SurfaceRow* row,
                                  const CacheRecord* record) {
     float radius = record->position.w;
     NFloat x = row->x - record->position.x;
@@ -74,7 +76,7 @@ static inline NFloat row_weights(const Params* params, const SurfaceRow* row,
                     row->shading_z * record->normal.z;
     NFloat turned = NODE(1.0f) - cosine;
     NFloat weight = NODE(1.0f) - square * (1.0f / (radius * radius)) -
-                    turned * (1.0f / m_max(params->cache_error, LEAST_TURN));
+                    turned * (1.0f / m_max(params->sampling.record_error, LEAST_TURN));
     if (HAS(params, FEATURE_HEMISPHERES)) weight = ward_weights(params, radius, square, turned);
     NFloat front = x * (row->normal_x + record->normal.x) + y * (row->normal_y + record->normal.y) +
                    z * (row->normal_z + record->normal.z);
@@ -134,7 +136,7 @@ static inline NMask row_doubts(const SurfaceRow* row, const CacheRecord* record,
 }
 
 /// Sets weights to 0 where something lies between the record and a pixel.
-static inline void weigh_seen(const Params* params, Scene scene, const TileWindow* window,
+static inline void weigh_seen(const RenderParams* params, Scene scene, const TileWindow* window,
                               const CacheRecord* record, float weights[TILE_EDGE][TILE_EDGE],
                               uint* rays) {
     RecordSectors sectors = sectors_of(record);
@@ -161,7 +163,7 @@ static inline void weigh_seen(const Params* params, Scene scene, const TileWindo
                        window->position[2][y + 1u][x + 1u]);
                 float3 n =
                     f3(window->normal[0][y][x], window->normal[1][y][x], window->normal[2][y][x]);
-                way = p + n * surface_offset(p, params->extent) - from;
+                way = p + n * surface_offset(p, params->scene.extent) - from;
                 if (max_component(absolute3(way)) > 0.0f) wanted |= 1u << lane;
             }
             set_lane(&ways, lane, way);
@@ -208,7 +210,7 @@ static inline void add_row(const SurfaceRow* row, const CacheRecord* record, NFl
 }
 
 /// Returns 0 where the record serves none of the pixels.
-static inline int add_record(const Params* params, Scene scene, const CacheRecord* record,
+static inline int add_record(const RenderParams* params, Scene scene, const CacheRecord* record,
                              CachedTile* tile, uint* rays) {
     float weights[TILE_EDGE][TILE_EDGE];
     uint any = 0u;
@@ -234,13 +236,13 @@ static inline int add_record(const Params* params, Scene scene, const CacheRecor
 }
 
 /// What earlier launches have found for the tile.
-static inline void load_sums(const Params* params, GLOBAL const float4* filtered, uint left,
+static inline void load_sums(const RenderParams* params, GLOBAL const float4* filtered, uint left,
                              uint top, CachedTile* tile) {
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
         for (uint x = 0u; x < (uint)TILE_EDGE; ++x) {
             float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
-            if (left + x < params->width && top + y < params->height)
-                mean = filtered[(top + y) * params->width + left + x];
+            if (left + x < params->camera.width && top + y < params->camera.height)
+                mean = filtered[(top + y) * params->camera.width + left + x];
             tile->red[y][x] = mean.x * mean.w;
             tile->green[y][x] = mean.y * mean.w;
             tile->blue[y][x] = mean.z * mean.w;
@@ -249,26 +251,24 @@ static inline void load_sums(const Params* params, GLOBAL const float4* filtered
     }
 }
 
-static inline void store_means_of(const Params* params, const CachedTile* tile, uint left, uint top,
-                                  GLOBAL float4* filtered, uint* lacks) {
+static inline void store_means_of(const RenderParams* params, const CachedTile* tile, uint left,
+                                  uint top, GLOBAL float4* filtered, uint* lacks) {
     for (uint bit = 0u; bit < (uint)(TILE_EDGE * TILE_EDGE); ++bit) {
         uint y = bit / TILE_EDGE;
         uint x = bit % TILE_EDGE;
-        if (left + x >= params->width || top + y >= params->height) continue;
+        if (left + x >= params->camera.width || top + y >= params->camera.height) continue;
         float weight = tile->weight[y][x];
         float share = weight > 0.0f ? 1.0f / weight : 0.0f;
-        filtered[(top + y) * params->width + left + x] = f4(
+        filtered[(top + y) * params->camera.width + left + x] = f4(
             tile->red[y][x] * share, tile->green[y][x] * share, tile->blue[y][x] * share, weight);
         if (weight > ENOUGH_WEIGHT) lacks[bit / 32u] &= ~(1u << (bit % 32u));
     }
 }
 
 WEFT_KERNEL(cache_lookup)
-(PARAMS, SCENE_ARGS, GBUFFER_ARGS, GLOBAL const float4* tile_boxes,
- GLOBAL const CacheRecord* records, GLOBAL const float4* boxes, GLOBAL uint* used,
- GLOBAL float4* filtered, GLOBAL uint* missing, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint number = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint number = range.first + GLOBAL_ID;
     uint columns = tile_columns(&params);
     uint left = number % columns * TILE_EDGE;
     uint top = number / columns * TILE_EDGE;
@@ -279,7 +279,7 @@ WEFT_KERNEL(cache_lookup)
     CachedTile tile;
     tile.loaded = 0;
     uint rays = 0u;
-    uint count = params.cache_records;
+    uint count = record_count;
     uint groups = (count + CACHE_GROUP - 1u) / CACHE_GROUP;
     uint supers = (groups + CACHE_GROUP - 1u) / CACHE_GROUP;
     for (uint super = 0u; super < supers; ++super) {
@@ -311,5 +311,5 @@ WEFT_KERNEL(cache_lookup)
     store_means_of(&params, &tile, left, top, filtered, lacks);
     missing[2u * number] = lacks[0];
     missing[2u * number + 1u] = lacks[1];
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

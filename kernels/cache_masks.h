@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bits by record and VPL: of every packet of records Params::cache_words words, LANES bits for each
-// VPL, the first VPL in the lowest.
+// Bits by record and VPL: of every packet of records RecordUpdate::mask_words words, LANES bits for
+// each VPL, the first VPL in the lowest.
 #ifndef WEFT_CACHE_MASKS_H
 #define WEFT_CACHE_MASKS_H
 
@@ -14,8 +14,8 @@
 #define CACHE_VPLS_PER_WORD (32u / (uint)LANES)
 
 /// Index of the word that holds the bits of a VPL.
-static inline uint cache_word(const Params* params, uint packet, uint vpl) {
-    return packet * params->cache_words + vpl / CACHE_VPLS_PER_WORD;
+static inline uint cache_word(uint words, uint packet, uint vpl) {
+    return packet * words + vpl / CACHE_VPLS_PER_WORD;
 }
 
 /// Where they begin in it.

@@ -8,27 +8,28 @@
 #include "clearance.h"
 #include "counters.h"
 #include "gbuffer.h"
+#include "kernel.h"
 #include "moved.h"
 #include "record_change.h"
 #include "record_place.h"
 
-static inline void store_vector(const Params* params, WFloat3 v, uint plane, uint slot,
+static inline void store_vector(WFloat3 v, uint plane, uint stride, uint slot,
                                 GLOBAL float* records) {
-    wide_store(v.x, records, plane * params->slots + slot);
-    wide_store(v.y, records, (plane + 1u) * params->slots + slot);
-    wide_store(v.z, records, (plane + 2u) * params->slots + slot);
+    wide_store(v.x, records, plane * stride + slot);
+    wide_store(v.y, records, (plane + 1u) * stride + slot);
+    wide_store(v.z, records, (plane + 2u) * stride + slot);
 }
 
-static inline void store_record(const Params* params, const WideLight* light,
-                                const WideChange* change, uint slot, GLOBAL float* records) {
-    store_vector(params, wide_vector(light->red, light->green, light->blue), RECORD_LIGHT, slot,
+static inline void store_record(const WideLight* light, const WideChange* change, uint stride,
+                                uint slot, GLOBAL float* records) {
+    store_vector(wide_vector(light->red, light->green, light->blue), RECORD_LIGHT, stride, slot,
                  records);
-    store_vector(params, change->move_red, RECORD_MOVE, slot, records);
-    store_vector(params, change->move_green, RECORD_MOVE + 3u, slot, records);
-    store_vector(params, change->move_blue, RECORD_MOVE + 6u, slot, records);
-    store_vector(params, change->turn_red, RECORD_TURN, slot, records);
-    store_vector(params, change->turn_green, RECORD_TURN + 3u, slot, records);
-    store_vector(params, change->turn_blue, RECORD_TURN + 6u, slot, records);
+    store_vector(change->move_red, RECORD_MOVE, stride, slot, records);
+    store_vector(change->move_green, RECORD_MOVE + 3u, stride, slot, records);
+    store_vector(change->move_blue, RECORD_MOVE + 6u, stride, slot, records);
+    store_vector(change->turn_red, RECORD_TURN, stride, slot, records);
+    store_vector(change->turn_green, RECORD_TURN + 3u, stride, slot, records);
+    store_vector(change->turn_blue, RECORD_TURN + 6u, stride, slot, records);
 }
 
 // LANES records in the making.
@@ -41,11 +42,12 @@ typedef struct {
     WideChange change;
 } RecordPacket;
 
-static inline void begin_records(const Params* params, const Media* media,
-                                 GLOBAL const float* receiver_planes, uint slot,
+static inline void begin_records(const RenderParams* params, const Media* media,
+                                 GLOBAL const float* receiver_planes, uint stride, uint slot,
                                  RecordPacket* records) {
-    records->packet = load_receivers(params, receiver_planes, slot);
-    records->inside = load_inside(params, media, receiver_planes, records->packet.position, slot);
+    records->packet = load_receivers(params, receiver_planes, stride, slot);
+    records->inside =
+        load_inside(params, media, receiver_planes, stride, records->packet.position, slot);
     LaneVectors normals = lanes_of(records->packet.shading);
     LaneVectors tangents;
     LaneVectors bitangents;
@@ -65,9 +67,9 @@ static inline void begin_records(const Params* params, const Media* media,
 
 /// Adds a VPL, the `number`th. Lanes of `doubt` are traced, for others `seen` tells whether they
 /// see it; it tells so for all afterwards. Returns how many rays that took.
-static inline uint add_vpl(const Params* params, Scene scene, const Media* media,
-                           GLOBAL const Vpl* vpl, uint number, uint doubt, uint* seen,
-                           RecordPacket* records) {
+static inline uint add_vpl(const RenderParams* params, float roulette, Scene scene,
+                           const Media* media, GLOBAL const Vpl* vpl, uint number, uint doubt,
+                           uint* seen, RecordPacket* records) {
     float3 flux = xyz(vpl->flux);
     float bright = luminance(flux);
     if (!(max_component(flux) > 0.0f)) return 0u;
@@ -78,7 +80,7 @@ static inline uint add_vpl(const Params* params, Scene scene, const Media* media
     WMask useful;
     WFloat g = connection(&records->packet, vpl, kind, d, &useful);
     WFloat times = one;
-    if (params->roulette > 0.0f) {
+    if (roulette > 0.0f) {
         // As in vpl_gather.cl; derivatives grow by the same share.
         WFloat least = records->level / bright;
         useful = useful & (g >= least * vpl->flux.w);
@@ -121,21 +123,21 @@ static inline uint add_vpl(const Params* params, Scene scene, const Media* media
 }
 
 /// Holds radii to what pixels want, and looks for what may lie in the way, where that is not known.
-static inline uint finish_records(const Params* params, Scene scene, const RecordPacket* packet,
-                                  GLOBAL const uint* slot_pixel, GLOBAL const float4* gb_position,
-                                  GLOBAL const float4* gb_normal, GLOBAL const float4* moved_boxes,
-                                  int fresh, uint slot, GLOBAL float* records) {
+static inline uint finish_records(const RenderParams* params, uint moved_count, Scene scene,
+                                  const RecordPacket* packet, GLOBAL const uint* slot_pixel,
+                                  GLOBAL const float4* gb_position, GLOBAL const float4* gb_normal,
+                                  GLOBAL const float4* moved_boxes, int fresh, uint stride,
+                                  uint slot, GLOBAL float* records) {
     LaneVectors normals = lanes_of(packet->packet.shading);
     LaneVectors facets = lanes_of(packet->packet.normal);
     LaneVectors places = lanes_of(packet->packet.position);
     uint valid = mask_bits(packet->packet.valid);
-    uint stride = params->slots;
     uint rays = 0u;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         if ((valid >> lane & 1u) == 0u) continue;
         GLOBAL float* record = records + slot + lane;
         if (fresh != 0)
-            store_place(params, gb_position, gb_normal, slot_pixel[slot + lane], record);
+            store_place(params, gb_position, gb_normal, slot_pixel[slot + lane], stride, record);
         float least = record[RECORD_LEAST * stride];
         float most = record[RECORD_MOST * stride];
         float radius = m_clamp(record[RECORD_RADIUS * stride], least, most);
@@ -143,7 +145,7 @@ static inline uint finish_records(const Params* params, Scene scene, const Recor
         float reach = GUARD_REACH * (HAS(params, FEATURE_TEMPORAL) ? most : radius);
         float3 origin = lane_vector(&places, lane);
         GLOBAL float* clearances = record + RECORD_CLEARANCE * stride;
-        if (fresh != 0 || is_near_moved(params, moved_boxes, origin, reach) != 0) {
+        if (fresh != 0 || is_near_moved(moved_count, moved_boxes, origin, reach) != 0) {
             rays += PROBES;
             store_clearances(scene, origin, lane_vector(&normals, lane), lane_vector(&facets, lane),
                              reach, stride, clearances);
@@ -156,25 +158,21 @@ static inline uint finish_records(const Params* params, Scene scene, const Recor
 }
 
 WEFT_KERNEL(cache_records)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GBUFFER_ARGS, GLOBAL const float* receiver_planes,
- GLOBAL const uint* slot_pixel, GLOBAL const Vpl* vpls, GLOBAL const float4* moved_boxes,
- GLOBAL const uint* states, GLOBAL const uint* doubts, GLOBAL uint* seen, GLOBAL float* records,
- GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint number = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint number = range.first + GLOBAL_ID;
     uint slot = number * (uint)LANES;
     uint state = HAS(&params, FEATURE_TEMPORAL) ? states[number] : CACHE_FRESH;
     if (state == CACHE_KEEP) return;
     int fresh = state == CACHE_FRESH ? 1 : 0;
-    int keeps = HAS(&params, FEATURE_TEMPORAL) && params.cache_words > 0u ? 1 : 0;
+    int keeps = HAS(&params, FEATURE_TEMPORAL) && update.mask_words > 0u ? 1 : 0;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     RecordPacket made;
-    begin_records(&params, &through, receiver_planes, slot, &made);
-    GLOBAL const Vpl* vpl = vpls + params.list_first;
-    uint count = mask_any(made.packet.valid) ? params.list_length : 0u;
-    if (params.roulette > 0.0f && count > 0u)
-        made.level = roulette_level(&params, &made.packet, vpl, count);
+    begin_records(&params, &through, receiver_planes, slots, slot, &made);
+    uint count = mask_any(made.packet.valid) ? update.vpls : 0u;
+    if (update.roulette > 0.0f && count > 0u)
+        made.level = roulette_level(update.roulette, &made.packet, vpls, count);
     uint rays = 0u;
     uint word = 0u;
     for (uint i = 0u; i < count; ++i) {
@@ -183,22 +181,23 @@ WEFT_KERNEL(cache_records)
         if (keeps != 0) {
             if (cache_shift(i) == 0u) word = 0u;
             if (fresh == 0) {
-                doubt = lanes_of_word(doubts[cache_word(&params, number, i)], i);
-                sees = lanes_of_word(seen[cache_word(&params, number, i)], i);
+                doubt = lanes_of_word(doubts[cache_word(update.mask_words, number, i)], i);
+                sees = lanes_of_word(seen[cache_word(update.mask_words, number, i)], i);
             }
         }
-        rays += add_vpl(&params, scene, &through, vpl + i, i, doubt, &sees, &made);
+        rays +=
+            add_vpl(&params, update.roulette, scene, &through, vpls + i, i, doubt, &sees, &made);
         if (keeps != 0) {
             word |= (sees & ALL_LANES) << cache_shift(i);
             if (i + 1u == count || cache_shift(i + 1u) == 0u)
-                seen[cache_word(&params, number, i)] = word;
+                seen[cache_word(update.mask_words, number, i)] = word;
         }
     }
-    store_record(&params, &made.light, &made.change, slot, records);
+    store_record(&made.light, &made.change, slots, slot, records);
     WFloat bright = wide_luminance(made.light.red, made.light.green, made.light.blue);
     wide_store(error_radius(&params, &made.change, made.tangent, made.bitangent, bright), records,
-               RECORD_RADIUS * params.slots + slot);
-    rays += finish_records(&params, scene, &made, slot_pixel, gb_position, gb_normal, moved_boxes,
-                           fresh, slot, records);
-    count_rays(counters + params.counter, rays);
+               RECORD_RADIUS * slots + slot);
+    rays += finish_records(&params, update.moved_boxes, scene, &made, slot_pixel, gb_position,
+                           gb_normal, moved_boxes, fresh, slots, slot, records);
+    count_rays(counters + range.counter, rays);
 }

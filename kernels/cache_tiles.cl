@@ -5,11 +5,12 @@
 // that have an irradiance missing it.
 #include "discontinuity.h"
 #include "edges.h"
+#include "kernel.h"
 
 WEFT_KERNEL(cache_tiles)
-(PARAMS, GBUFFER_ARGS, GLOBAL float4* tile_boxes, GLOBAL float4* filtered, GLOBAL uint* missing) {
-    if (GLOBAL_ID >= params.count) return;
-    uint tile = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint tile = range.first + GLOBAL_ID;
     uint columns = tile_columns(&params);
     uint left = tile % columns * TILE_EDGE;
     uint top = tile / columns * TILE_EDGE;
@@ -19,8 +20,8 @@ WEFT_KERNEL(cache_tiles)
     for (uint bit = 0u; bit < (uint)(TILE_EDGE * TILE_EDGE); ++bit) {
         uint x = left + bit % TILE_EDGE;
         uint y = top + bit / TILE_EDGE;
-        if (x >= params.width || y >= params.height) continue;
-        uint pixel = y * params.width + x;
+        if (x >= params.camera.width || y >= params.camera.height) continue;
+        uint pixel = y * params.camera.width + x;
         filtered[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         if (pixel_is_lit(gb_ids, gb_albedo, pixel) == 0) continue;
         lit[bit / 32u] |= 1u << (bit % 32u);

@@ -5,6 +5,7 @@
 // where the frame has edge samples. One work-item for LANES pixels of a row; where one of them is
 // not good (guard.h), or the row ends, pixel by pixel, with the same result.
 #include "film.h"
+#include "kernel.h"
 #include "wide_pixels.h"
 
 // FilmSample of LANES pixels.
@@ -31,7 +32,7 @@ static inline WMask are_good(WFloat3 v) {
 }
 
 /// Irradiance by direct light; see pixel_irradiance.
-static inline WFloat3 direct_irradiance(const Params* params, const SeenPixels* seen,
+static inline WFloat3 direct_irradiance(const RenderParams* params, const SeenPixels* seen,
                                         const IrradianceBuffers* buffers, uint first) {
     WFloat3 e;
     e.x = WIDE(0.0f);
@@ -58,12 +59,12 @@ static inline WFloat3 direct_irradiance(const Params* params, const SeenPixels* 
 }
 
 /// The samples of pixels from `first` on, and which of them are good.
-static inline WMask wide_sample(const Params* params, const SeenPixels* seen,
+static inline WMask wide_sample(const RenderParams* params, const SeenPixels* seen,
                                 const IrradianceBuffers* buffers, uint first, WideSample* sample) {
     sample->albedo = load_vectors(seen->albedo + first);
     sample->emission = load_vectors(seen->emission + first);
     sample->normal = load_vectors(seen->shading + first);
-    sample->depth = load_fourth(seen->position + first) / params->unit;
+    sample->depth = load_fourth(seen->position + first) / params->scene.unit;
     WFloat3 reflectance;
     reflectance.x = sample->albedo.x * M_INV_PI;
     reflectance.y = sample->albedo.y * M_INV_PI;
@@ -123,11 +124,11 @@ static inline void add_wide_vector(GLOBAL float* high, GLOBAL float* low, uint s
     add_wide(high + 2u * stride, low + 2u * stride, samples, others, x.z);
 }
 
-static inline void add_wide_sample(const Params* params, GLOBAL float* film_high,
+static inline void add_wide_sample(const RenderParams* params, GLOBAL float* film_high,
                                    GLOBAL float* film_low, uint first, WMask others,
                                    const WideSample* sample) {
-    uint stride = FILM_STRIDE(params->width * params->height);
-    uint samples = film_samples(params);
+    uint stride = FILM_STRIDE(params->camera.width * params->camera.height);
+    uint samples = params->sampling.sample;
     GLOBAL float* high = film_high + first;
     GLOBAL float* low = film_low + first;
     add_wide_vector(high + FILM_EMISSION * stride, low + FILM_EMISSION * stride, stride, samples,
@@ -147,13 +148,12 @@ static inline void add_wide_sample(const Params* params, GLOBAL float* film_high
 }
 
 WEFT_KERNEL(compose)
-(PARAMS, GBUFFER_ARGS, IRRADIANCE_ARGS, GLOBAL float* film_high, GLOBAL float* film_low,
- GLOBAL NonfiniteCounter* nonfinite, GLOBAL const uint* edge_masks) {
-    if (GLOBAL_ID >= params.count) return;
+{
+    if (GLOBAL_ID >= range.count) return;
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
-    PixelRun run = pixel_run(&params, params.first + GLOBAL_ID);
-    uint edges = params.edge_samples != 0u ? run_bits(&params, edge_masks, &run) : 0u;
+    PixelRun run = pixel_run(&params, range.first + GLOBAL_ID);
+    uint edges = params.sampling.edge_samples != 0u ? run_bits(&params, edge_masks, &run) : 0u;
     if (run.count == LANES) {
         WideSample sample;
         WMask good = wide_sample(&params, &seen, &buffers, run.first, &sample);

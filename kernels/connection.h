@@ -14,10 +14,9 @@ typedef struct {
     WMask valid;
 } ReceiverPacket;
 
-static inline ReceiverPacket load_receivers(const Params* params, GLOBAL const float* planes,
-                                            uint slot) {
+static inline ReceiverPacket load_receivers(const RenderParams* params, GLOBAL const float* planes,
+                                            uint stride, uint slot) {
     ReceiverPacket packet;
-    uint stride = params->slots;
     packet.position.x = wide_load(planes, RECEIVER_X * stride + slot);
     packet.position.y = wide_load(planes, RECEIVER_Y * stride + slot);
     packet.position.z = wide_load(planes, RECEIVER_Z * stride + slot);
@@ -108,7 +107,7 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
 
 /// `roulette` times the mean over a list of VPLs of what each adds to every lane's luminance where
 /// nothing lies between.
-static inline WFloat roulette_level(const Params* params, const ReceiverPacket* packet,
+static inline WFloat roulette_level(float roulette, const ReceiverPacket* packet,
                                     GLOBAL const Vpl* vpl, uint count) {
     WFloat zero = WIDE(0.0f);
     WFloat sum = zero;
@@ -119,7 +118,7 @@ static inline WFloat roulette_level(const Params* params, const ReceiverPacket* 
         WFloat g = connection(packet, vpl, as_bits(vpl->normal.w), from_vpl(packet, vpl), &useful);
         sum = sum + SELECT(useful, g * weight, zero);
     }
-    return sum * (params->roulette / (float)count);
+    return sum * (roulette / (float)count);
 }
 
 #endif

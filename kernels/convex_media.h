@@ -101,7 +101,7 @@ static inline void add_length(const Media* media, uint boundary, WFloat length,
         lengths->inside[around] = lengths->inside[around] - length;
 }
 
-static inline void add_medium_depth(const Params* params, const Media* media, uint index,
+static inline void add_medium_depth(const RenderParams* params, const Media* media, uint index,
                                     WFloat length, WFloat3* depth) {
     if (index == NO_MEDIUM) return;
     MediumRecord medium = media->media[index];
@@ -114,8 +114,8 @@ static inline void add_medium_depth(const Params* params, const Media* media, ui
 }
 
 /// Optical depth of these lengths times `unit`, without that of grids.
-static inline WFloat3 depth_of(const Params* params, const Media* media, const WideLengths* lengths,
-                               WFloat unit) {
+static inline WFloat3 depth_of(const RenderParams* params, const Media* media,
+                               const WideLengths* lengths, WFloat unit) {
     WFloat3 depth = wide_same(0.0f);
     for (uint k = 0u; k < media->record->boundaries; ++k)
         add_medium_depth(params, media, media->record->inside[k], lengths->inside[k] * unit,
@@ -125,7 +125,7 @@ static inline WFloat3 depth_of(const Params* params, const Media* media, const W
 }
 
 /// The grid inside of a boundary; returns 0 where there is none.
-static inline int grid_inside(const Params* params, const Media* media, uint boundary,
+static inline int grid_inside(const RenderParams* params, const Media* media, uint boundary,
                               DensityGrid* grid, float3* sigma) {
     uint index = media->record->inside[boundary];
     if (index == NO_MEDIUM) return 0;

@@ -24,15 +24,16 @@ static inline int pixel_is_lit(GLOBAL const uint* gb_ids, GLOBAL const float4* g
 
 /// `share` of the discontinuity buffer's tolerances about a pixel that is lit; 1 is the ordinary
 /// one.
-static inline PixelSurface pixel_surface(const Params* params, GLOBAL const float4* gb_position,
+static inline PixelSurface pixel_surface(const RenderParams* params,
+                                         GLOBAL const float4* gb_position,
                                          GLOBAL const float4* gb_normal,
                                          GLOBAL const float4* gb_shading, uint pixel, float share) {
     PixelSurface surface;
     surface.position = xyz(gb_position[pixel]);
     surface.normal = xyz(gb_normal[pixel]);
     surface.shading = xyz(gb_shading[pixel]);
-    surface.reach = share * params->filter_planes * gb_normal[pixel].w;
-    surface.cosine = 1.0f - share * (1.0f - params->filter_cosine);
+    surface.reach = share * params->filter.planes * gb_normal[pixel].w;
+    surface.cosine = 1.0f - share * (1.0f - params->filter.cosine);
     return surface;
 }
 
@@ -59,28 +60,28 @@ static inline float3 slot_irradiance(GLOBAL const float* irradiance, uint stride
 /// Mean irradiance over the samples in a (2r+1)^2 window about a lit pixel that lie on its surface,
 /// so that every sample set is met once; w: how many. At the picture's border the window is moved
 /// inwards, to hold all sets there too. 0 where the window has no sample.
-static inline float4 window_mean(const Params* params, GLOBAL const uint* gb_ids,
+static inline float4 window_mean(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                  GLOBAL const float4* gb_shading, const PixelSurface* surface,
                                  GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
-                                 uint pixel) {
-    int radius = (int)params->filter_radius;
-    int width = (int)params->width;
-    int height = (int)params->height;
-    int x0 = window_start((int)(pixel % params->width), radius, width);
-    int y0 = window_start((int)(pixel / params->width), radius, height);
+                                 uint slots, uint pixel) {
+    int radius = (int)params->filter.radius;
+    int width = (int)params->camera.width;
+    int height = (int)params->camera.height;
+    int x0 = window_start((int)(pixel % params->camera.width), radius, width);
+    int y0 = window_start((int)(pixel / params->camera.width), radius, height);
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     float weight = 0.0f;
     for (int y = y0; y <= y0 + 2 * radius && y < height; ++y) {
         for (int x = x0; x <= x0 + 2 * radius && x < width; ++x) {
-            uint other = (uint)y * params->width + (uint)x;
+            uint other = (uint)y * params->camera.width + (uint)x;
             if (other != pixel) {
                 if (pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
                 if (on_surface(surface, gb_position, gb_shading, other) == 0) continue;
             }
             uint slot = pixel_slot[other];
             if (slot == NO_TRIANGLE) continue;
-            sum += slot_irradiance(irradiance, params->slots, slot);
+            sum += slot_irradiance(irradiance, slots, slot);
             weight += 1.0f;
         }
     }

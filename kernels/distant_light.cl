@@ -5,13 +5,15 @@
 // each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
+#include "kernel.h"
 #include "packet_media.h"
 #include "receiver_values.h"
+#include "sample_sets.h"
 #include "sampling.h"
 #include "visibility.h"
 
 /// What media leave of light from that direction; see packet_transmittance.
-static inline float3 distant_transmittance(const Params* params, const Media* media,
+static inline float3 distant_transmittance(const RenderParams* params, const Media* media,
                                            float3 position, float3 direction, uint inside,
                                            uint number) {
     if (!HAS(params, FEATURE_MEDIA)) return f3(1.0f, 1.0f, 1.0f);
@@ -20,12 +22,10 @@ static inline float3 distant_transmittance(const Params* params, const Media* me
 }
 
 WEFT_KERNEL(distant_light)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
- GLOBAL const LightRecord* lights, GLOBAL const Vpl* samples, GLOBAL float* sampled_irradiance,
- GLOBAL float* exact_irradiance, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = params.first + GLOBAL_ID;
-    uint stride = params.slots;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = range.first + GLOBAL_ID;
+    uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
@@ -39,10 +39,9 @@ WEFT_KERNEL(distant_light)
         inside = as_bits(receiver_planes[RECEIVER_INSIDE * stride + slot]);
     uint rays = 0u;
     if (HAS(&params, FEATURE_ENVIRONMENT)) {
-        uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-        uint count = params.gather_sets == 1u ? params.environment_samples * params.sets
-                                              : params.environment_samples;
-        GLOBAL const Vpl* first = samples + params.list_first + set * params.list_stride;
+        uint set = receiver_set(&params, block_set, slot);
+        uint count = params.sampling.environment_samples * receiver_sets(&params);
+        GLOBAL const Vpl* first = samples + list.first + set * list.stride;
         float3 open = f3(0.0f, 0.0f, 0.0f);
         for (uint i = 0u; i < count; ++i) {
             float3 direction = turn_to(xyz(first[i].position), shading);
@@ -52,11 +51,11 @@ WEFT_KERNEL(distant_light)
             open += distant_transmittance(&params, &through, position, direction, inside, i);
         }
         add_irradiance(sampled_irradiance, stride, slot,
-                       xyz(params.environment) * (open * (3.14159265f / (float)count)));
+                       xyz(params.scene.environment) * (open * (3.14159265f / (float)count)));
     }
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
-        for (uint i = 0u; i < params.directional_lights; ++i) {
-            LightRecord light = lights[params.directional_lights_first + i];
+        for (uint i = 0u; i < params.scene.directional_lights; ++i) {
+            LightRecord light = lights[params.scene.directional_lights_first + i];
             float3 direction = -xyz(light.axis);
             float cosine = dot3(direction, shading);
             if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
@@ -66,5 +65,5 @@ WEFT_KERNEL(distant_light)
             add_irradiance(exact_irradiance, stride, slot, xyz(light.power) * left * cosine);
         }
     }
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

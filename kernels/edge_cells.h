@@ -54,6 +54,7 @@ typedef struct {
     GLOBAL const uint* shadow_edges;
     GLOBAL const float4* gb_albedo;
     GLOBAL const float* irradiance;
+    uint slots;  // stride of the planes of receivers and irradiance
 } ShadowPlanes;
 
 /// Every second bit of a number below 256.
@@ -64,60 +65,60 @@ static inline uint even_bits(uint code) {
 }
 
 /// What is known of a pixel, x and y, that looked at sample `look` of every light first.
-static inline void find_edge_pixel(const Params* params, const ShadowPlanes* from, uint word,
+static inline void find_edge_pixel(const RenderParams* params, const ShadowPlanes* from, uint word,
                                    uint x, uint y, uint look, EdgePixel* found) {
-    uint pixel = y * params->width + x;
-    uint plane = params->width * params->height;
+    uint pixel = y * params->camera.width + x;
+    uint plane = params->camera.width * params->camera.height;
     found->slot = from->pixel_slot[pixel];
     found->first_look = look;
     found->edges = from->shadow_edges[word * plane + pixel];
     found->seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
     found->reflectance = luminance(xyz(from->gb_albedo[pixel])) * 0.318309886f;
-    float3 e = receiver_vector(from->irradiance, 0u, params->slots, found->slot);
+    float3 e = receiver_vector(from->irradiance, 0u, from->slots, found->slot);
     found->radiance = found->reflectance * luminance(e);
 }
 
 /// Copies a vector of a receiver to three of a cell's planes.
-static inline void copy_vector(const Params* params, GLOBAL const float* planes, uint first,
-                               uint slot, uint to, uint place, EdgeCell* cell) {
-    float3 v = receiver_vector(planes, first, params->slots, slot);
+static inline void copy_vector(const ShadowPlanes* from, uint first, uint slot, uint to, uint place,
+                               EdgeCell* cell) {
+    float3 v = receiver_vector(from->receiver_planes, first, from->slots, slot);
     cell->receivers[to][place] = v.x;
     cell->receivers[to + 1u][place] = v.y;
     cell->receivers[to + 2u][place] = v.z;
 }
 
 /// Copies what packets need of the receiver of a slot.
-static inline void copy_receiver(const Params* params, GLOBAL const float* planes, uint slot,
+static inline void copy_receiver(const RenderParams* params, const ShadowPlanes* from, uint slot,
                                  uint place, EdgeCell* cell) {
     uint normal = HAS(params, FEATURE_SMOOTH_NORMALS) ? RECEIVER_NORMAL_X : RECEIVER_SHADING_X;
-    copy_vector(params, planes, RECEIVER_X, slot, 0u, place, cell);
-    copy_vector(params, planes, RECEIVER_SHADING_X, slot, 3u, place, cell);
-    copy_vector(params, planes, normal, slot, 6u, place, cell);
+    copy_vector(from, RECEIVER_X, slot, 0u, place, cell);
+    copy_vector(from, RECEIVER_SHADING_X, slot, 3u, place, cell);
+    copy_vector(from, normal, slot, 6u, place, cell);
 }
 
 /// Finds the pixels of a set (by place, not rotated) in a cell that have an edge of any light of a
 /// word, along a Morton curve.
-static inline void find_edge_pixels(const Params* params, uint cell, uint set, uint rotated,
+static inline void find_edge_pixels(const RenderParams* params, uint cell, uint set, uint rotated,
                                     uint word, const ShadowPlanes* from, EdgeCell* found) {
-    uint edge = shadow_cell((uint)LANES, params->interleave);
-    uint columns = (params->width + edge - 1u) / edge;
+    uint edge = shadow_cell((uint)LANES, params->sampling.interleave);
+    uint columns = (params->camera.width + edge - 1u) / edge;
     uint column = cell % columns * (uint)LANES;
     uint row = cell / columns * (uint)LANES;
-    uint plane = params->width * params->height;
+    uint plane = params->camera.width * params->camera.height;
     GLOBAL const uint* edges = from->shadow_edges + word * plane;
     found->count = 0u;
     found->some = 0u;
     for (uint i = 0u; i < CELL_PIXELS; ++i) {
         uint u = column + even_bits(i);
         uint v = row + even_bits(i >> 1);
-        uint x = u * params->interleave + set % params->interleave;
-        uint y = v * params->interleave + set / params->interleave;
-        if (x >= params->width || y >= params->height) continue;
-        uint of_lights = edges[y * params->width + x];
+        uint x = u * params->sampling.interleave + set % params->sampling.interleave;
+        uint y = v * params->sampling.interleave + set / params->sampling.interleave;
+        if (x >= params->camera.width || y >= params->camera.height) continue;
+        uint of_lights = edges[y * params->camera.width + x];
         if (of_lights == 0u) continue;
         EdgePixel* at = found->pixels + found->count;
         find_edge_pixel(params, from, word, x, y, shadow_look(params, u, v, rotated), at);
-        copy_receiver(params, from->receiver_planes, at->slot, found->count++, found);
+        copy_receiver(params, from, at->slot, found->count++, found);
         found->some |= of_lights;
     }
 }
@@ -160,7 +161,7 @@ static inline WFloat3 packet_vector(const EdgeCell* cell, uint first, const Edge
 }
 
 /// The receivers of a packet that holds at least one.
-static inline ReceiverPacket packet_receivers(const Params* params, const EdgeCell* cell,
+static inline ReceiverPacket packet_receivers(const RenderParams* params, const EdgeCell* cell,
                                               const EdgePacket* edges) {
     ReceiverPacket packet;
     packet.position = packet_vector(cell, 0u, edges);

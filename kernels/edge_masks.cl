@@ -7,6 +7,7 @@
 #include "discontinuity.h"
 #include "edges.h"
 #include "geometry.h"
+#include "kernel.h"
 
 // Colours differ visibly where a channel differs by more than this share of the largest one.
 #define VISIBLE_SHARE 0.01f
@@ -17,7 +18,7 @@ static inline int colours_differ(float3 a, float3 b) {
 }
 
 /// 1 where `other` keeps to the plane and normal of `pixel`; both show surfaces.
-static inline int continues(const Params* params, GLOBAL const float4* gb_position,
+static inline int continues(const RenderParams* params, GLOBAL const float4* gb_position,
                             GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
                             uint pixel, uint other) {
     PixelSurface surface = pixel_surface(params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
@@ -25,7 +26,7 @@ static inline int continues(const Params* params, GLOBAL const float4* gb_positi
 }
 
 /// 1 where an edge runs between two neighbours.
-static inline int edge_between(const Params* params, GLOBAL const InstanceRecord* instances,
+static inline int edge_between(const RenderParams* params, GLOBAL const InstanceRecord* instances,
                                GLOBAL const uint* gb_ids, GLOBAL const float4* gb_position,
                                GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
                                GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_emission,
@@ -66,10 +67,10 @@ typedef struct {
     int first_x, first_y, end_x, end_y;  // relative to the tile
 } TileTriangles;
 
-static inline void load_triangles(const Params* params, GLOBAL const uint* gb_ids, int left,
+static inline void load_triangles(const RenderParams* params, GLOBAL const uint* gb_ids, int left,
                                   int top, TileTriangles* tile) {
-    int width = (int)params->width;
-    int height = (int)params->height;
+    int width = (int)params->camera.width;
+    int height = (int)params->camera.height;
     tile->first_x = left > 0 ? -1 : 0;
     tile->first_y = top > 0 ? -1 : 0;
     tile->end_x = width - left < TILE_EDGE + 1 ? width - left : TILE_EDGE + 1;
@@ -97,10 +98,10 @@ static inline uint row_differs(const TileTriangles* tile, int y, int dx, int dy)
 }
 
 WEFT_KERNEL(edge_masks)
-(PARAMS, GBUFFER_ARGS, GLOBAL const InstanceRecord* instances, GLOBAL uint* masks) {
-    if (GLOBAL_ID >= params.count) return;
-    uint tile = params.first + GLOBAL_ID;
-    int width = (int)params.width;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint tile = range.first + GLOBAL_ID;
+    int width = (int)params.camera.width;
     int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
     int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;
     TileTriangles triangles;

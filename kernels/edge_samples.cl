@@ -7,6 +7,7 @@
 #include "camera.h"
 #include "counters.h"
 #include "film.h"
+#include "kernel.h"
 #include "sampling.h"
 #include "surface.h"
 #include "trace.h"
@@ -32,26 +33,27 @@ static inline void sample_offset(uint k, uint count, int mirrored, float* x, flo
 }
 
 /// The surface of a hit as pixels are held against it; see gbuffer.cl for its footprint.
-static inline PixelSurface hit_surface(const Params* params, const Surface* hit_point, Hit hit,
-                                       float3 direction) {
+static inline PixelSurface hit_surface(const RenderParams* params, const Surface* hit_point,
+                                       Hit hit, float3 direction) {
     PixelSurface surface;
     float distance = hit.t * length3(direction);
     float facing = -dot3(hit_point->normal, direction) / length3(direction);
     surface.position = hit_point->position;
     surface.normal = hit_point->normal;
     surface.shading = hit_point->shading;
-    surface.reach = params->filter_planes * (distance * params->pixel_angle / m_max(facing, 0.05f));
-    surface.cosine = params->filter_cosine;
+    surface.reach =
+        params->filter.planes * (distance * params->camera.pixel_angle / m_max(facing, 0.05f));
+    surface.cosine = params->filter.cosine;
     return surface;
 }
 
 /// The pixel within `radius` about `pixel` that lies on the surface and is nearest to (`x`, `y`), a
 /// point of the film inside of `pixel`, in pixels; NO_TRIANGLE where none does.
-static inline uint nearest_on_surface(const Params* params, const SeenPixels* seen,
+static inline uint nearest_on_surface(const RenderParams* params, const SeenPixels* seen,
                                       const PixelSurface* surface, uint pixel, float x, float y,
                                       int radius) {
-    int column = (int)(pixel % params->width);
-    int row = (int)(pixel / params->width);
+    int column = (int)(pixel % params->camera.width);
+    int row = (int)(pixel / params->camera.width);
     uint nearest = NO_TRIANGLE;
     float least = RAY_INFINITY;
     // No other pixel's point is nearer.
@@ -60,12 +62,13 @@ static inline uint nearest_on_surface(const Params* params, const SeenPixels* se
         return pixel;
     for (int j = row - radius; j <= row + radius; ++j) {
         for (int i = column - radius; i <= column + radius; ++i) {
-            if (i < 0 || j < 0 || i >= (int)params->width || j >= (int)params->height) continue;
-            float across = (float)i + params->jitter_x - x;
-            float down = (float)j + params->jitter_y - y;
+            if (i < 0 || j < 0 || i >= (int)params->camera.width || j >= (int)params->camera.height)
+                continue;
+            float across = (float)i + params->camera.jitter_x - x;
+            float down = (float)j + params->camera.jitter_y - y;
             float square = across * across + down * down;
             if (!(square < least)) continue;
-            uint other = (uint)j * params->width + (uint)i;
+            uint other = (uint)j * params->camera.width + (uint)i;
             if (pixel_is_lit(seen->ids, seen->albedo, other) == 0) continue;
             if (on_surface(surface, seen->position, seen->shading, other) == 0) continue;
             least = square;
@@ -77,16 +80,17 @@ static inline uint nearest_on_surface(const Params* params, const SeenPixels* se
 
 /// The pixel within FAR_RADIUS most like a surface that none of them shows: of its instance if
 /// there is one, then the closest by normal; `pixel` itself where nothing about it is lit.
-static inline uint most_similar(const Params* params, const SeenPixels* seen,
+static inline uint most_similar(const RenderParams* params, const SeenPixels* seen,
                                 const Surface* surface, uint pixel) {
-    int column = (int)(pixel % params->width);
-    int row = (int)(pixel / params->width);
+    int column = (int)(pixel % params->camera.width);
+    int row = (int)(pixel / params->camera.width);
     uint best = pixel;
     float most = -RAY_INFINITY;
     for (int j = row - FAR_RADIUS; j <= row + FAR_RADIUS; ++j) {
         for (int i = column - FAR_RADIUS; i <= column + FAR_RADIUS; ++i) {
-            if (i < 0 || j < 0 || i >= (int)params->width || j >= (int)params->height) continue;
-            uint other = (uint)j * params->width + (uint)i;
+            if (i < 0 || j < 0 || i >= (int)params->camera.width || j >= (int)params->camera.height)
+                continue;
+            uint other = (uint)j * params->camera.width + (uint)i;
             if (pixel_is_lit(seen->ids, seen->albedo, other) == 0) continue;
             // No two cosines are further apart than 2.
             float likeness = dot3(surface->shading, xyz(seen->shading[other])) +
@@ -101,7 +105,7 @@ static inline uint most_similar(const Params* params, const SeenPixels* seen,
 
 /// The pixel whose irradiance a hit seen through the point (`x`, `y`) of `pixel` takes. Adds to
 /// `misses` where it is that of another surface.
-static inline uint irradiance_source(const Params* params, const SeenPixels* seen,
+static inline uint irradiance_source(const RenderParams* params, const SeenPixels* seen,
                                      const Surface* surface, Hit hit, float3 direction, uint pixel,
                                      float x, float y, uint* misses) {
     PixelSurface about = hit_surface(params, surface, hit, direction);
@@ -115,15 +119,16 @@ static inline uint irradiance_source(const Params* params, const SeenPixels* see
 
 /// The pixel within NEAR_RADIUS of `pixel` that shows this instance, or the background where that
 /// is NO_TRIANGLE; `pixel` itself where none does.
-static inline uint pixel_of_instance(const Params* params, const SeenPixels* seen, uint instance,
-                                     uint pixel) {
+static inline uint pixel_of_instance(const RenderParams* params, const SeenPixels* seen,
+                                     uint instance, uint pixel) {
     if (seen->ids[2u * pixel] == instance) return pixel;
-    int column = (int)(pixel % params->width);
-    int row = (int)(pixel / params->width);
+    int column = (int)(pixel % params->camera.width);
+    int row = (int)(pixel / params->camera.width);
     for (int j = row - NEAR_RADIUS; j <= row + NEAR_RADIUS; ++j) {
         for (int i = column - NEAR_RADIUS; i <= column + NEAR_RADIUS; ++i) {
-            if (i < 0 || j < 0 || i >= (int)params->width || j >= (int)params->height) continue;
-            uint other = (uint)j * params->width + (uint)i;
+            if (i < 0 || j < 0 || i >= (int)params->camera.width || j >= (int)params->camera.height)
+                continue;
+            uint other = (uint)j * params->camera.width + (uint)i;
             if (seen->ids[2u * other] == instance) return other;
         }
     }
@@ -131,20 +136,21 @@ static inline uint pixel_of_instance(const Params* params, const SeenPixels* see
 }
 
 /// What a ray through the point (`x`, `y`) of `pixel` in that direction shows.
-static inline FilmSample hit_sample(const Params* params, const Geometry* geometry,
+static inline FilmSample hit_sample(const RenderParams* params, const Geometry* geometry,
                                     const SeenPixels* seen, const IrradianceBuffers* buffers,
                                     GLOBAL NonfiniteCounter* nonfinite, uint pixel, float x,
-                                    float y, float3 direction, Hit hit, uint* misses) {
+                                    float y, float3 direction, Hit hit, float texture_angle,
+                                    uint* misses) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     Irradiance e = no_irradiance();
     if (hit.triangle == NO_TRIANGLE) {
-        float3 emission = HAS(params, FEATURE_ENVIRONMENT) ? xyz(params->environment) : none;
+        float3 emission = HAS(params, FEATURE_ENVIRONMENT) ? xyz(params->scene.environment) : none;
         if (HAS(params, FEATURE_MEDIA))
             add_view_media(params, buffers, pixel_of_instance(params, seen, NO_TRIANGLE, pixel),
                            &e);
         return film_sample(params, nonfinite, pixel, emission, none, e, none, 0.0f);
     }
-    Surface surface = surface_at(params, geometry, hit, direction, params->texture_angle);
+    Surface surface = surface_at(params, geometry, hit, direction, texture_angle);
     if (max_component(surface.albedo) > 0.0f) {
         uint from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
         e = pixel_irradiance(params, buffers, from, pixel_is_lit(seen->ids, seen->albedo, from));
@@ -178,25 +184,25 @@ typedef struct {
 } EdgeRays;
 
 /// The rays of edge pixels [first, end) of the list.
-static inline void make_edge_rays(const Params* params, GLOBAL const uint* edge_pixels, uint first,
-                                  uint end, EdgeRays* rays) {
+static inline void make_edge_rays(const RenderParams* params, GLOBAL const uint* edge_pixels,
+                                  uint first, uint end, EdgeRays* rays) {
     rays->count = 0u;
     for (uint at = first; at < end; ++at) {
         uint pixel = edge_pixels[at];
-        int mirrored = (int)(hash_pair(params->seed, pixel) & 1u);
-        for (uint k = 0u; k < params->edge_samples; ++k) {
+        int mirrored = (int)(hash_pair(params->sampling.seed, pixel) & 1u);
+        for (uint k = 0u; k < params->sampling.edge_samples; ++k) {
             uint ray = rays->count++;
             float x;
             float y;
-            sample_offset(k, params->edge_samples + 1u, mirrored, &x, &y);
-            rays->x[ray] = x + (float)(pixel % params->width) + params->jitter_x;
-            rays->y[ray] = y + (float)(pixel / params->width) + params->jitter_y;
+            sample_offset(k, params->sampling.edge_samples + 1u, mirrored, &x, &y);
+            rays->x[ray] = x + (float)(pixel % params->camera.width) + params->camera.jitter_x;
+            rays->y[ray] = y + (float)(pixel / params->camera.width) + params->camera.jitter_y;
             rays->directions[ray] = camera_direction(params, rays->x[ray], rays->y[ray]);
         }
     }
 }
 
-static inline void trace_edge_rays(const Params* params, Scene scene, EdgeRays* rays) {
+static inline void trace_edge_rays(const RenderParams* params, Scene scene, EdgeRays* rays) {
     for (uint first = 0u; first < rays->count; first += LANES) {
         uint count = rays->count - first < LANES ? rays->count - first : LANES;
         PacketDirections directions;
@@ -209,28 +215,26 @@ static inline void trace_edge_rays(const Params* params, Scene scene, EdgeRays* 
             directions.z[lane] = direction.z;
         }
         uint active = 0xFFFFFFFFu >> (32u - count);
-        trace_closest_packet(scene, xyz(params->camera_origin), &directions, active, RAY_INFINITY,
+        trace_closest_packet(scene, xyz(params->camera.origin), &directions, active, RAY_INFINITY,
                              hits);
         for (uint lane = 0u; lane < count; ++lane) rays->hits[first + lane] = hits[lane];
     }
 }
 
 WEFT_KERNEL(edge_samples)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, GBUFFER_ARGS, IRRADIANCE_ARGS, GLOBAL const uint* edge_pixels,
- GLOBAL float* film_high, GLOBAL float* film_low, GLOBAL NonfiniteCounter* nonfinite,
- GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
+{
+    if (GLOBAL_ID >= range.count) return;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
-    uint pixels = edge_pixels_of_item((uint)LANES, params.edge_samples);
-    uint first = (params.first + GLOBAL_ID) * pixels;
-    uint end = first + pixels < params.list_length ? first + pixels : params.list_length;
+    uint pixels = edge_pixels_of_item((uint)LANES, params.sampling.edge_samples);
+    uint first = (range.first + GLOBAL_ID) * pixels;
+    uint end = first + pixels < edge_pixel_count ? first + pixels : edge_pixel_count;
     EdgeRays rays;
     make_edge_rays(&params, edge_pixels, first, end, &rays);
     trace_edge_rays(&params, scene, &rays);
-    float share = 1.0f / (float)(params.edge_samples + 1u);
+    float share = 1.0f / (float)(params.sampling.edge_samples + 1u);
     uint misses = 0u;
     uint ray = 0u;
     for (uint at = first; at < end; ++at) {
@@ -244,14 +248,14 @@ WEFT_KERNEL(edge_samples)
                           0.0f};
         FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
         add_share(&sum, &centre, share);
-        for (uint k = 0u; k < params.edge_samples; ++k, ++ray) {
-            FilmSample sample =
-                hit_sample(&params, &geometry, &seen, &buffers, nonfinite, pixel, rays.x[ray],
-                           rays.y[ray], rays.directions[ray], rays.hits[ray], &misses);
+        for (uint k = 0u; k < params.sampling.edge_samples; ++k, ++ray) {
+            FilmSample sample = hit_sample(&params, &geometry, &seen, &buffers, nonfinite, pixel,
+                                           rays.x[ray], rays.y[ray], rays.directions[ray],
+                                           rays.hits[ray], texture_angle, &misses);
             add_share(&sum, &sample, share);
         }
         add_film_sample(&params, film_high, film_low, pixel, &sum);
     }
-    count_rays(counters + params.counter, rays.count);
-    if (misses > 0u) atomic_add_uint(&counters[params.counter].misses, misses);
+    count_rays(counters + range.counter, rays.count);
+    if (misses > 0u) atomic_add_uint(&counters[range.counter].misses, misses);
 }

@@ -9,17 +9,14 @@
 #include "discontinuity.h"
 #include "guard.h"
 
-// Irradiance as the components leave it; those that a frame does not have are never read.
-#define IRRADIANCE_ARGS                                                      \
-    GLOBAL const uint *pixel_slot, GLOBAL const float4 *direct,              \
-        GLOBAL const float *exact_irradiance, GLOBAL const float4 *indirect, \
-        GLOBAL const float4 *view_left, GLOBAL const float4 *view_glow,      \
-        GLOBAL const float4 *media_light
+// Fills in IrradianceBuffers from the arguments of GROUP_ComposedLight; those that a frame does not
+// have are never read.
 #define IRRADIANCE_MAKE(name)                 \
     IrradianceBuffers name;                   \
     name.pixel_slot = pixel_slot;             \
     name.direct = direct;                     \
     name.exact_irradiance = exact_irradiance; \
+    name.slots = slots;                       \
     name.indirect = indirect;                 \
     name.view_left = view_left;               \
     name.view_glow = view_glow;               \
@@ -37,6 +34,7 @@ typedef struct {
     GLOBAL const uint* pixel_slot;         // where exact irradiance is found
     GLOBAL const float4* direct;           // by pixel
     GLOBAL const float* exact_irradiance;  // by slot
+    uint slots;                            // stride of its planes
     GLOBAL const float4* indirect;         // by pixel
     GLOBAL const float4* view_left;        // what media leave of a pixel's light
     GLOBAL const float4* view_glow;        // radiance that they emit to it
@@ -50,7 +48,7 @@ typedef struct {
     float3 media;  // and that they scatter to it
 } Irradiance;
 
-// What the primary rays through pixels found; see GBUFFER_ARGS.
+// What the primary rays through pixels found; see gbuffer.h.
 typedef struct {
     GLOBAL const uint* ids;
     GLOBAL const float4* position;
@@ -77,7 +75,7 @@ static inline Irradiance no_irradiance(void) {
 }
 
 /// What media do to a pixel's light.
-static inline void add_view_media(const Params* params, const IrradianceBuffers* buffers,
+static inline void add_view_media(const RenderParams* params, const IrradianceBuffers* buffers,
                                   uint pixel, Irradiance* e) {
     if (HAS(params, FEATURE_MEDIA)) e->left = xyz(buffers->view_left[pixel]);
     if (HAS(params, FEATURE_EMISSIVE_MEDIA)) e->glow = xyz(buffers->view_glow[pixel]);
@@ -85,20 +83,20 @@ static inline void add_view_media(const Params* params, const IrradianceBuffers*
 }
 
 /// Irradiance of a pixel; `lit` says whether it shows a surface that reflects.
-static inline Irradiance pixel_irradiance(const Params* params, const IrradianceBuffers* buffers,
-                                          uint pixel, int lit) {
+static inline Irradiance pixel_irradiance(const RenderParams* params,
+                                          const IrradianceBuffers* buffers, uint pixel, int lit) {
     Irradiance e = no_irradiance();
     if (HAS(params, FEATURE_SAMPLED_DIRECT)) e.direct = xyz(buffers->direct[pixel]);
     if (HAS(params, FEATURE_EXACT_DIRECT) && lit != 0)
         e.direct +=
-            slot_irradiance(buffers->exact_irradiance, params->slots, buffers->pixel_slot[pixel]);
+            slot_irradiance(buffers->exact_irradiance, buffers->slots, buffers->pixel_slot[pixel]);
     if (HAS(params, FEATURE_INDIRECT)) e.indirect = xyz(buffers->indirect[pixel]);
     add_view_media(params, buffers, pixel, &e);
     return e;
 }
 
 /// What a surface under that irradiance sends to the camera; `depth` in kernel units.
-static inline FilmSample film_sample(const Params* params, GLOBAL NonfiniteCounter* nonfinite,
+static inline FilmSample film_sample(const RenderParams* params, GLOBAL NonfiniteCounter* nonfinite,
                                      uint pixel, float3 emission, float3 albedo, Irradiance e,
                                      float3 normal, float depth) {
     FilmSample sample;
@@ -117,12 +115,12 @@ static inline FilmSample film_sample(const Params* params, GLOBAL NonfiniteCount
     sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
     sample.normal = normal;
     sample.depth =
-        guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth / params->unit, 0.0f, 0.0f)).x;
+        guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth / params->scene.unit, 0.0f, 0.0f)).x;
     return sample;
 }
 
 /// What the pixel's own primary ray shows.
-static inline FilmSample pixel_sample(const Params* params, const SeenPixels* seen,
+static inline FilmSample pixel_sample(const RenderParams* params, const SeenPixels* seen,
                                       const IrradianceBuffers* buffers,
                                       GLOBAL NonfiniteCounter* nonfinite, uint pixel) {
     int lit = pixel_is_lit(seen->ids, seen->albedo, pixel);
@@ -130,11 +128,6 @@ static inline FilmSample pixel_sample(const Params* params, const SeenPixels* se
     return film_sample(params, nonfinite, pixel, xyz(seen->emission[pixel]),
                        xyz(seen->albedo[pixel]), e, xyz(seen->shading[pixel]),
                        seen->position[pixel].w);
-}
-
-/// Samples that the film holds already: each frame adds one.
-static inline uint film_samples(const Params* params) {
-    return params->film_starts != 0u ? 0u : params->frame;
 }
 
 /// Neumaier's compensated sum, to which `samples` have been added. What is undefined before the
@@ -163,10 +156,10 @@ static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, ui
     add_to_film(high, low, at + 2u * stride, samples, x.z);
 }
 
-static inline void add_film_sample(const Params* params, GLOBAL float* film_high,
+static inline void add_film_sample(const RenderParams* params, GLOBAL float* film_high,
                                    GLOBAL float* film_low, uint pixel, const FilmSample* sample) {
-    uint stride = FILM_STRIDE(params->width * params->height);
-    uint samples = film_samples(params);
+    uint stride = FILM_STRIDE(params->camera.width * params->camera.height);
+    uint samples = params->sampling.sample;
     GLOBAL float* high = film_high + pixel;
     GLOBAL float* low = film_low + pixel;
     add_vector(high, low, FILM_EMISSION * stride, stride, samples, sample->emission);

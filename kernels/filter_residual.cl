@@ -4,16 +4,16 @@
 // Adds what vpl_residual.cl has found for every pixel to irradiance that was interpolated between
 // fewer samples: through the discontinuity buffer, as reconstruct.cl does where both are one.
 #include "discontinuity.h"
+#include "kernel.h"
 
 WEFT_KERNEL(filter_residual)
-(PARAMS, GBUFFER_ARGS, GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
- GLOBAL float4* filtered) {
-    if (GLOBAL_ID >= params.count) return;
-    uint pixel = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint pixel = range.first + GLOBAL_ID;
     if (pixel_is_lit(gb_ids, gb_albedo, pixel) == 0) return;
     PixelSurface surface = pixel_surface(&params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
     float4 residual = window_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
-                                  pixel_slot, irradiance, pixel);
+                                  pixel_slot, irradiance, slots, pixel);
     float4 other = filtered[pixel];
     filtered[pixel] = f4(other.x + residual.x, other.y + residual.y, other.z + residual.z, other.w);
 }

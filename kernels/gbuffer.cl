@@ -5,12 +5,16 @@
 // of a small block of pixels. One work-item per block, row by row.
 #include "camera.h"
 #include "gbuffer.h"
+#include "kernel.h"
 #include "surface.h"
 #include "trace.h"
 
 /// What a pixel's ray in that direction met; `facet` is the triangle's.
-static inline void store_pixel(const Params* params, const Geometry* geometry, const Facet* facet,
-                               uint pixel, float3 direction, Hit hit, GBUFFER_ARGS) {
+static inline void store_pixel(const RenderParams* params, const Geometry* geometry,
+                               const Facet* facet, uint pixel, float3 direction, Hit hit,
+                               GLOBAL uint* gb_ids, GLOBAL float4* gb_position,
+                               GLOBAL float4* gb_normal, GLOBAL float4* gb_shading,
+                               GLOBAL float4* gb_albedo, GLOBAL float4* gb_emission) {
     gb_ids[2u * pixel] = NO_TRIANGLE;
     gb_ids[2u * pixel + 1u] = hit.triangle;
     if (hit.triangle == NO_TRIANGLE) {
@@ -18,17 +22,18 @@ static inline void store_pixel(const Params* params, const Geometry* geometry, c
         gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
-        gb_emission[pixel] =
-            HAS(params, FEATURE_ENVIRONMENT) ? params->environment : f4(0.0f, 0.0f, 0.0f, 0.0f);
+        gb_emission[pixel] = HAS(params, FEATURE_ENVIRONMENT) ? params->scene.environment
+                                                              : f4(0.0f, 0.0f, 0.0f, 0.0f);
         return;
     }
-    Surface surface = surface_on(params, geometry, facet, hit, direction, params->texture_angle);
+    Surface surface =
+        surface_on(params, geometry, facet, hit, direction, params->camera.texture_angle);
     // The forward component of `direction` is 1, so t is the distance along the viewing axis.
     float depth = hit.t;
     float length = length3(direction);
     float distance = depth * length;
     float facing = -dot3(surface.normal, direction) / length;
-    float footprint = distance * params->pixel_angle / m_max(facing, 0.05f);
+    float footprint = distance * params->camera.pixel_angle / m_max(facing, 0.05f);
     float lit =
         surface.albedo.x > 0.0f || surface.albedo.y > 0.0f || surface.albedo.z > 0.0f ? 1.0f : 0.0f;
     gb_ids[2u * pixel] = surface.instance;
@@ -40,15 +45,15 @@ static inline void store_pixel(const Params* params, const Geometry* geometry, c
 }
 
 WEFT_KERNEL(gbuffer)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, GBUFFER_ARGS) {
-    if (GLOBAL_ID >= params.count) return;
-    uint block = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint block = range.first + GLOBAL_ID;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    float3 origin = xyz(params.camera_origin);
+    float3 origin = xyz(params.camera.origin);
     const uint block_width = pixel_block_width((uint)LANES);
     const uint block_height = (uint)LANES / block_width;
-    uint blocks = (params.width + block_width - 1u) / block_width;
+    uint blocks = (params.camera.width + block_width - 1u) / block_width;
     uint left = block % blocks * block_width;
     uint top = block / blocks * block_height;
     PacketDirections directions;
@@ -56,12 +61,12 @@ WEFT_KERNEL(gbuffer)
     for (uint lane = 0u; lane < LANES; ++lane) {
         uint x = left + lane % block_width;
         uint y = top + lane / block_width;
-        float3 direction =
-            camera_direction(&params, (float)x + params.jitter_x, (float)y + params.jitter_y);
+        float3 direction = camera_direction(&params, (float)x + params.camera.jitter_x,
+                                            (float)y + params.camera.jitter_y);
         directions.x[lane] = direction.x;
         directions.y[lane] = direction.y;
         directions.z[lane] = direction.z;
-        if (x < params.width && y < params.height) inside |= 1u << lane;
+        if (x < params.camera.width && y < params.camera.height) inside |= 1u << lane;
     }
     Hit hits[LANES];
     trace_closest_packet(scene, origin, &directions, inside, RAY_INFINITY, hits);
@@ -74,7 +79,7 @@ WEFT_KERNEL(gbuffer)
             facet_id = hits[lane].triangle;
             if (facet_id != NO_TRIANGLE) facet = facet_of(&geometry, facet_id);
         }
-        uint pixel = (top + lane / block_width) * params.width + left + lane % block_width;
+        uint pixel = (top + lane / block_width) * params.camera.width + left + lane % block_width;
         store_pixel(&params, &geometry, &facet, pixel,
                     f3(directions.x[lane], directions.y[lane], directions.z[lane]), hits[lane],
                     gb_ids, gb_position, gb_normal, gb_shading, gb_albedo, gb_emission);

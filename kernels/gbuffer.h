@@ -14,8 +14,4 @@
 
 #include "port.h"
 
-#define GBUFFER_ARGS                                                           \
-    GLOBAL uint *gb_ids, GLOBAL float4 *gb_position, GLOBAL float4 *gb_normal, \
-        GLOBAL float4 *gb_shading, GLOBAL float4 *gb_albedo, GLOBAL float4 *gb_emission
-
 #endif

@@ -7,12 +7,6 @@
 
 #include "triangle.h"
 
-#define GEOMETRY_ARGS                                                                   \
-    GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list,               \
-        GLOBAL const InstanceRecord *instances, GLOBAL const MaterialRecord *materials, \
-        GLOBAL const float *normals, GLOBAL const float *texture_coordinates,           \
-        GLOBAL const float *vertex_colours, GLOBAL const TextureRecord *textures,       \
-        GLOBAL const uint *texels, GLOBAL const float *srgb_table
 #define GEOMETRY_MAKE(name)                         \
     Geometry name;                                  \
     name.positions = positions;                     \

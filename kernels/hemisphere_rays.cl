@@ -8,11 +8,12 @@
 // in 2 pi [k, k + 1) / N. One ray goes through a random point of each. What it hits reflects light
 // as a surface of path.cl does, by all orders: next-event estimation, scattered rays, roulette.
 //
-// A work-item traces one cell: those of the records from slot Params::list_first on follow one
-// another. Params::list_stride is M, Params::list_length is N. Of each cell the radiance, rgb, and
+// A work-item traces one cell: those of the records from slot HemisphereGrid::first on follow one
+// another; M is the number of elevations, N that of azimuths. Of each cell the radiance, rgb, and
 // the distance are kept: RAY_INFINITY where nothing is hit, 0 below the record's own surface.
 #include "counters.h"
 #include "guard.h"
+#include "kernel.h"
 #include "path.h"
 #include "receiver_values.h"
 
@@ -32,7 +33,7 @@ static inline float3 cell_direction(uint elevations, uint azimuths, uint cell, f
 }
 
 /// What a ray from a point off a surface brings, rgb, and how far it goes.
-static inline float4 trace_cell(const Params* params, const PathScene* world, float3 position,
+static inline float4 trace_cell(const RenderParams* params, const PathScene* world, float3 position,
                                 float3 normal, float3 direction, Random* random, uint* rays) {
     if (!(dot3(direction, normal) > 0.0f)) return f4(0.0f, 0.0f, 0.0f, 0.0f);
     Hit hit = trace_closest(world->scene, position, direction, RAY_INFINITY);
@@ -52,32 +53,31 @@ static inline float4 trace_cell(const Params* params, const PathScene* world, fl
         if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, random);
     }
     // Nearer than rays start off their surfaces is rounding, and its reciprocal might overflow.
-    float distance = m_max(hit.t, surface_offset(position, params->extent));
+    float distance = m_max(hit.t, surface_offset(position, params->scene.extent));
     return f4(sum.indirect.x, sum.indirect.y, sum.indirect.z, distance);
 }
 
 WEFT_KERNEL(hemisphere_rays)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL const float* receiver_planes,
- GLOBAL const uint* slot_pixel, GLOBAL float4* cells, GLOBAL RayCounter* counters,
- GLOBAL NonfiniteCounter* nonfinite) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
-    uint elevations = params.list_stride;
-    uint azimuths = params.list_length;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
+    uint elevations = grid.elevations;
+    uint azimuths = grid.azimuths;
     uint cell = item % (elevations * azimuths);
-    uint slot = params.list_first + item / (elevations * azimuths);
-    uint stride = params.slots;
+    uint slot = grid.first + item / (elevations * azimuths);
+    uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    PathScene world = {scene, geometry, lights, emissive, params.choice_lights};
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
     float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
     float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
     float3 normal = shading;
     if (HAS(&params, FEATURE_SMOOTH_NORMALS))
         normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
     uint pixel = slot_pixel[slot];
-    Random random = make_random(params.seed, pixel, params.frame * (elevations * azimuths) + cell);
+    Random random = make_random(params.sampling.seed, pixel,
+                                params.sampling.sample * (elevations * azimuths) + cell);
     float u = next_random(&random);
     float v = next_random(&random);
     uint rays = 0u;
@@ -86,5 +86,5 @@ WEFT_KERNEL(hemisphere_rays)
                    cell_direction(elevations, azimuths, cell, u, v, shading), &random, &rays);
     float3 light = guard(nonfinite, COMPONENT_INDIRECT, pixel, xyz(found));
     cells[item] = f4(light.x, light.y, light.z, found.w);
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

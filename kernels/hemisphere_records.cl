@@ -15,12 +15,13 @@
 // means over cells, so that all three are exact where radiance is the same all over each cell. The
 // turn goes with n x n'. Directions below the record's own surface border on nothing that moves.
 //
-// A record serves as far as Params::cache_error times the harmonic mean distance (Ward et al. 1988)
-// or, where that is less, times the distance at which light would have fallen to nothing at its
-// slope (Krivanek et al. 2006); within bounds by pixels. Where that is less than the least, the
-// slope counts for less by the same share, since what lies so near is not known well enough.
+// A record serves as far as SamplingParams::record_error times the harmonic mean distance (Ward et
+// al. 1988) or, where that is less, times the distance at which light would have fallen to nothing
+// at its slope (Krivanek et al. 2006); within bounds by pixels. Where that is less than the least,
+// the slope counts for less by the same share, since what lies so near is not known well enough.
 #include "cache.h"
 #include "gbuffer.h"
+#include "kernel.h"
 #include "receiver_values.h"
 #include "record_place.h"
 #include "triangle.h"
@@ -164,23 +165,22 @@ static inline void store_gradient(const Gradient* gradient, float scale, uint pl
 }
 
 WEFT_KERNEL(hemisphere_records)
-(PARAMS, GBUFFER_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* slot_pixel,
- GLOBAL const float4* cells, GLOBAL float* records) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
-    uint slot = params.list_first + item;
-    uint stride = params.slots;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
+    uint slot = grid.first + item;
+    uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
-    uint elevations = params.list_stride;
-    uint azimuths = params.list_length;
+    uint elevations = grid.elevations;
+    uint azimuths = grid.azimuths;
     float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
     Hemisphere all =
         hemisphere_of(cells + item * (elevations * azimuths), elevations, azimuths, shading);
     GLOBAL float* record = records + slot;
-    store_place(&params, gb_position, gb_normal, slot_pixel[slot], record);
+    store_place(&params, gb_position, gb_normal, slot_pixel[slot], stride, record);
     float least = record[RECORD_LEAST * stride];
     float most = record[RECORD_MOST * stride];
-    float reach = hemisphere_reach(&all, params.cache_error);
+    float reach = hemisphere_reach(&all, params.sampling.record_error);
     // In this order a least of 0, beside which nothing has a share, makes no NaN.
     float share = m_min(reach / least, 1.0f);
     store_row(all.light, RECORD_LIGHT, stride, record);

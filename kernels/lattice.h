@@ -67,9 +67,9 @@ CONSTANT_TABLE float tile_weights_2[TILE_POINTS_2 * TILE_EDGE] = {
     0.0f,         0.166666667f};
 
 /// 1 where the taps of a tile keep to the lattice points around it.
-static inline int tile_is_inside(const Params* params, int left, int top) {
-    return left >= 4 && top >= 4 && left + 16 <= (int)params->width &&
-                   top + 16 <= (int)params->height
+static inline int tile_is_inside(const RenderParams* params, int left, int top) {
+    return left >= 4 && top >= 4 && left + 16 <= (int)params->camera.width &&
+                   top + 16 <= (int)params->camera.height
                ? 1
                : 0;
 }

@@ -4,19 +4,19 @@
 // What the scheduler judges an undersampled component by: at every lattice point that has a sample
 // its irradiance as luminance, the reflectance it is seen with, other light there, and which of its
 // eight lattice neighbours lie on its surface and have samples. One work-item per lattice point of
-// stride Params::list_stride. Written as 4 floats; the last holds the neighbours as bits, row by
+// stride `lattice_stride`. Written as 4 floats; the last holds the neighbours as bits, row by
 // row from the upper left, LATTICE_SAMPLED where the point has a sample.
 #include "discontinuity.h"
+#include "kernel.h"
 #include "lattice.h"
 
 WEFT_KERNEL(lattice_signal)
-(PARAMS, GBUFFER_ARGS, GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
- GLOBAL float4* signal) {
-    if (GLOBAL_ID >= params.count) return;
-    uint point = params.first + GLOBAL_ID;
-    int stride = (int)params.list_stride;
-    int width = (int)params.width;
-    int height = (int)params.height;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint point = range.first + GLOBAL_ID;
+    int stride = (int)lattice_stride;
+    int width = (int)params.camera.width;
+    int height = (int)params.camera.height;
     int columns = lattice_size(width, stride);
     int x = (int)point % columns * stride;
     int y = (int)point / columns * stride;
@@ -43,7 +43,7 @@ WEFT_KERNEL(lattice_signal)
             bit <<= 1;
         }
     }
-    signal[point] = f4(luminance(slot_irradiance(irradiance, params.slots, slot)),
+    signal[point] = f4(luminance(slot_irradiance(irradiance, slots, slot)),
                        luminance(xyz(gb_albedo[pixel])) * 0.318309886f,
                        luminance(xyz(gb_emission[pixel])), (float)bits);
 }

@@ -9,8 +9,6 @@
 #include "offset.h"
 #include "sampling.h"
 
-#define LIGHT_ARGS GLOBAL const LightRecord *lights, GLOBAL const EmissiveTriangle *emissive
-
 // A point on an area light with the side it shines to.
 typedef struct {
     float3 position, normal;

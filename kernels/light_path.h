@@ -28,17 +28,17 @@ static inline float3 power_of(LightRecord light) {
 }
 
 /// First segment of a path: flux is the light's power over the probability of choosing it.
-static inline LightPath emit_path(const Params* params, const Geometry* geometry,
+static inline LightPath emit_path(const RenderParams* params, const Geometry* geometry,
                                   GLOBAL const LightRecord* lights,
                                   GLOBAL const EmissiveTriangle* emissive, uint index) {
     LightPath path;
-    uint key = params->seed;
+    uint key = params->sampling.seed;
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
     float s = radical_inverse(PRIME_DIRECTION_U, index, key);
     float t = radical_inverse(PRIME_DIRECTION_V, index, key);
     float choice = radical_inverse(PRIME_LIGHT, index, key);
-    LightRecord light = lights[choose_light(lights, params->lights, &choice)];
+    LightRecord light = lights[choose_light(lights, params->scene.lights, &choice)];
     float weight = 1.0f / light.probability;
     path.inside = light.inside;
     if (light.kind == EMITTER_AREA) {
@@ -49,7 +49,8 @@ static inline LightPath emit_path(const Params* params, const Geometry* geometry
             weight *= 2.0f;
         }
         path.direction = turn_to(cosine_direction(s, t), normal);
-        path.origin = point.position + normal * surface_offset(point.position, params->extent);
+        path.origin =
+            point.position + normal * surface_offset(point.position, params->scene.extent);
         path.flux = power_of(light) * (weight * 3.14159265f * light.area);
     } else if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT) {
         float limit = light.kind == EMITTER_SPOT ? light.cos_outer : -1.0f;
@@ -61,7 +62,7 @@ static inline LightPath emit_path(const Params* params, const Geometry* geometry
             weight *= spot_falloff(about_z.z, light.cos_inner, light.cos_outer);
         path.flux = power_of(light) * weight;
     } else {
-        float radius = params->scene_centre.w;
+        float radius = params->scene.bounding_sphere.w;
         path.direction = xyz(light.axis);
         if (light.kind == EMITTER_ENVIRONMENT) {
             path.direction = cone_direction(s, t, -1.0f);
@@ -70,19 +71,20 @@ static inline LightPath emit_path(const Params* params, const Geometry* geometry
         float x, y;
         concentric_disk(u, v, &x, &y);
         float3 disk = turn_to(f3(x, y, 0.0f), path.direction);
-        path.origin = xyz(params->scene_centre) + (disk - path.direction * 1.5f) * radius;
+        path.origin = xyz(params->scene.bounding_sphere) + (disk - path.direction * 1.5f) * radius;
         path.flux = power_of(light) * (weight * 3.14159265f * radius * radius);
     }
     return path;
 }
 
 /// Which path of all frames the `item`th is.
-static inline uint path_index(const Params* params, uint item) {
-    uint set = item / params->paths_per_set;
-    uint path_in_set = item % params->paths_per_set;
-    uint block = params->frame * params->sets + set;
-    uint turn = hash_pair(params->seed, block) % params->paths_per_set;
-    return block * params->paths_per_set + (path_in_set + turn) % params->paths_per_set;
+static inline uint path_index(const RenderParams* params, uint item) {
+    uint set = item / params->sampling.paths_per_set;
+    uint path_in_set = item % params->sampling.paths_per_set;
+    uint block = params->sampling.sample * params->sampling.sets + set;
+    uint turn = hash_pair(params->sampling.seed, block) % params->sampling.paths_per_set;
+    return block * params->sampling.paths_per_set +
+           (path_in_set + turn) % params->sampling.paths_per_set;
 }
 
 // A path's place where it is scattered.
@@ -94,7 +96,7 @@ typedef struct {
 
 /// Follows the path, which meets `hit` or nothing, to where it is scattered next, and its flux to
 /// what is scattered there. Returns 0 where nothing is.
-static inline int follow(const Params* params, Hit hit, const Geometry* geometry,
+static inline int follow(const RenderParams* params, Hit hit, const Geometry* geometry,
                          const Media* media, Random* random, LightPath* path, Vertex* vertex) {
     int met = hit.triangle != NO_TRIANGLE ? 1 : 0;
     if (HAS(params, FEATURE_MEDIA)) {
@@ -115,7 +117,7 @@ static inline int follow(const Params* params, Hit hit, const Geometry* geometry
     Surface surface = surface_at(params, geometry, hit, path->direction, 0.0f);
     path->flux = path->flux * surface.albedo;
     path->origin =
-        surface.position + surface.normal * surface_offset(surface.position, params->extent);
+        surface.position + surface.normal * surface_offset(surface.position, params->scene.extent);
     vertex->kind = VPL_SURFACE;
     vertex->normal = surface.normal;
     vertex->g = 0.0f;
@@ -129,10 +131,10 @@ static inline float3 scattered_direction(const Vertex* vertex, float u, float v)
 }
 
 /// Where the path goes from its vertex number `bounce`.
-static inline float3 next_direction(const Params* params, const Vertex* vertex, uint bounce,
+static inline float3 next_direction(const RenderParams* params, const Vertex* vertex, uint bounce,
                                     uint index) {
-    float u = radical_inverse(bounce_primes[2u * bounce], index, params->seed);
-    float v = radical_inverse(bounce_primes[2u * bounce + 1u], index, params->seed);
+    float u = radical_inverse(bounce_primes[2u * bounce], index, params->sampling.seed);
+    float v = radical_inverse(bounce_primes[2u * bounce + 1u], index, params->sampling.seed);
     return scattered_direction(vertex, u, v);
 }
 

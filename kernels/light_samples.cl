@@ -4,80 +4,85 @@
 // Points on the lights that all pixels of a set share: light-source VPLs. The buffer holds the area
 // samples of every set, then the punctual lights, then per set the local directions towards the
 // environment (unit vectors about +z with density cos / pi).
+#include "kernel.h"
 #include "light.h"
 
 /// Where on view rays a sample's scattered light is looked for; see Vpl::cone.
-static inline float view_number(const Params* params, uint prime, uint index, uint key) {
+static inline float view_number(const RenderParams* params, uint prime, uint index, uint key) {
     return HAS(params, FEATURE_AIRLIGHT) ? radical_inverse(prime, index, key) : 0.0f;
 }
 
-static inline void store_area_sample(const Params* params, const Geometry* geometry,
-                                     GLOBAL const LightRecord* lights,
+static inline void store_area_sample(const RenderParams* params, const LightSampling* sampling,
+                                     const Geometry* geometry, GLOBAL const LightRecord* lights,
                                      GLOBAL const EmissiveTriangle* emissive, uint set, uint item,
                                      GLOBAL Vpl* vpl) {
     uint chosen, count, index;
     float probability = 1.0f;
-    if (params->samples_per_light > 0u) {
-        count = params->samples_per_light;
+    if (sampling->per_light > 0u) {
+        count = sampling->per_light;
         chosen = item / count;
-        index = (params->frame * params->sets + set) * count + item % count;
+        index = (params->sampling.sample * params->sampling.sets + set) * count + item % count;
     } else {
-        count = params->samples_per_set;
-        index = (params->frame * params->sets + set) * count + item;
-        float choice = radical_inverse(PRIME_LIGHT, index, params->seed);
-        chosen = choose_area_light(lights, params->sampled_lights, choice);
+        count = sampling->per_set;
+        index = (params->sampling.sample * params->sampling.sets + set) * count + item;
+        float choice = radical_inverse(PRIME_LIGHT, index, params->sampling.seed);
+        chosen = choose_area_light(lights, params->scene.area_lights, choice);
         probability = lights[chosen].area_probability;
     }
     LightRecord light = lights[chosen];
-    uint key = hash_pair(params->seed, chosen + 1u);
+    uint key = hash_pair(params->sampling.seed, chosen + 1u);
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
     LightPoint point = sample_area(geometry, light, emissive, u, v);
     float3 normal = point.normal;
-    float weight = light.area / (probability * (float)count * (float)params->sets);
+    float weight = light.area / (probability * (float)count * (float)params->sampling.sets);
     if (light.both_sides != 0u) {
         normal = radical_inverse(PRIME_DIRECTION_U, index, key) < 0.5f ? normal : -normal;
         weight *= 2.0f;
     }
-    float3 origin = point.position + normal * surface_offset(point.position, params->extent);
+    float3 origin = point.position + normal * surface_offset(point.position, params->scene.extent);
     float3 flux = xyz(light.power) * weight;
-    vpl->position = f4(origin.x, origin.y, origin.z, params->light_bound_scale / light.area);
+    vpl->position = f4(origin.x, origin.y, origin.z, sampling->bound_scale / light.area);
     vpl->normal = f4(normal.x, normal.y, normal.z, from_bits(VPL_SURFACE));
     vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);
     vpl->cone = f4(0.0f, 0.0f, 0.0f, view_number(params, PRIME_LIGHT, index, key));
 }
 
-static inline void store_punctual(const Params* params, LightRecord light, float sets,
+static inline void store_punctual(const RenderParams* params, LightRecord light, float sets,
                                   GLOBAL Vpl* vpl) {
     uint kind = light.kind == EMITTER_SPOT ? VPL_SPOT : VPL_POINT;
     float3 flux = xyz(light.power) * (1.0f / sets);
     vpl->position = light.position;
     vpl->normal = f4(light.axis.x, light.axis.y, light.axis.z, from_bits(kind));
     vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);
-    vpl->cone = f4(light.cos_inner, light.cos_outer, 0.0f,
-                   view_number(params, PRIME_POSITION_U, params->frame, params->seed));
+    vpl->cone =
+        f4(light.cos_inner, light.cos_outer, 0.0f,
+           view_number(params, PRIME_POSITION_U, params->sampling.sample, params->sampling.seed));
 }
 
 WEFT_KERNEL(light_samples)
-(PARAMS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL Vpl* samples) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
     GEOMETRY_MAKE(geometry);
-    uint area_samples = params.sets * params.samples_per_set;
+    uint area_samples = params.sampling.sets * light_sampling.per_set;
     if (item < area_samples) {
-        store_area_sample(&params, &geometry, lights, emissive, item / params.samples_per_set,
-                          item % params.samples_per_set, samples + item);
+        store_area_sample(&params, &light_sampling, &geometry, lights, emissive,
+                          item / light_sampling.per_set, item % light_sampling.per_set,
+                          samples + item);
         return;
     }
     uint punctual = item - area_samples;
-    if (punctual < params.delta_lights) {
-        store_punctual(&params, lights[params.delta_lights_first + punctual], params.gather_scale,
-                       samples + item);
+    if (punctual < params.scene.delta_lights) {
+        store_punctual(&params, lights[params.scene.delta_lights_first + punctual],
+                       params.sampling.gather_scale, samples + item);
         return;
     }
-    uint direction = punctual - params.delta_lights;
-    uint index = params.frame * params.sets * params.environment_samples + direction;
-    uint key = hash_pair(params.seed, 0u);
+    uint direction = punctual - params.scene.delta_lights;
+    uint index =
+        params.sampling.sample * params.sampling.sets * params.sampling.environment_samples +
+        direction;
+    uint key = hash_pair(params.sampling.seed, 0u);
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
     float3 about_z = cosine_direction(u, v);

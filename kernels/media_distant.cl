@@ -5,7 +5,9 @@
 // has found. Places are spread on a ray as light of the clearest channel would be scattered there.
 // One ray at a time, as in distant_light.cl.
 #include "counters.h"
+#include "kernel.h"
 #include "receiver_values.h"
+#include "sample_sets.h"
 #include "view_packet.h"
 #include "visibility.h"
 
@@ -16,7 +18,7 @@ typedef struct {
 
 /// Extinction by which places are spread: that of the clearest channel where one medium fills all
 /// space; 0, for places spread evenly, elsewhere.
-static inline float spread_extinction(const Params* params, const Media* media) {
+static inline float spread_extinction(const RenderParams* params, const Media* media) {
     uint outside = media->record->outside;
     // Convex without a boundary: of a medium without a grid.
     if (!HAS(params, FEATURE_CONVEX_MEDIA) || media->record->boundaries != 0u ||
@@ -41,10 +43,10 @@ static inline DistantPlace distant_place(const ViewRay* ray, float sigma, float 
 }
 
 /// Light of irradiance 1 from a direction that is scattered at a place, by channel.
-static inline float3 scattered_from(const Params* params, Scene scene, const Media* media,
+static inline float3 scattered_from(const RenderParams* params, Scene scene, const Media* media,
                                     const ViewRay* ray, float3 from, DistantPlace at, uint number,
                                     uint* rays) {
-    float3 origin = xyz(params->camera_origin);
+    float3 origin = xyz(params->camera.origin);
     float3 place = origin + ray->direction * at.t;
     float3 none = f3(0.0f, 0.0f, 0.0f);
     ++*rays;
@@ -58,66 +60,64 @@ static inline float3 scattered_from(const Params* params, Scene scene, const Med
 }
 
 /// A number in [0, 1) by set and frame, such that those of all sets are evenly spread.
-static inline float set_shift(const Params* params, uint set) {
-    float x = radical_inverse(PRIME_POSITION_U, params->frame, hash_pair(params->seed, 0x3Bu)) +
-              (float)set / (float)params->gather_sets;
+static inline float set_shift(const RenderParams* params, uint set) {
+    float x = radical_inverse(PRIME_POSITION_U, params->sampling.sample,
+                              hash_pair(params->sampling.seed, 0x3Bu)) +
+              (float)set / (float)params->sampling.gather_sets;
     return x < 1.0f ? x : x - 1.0f;
 }
 
 /// The sum of what directional lights send.
-static inline float3 directional_light(const Params* params, Scene scene, const Media* media,
+static inline float3 directional_light(const RenderParams* params, Scene scene, const Media* media,
                                        const ViewRay* ray, GLOBAL const LightRecord* lights,
-                                       float sigma, uint set, uint* rays) {
+                                       float sigma, uint set, uint steps, uint* rays) {
     float3 sum = f3(0.0f, 0.0f, 0.0f);
-    float share = 1.0f / (float)params->media_steps;
-    for (uint i = 0u; i < params->directional_lights; ++i) {
-        LightRecord light = lights[params->directional_lights_first + i];
-        for (uint k = 0u; k < params->media_steps; ++k) {
+    float share = 1.0f / (float)steps;
+    for (uint i = 0u; i < params->scene.directional_lights; ++i) {
+        LightRecord light = lights[params->scene.directional_lights_first + i];
+        for (uint k = 0u; k < steps; ++k) {
             DistantPlace at =
                 distant_place(ray, sigma, (set_shift(params, set) + (float)k) * share);
             sum += xyz(light.power) * scattered_from(params, scene, media, ray, -xyz(light.axis),
-                                                     at, i * params->media_steps + k, rays);
+                                                     at, i * steps + k, rays);
         }
     }
     return sum * share;
 }
 
 /// What the environment sends: from one direction for each place.
-static inline float3 environment_light(const Params* params, Scene scene, const Media* media,
+static inline float3 environment_light(const RenderParams* params, Scene scene, const Media* media,
                                        const ViewRay* ray, float sigma, uint set, uint* rays) {
     float3 sum = f3(0.0f, 0.0f, 0.0f);
-    uint count = params->gather_sets == 1u ? params->environment_samples * params->sets
-                                           : params->environment_samples;
-    uint key = hash_pair(params->seed, 0x7Du);
+    uint count = params->sampling.environment_samples * receiver_sets(params);
+    uint key = hash_pair(params->sampling.seed, 0x7Du);
     for (uint i = 0u; i < count; ++i) {
-        uint index = (params->frame * params->sets + set) * count + i;
+        uint index = (params->sampling.sample * params->sampling.sets + set) * count + i;
         float u = radical_inverse(PRIME_DIRECTION_U, index, key);
         float v = radical_inverse(PRIME_DIRECTION_V, index, key);
         float w = radical_inverse(PRIME_POSITION_U, index, key);
         sum += scattered_from(params, scene, media, ray, cone_direction(u, v, -1.0f),
                               distant_place(ray, sigma, w), i, rays);
     }
-    return xyz(params->environment) * sum * (12.5663706f / (float)count);
+    return xyz(params->scene.environment) * sum * (12.5663706f / (float)count);
 }
 
 WEFT_KERNEL(media_distant)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const LightRecord* lights,
- GLOBAL const float4* end_position, GLOBAL const float4* end_albedo, GLOBAL const uint* slot_pixel,
- GLOBAL const uint* block_set, GLOBAL float* radiance, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = range.first + GLOBAL_ID;
     ViewRay ray = view_ray(&params, end_position, end_albedo, slot_pixel[slot]);
     if (ray.valid == 0) return;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
+    uint set = receiver_set(&params, block_set, slot);
     float sigma = spread_extinction(&params, &through);
     uint rays = 0u;
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS))
-        sum += directional_light(&params, scene, &through, &ray, lights, sigma, set, &rays);
-    if (HAS(&params, FEATURE_ENVIRONMENT) && params.environment_samples > 0u)
+        sum += directional_light(&params, scene, &through, &ray, lights, sigma, set, steps, &rays);
+    if (HAS(&params, FEATURE_ENVIRONMENT) && params.sampling.environment_samples > 0u)
         sum += environment_light(&params, scene, &through, &ray, sigma, set, &rays);
-    add_irradiance(radiance, params.slots, slot, sum);
-    count_rays(counters + params.counter, rays);
+    add_irradiance(radiance, slots, slot, sum);
+    count_rays(counters + range.counter, rays);
 }

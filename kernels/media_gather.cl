@@ -4,9 +4,11 @@
 // Light that media scatter into view rays, from a set's virtual lights, in packets: LANES pixels of
 // one set look for the light of one VPL at places of their own on their rays, which depend on the
 // VPL and the set alone. So the pixels of a window find it at as many places as there are sets,
-// times Params::media_steps. Serves indirect VPLs, points on area lights and punctual lights, as
+// times `steps`. Serves indirect VPLs, points on area lights and punctual lights, as
 // vpl_gather does, whose roulette is used likewise. What comes of it is radiance.
 #include "counters.h"
+#include "kernel.h"
+#include "sample_sets.h"
 #include "view_packet.h"
 
 /// The fractional part of x >= 0.
@@ -50,17 +52,18 @@ static inline WFloat phase_to_camera(const ViewPacket* view, const ViewPlaces* p
 }
 
 /// Roulette's level for every lane; see vpl_gather.cl. Media are left out of it.
-static inline WFloat media_roulette_level(const Params* params, const ViewPacket* view,
-                                          GLOBAL const Vpl* vpl, uint count) {
+static inline WFloat media_roulette_level(const RenderParams* params, float roulette,
+                                          const ViewPacket* view, GLOBAL const Vpl* vpl,
+                                          uint count) {
     WFloat sum = WIDE(0.0f);
     for (uint i = 0u; i < count; ++i, ++vpl) {
         float weight = luminance(xyz(vpl->flux));
         if (!(weight > 0.0f)) continue;
-        ViewPlaces places = places_seen_from(view, xyz(vpl->position), params->extent,
+        ViewPlaces places = places_seen_from(view, xyz(vpl->position), params->scene.extent,
                                              least_apart(vpl), vpl->cone.w);
         sum = sum + light_on_places(&places, vpl, as_bits(vpl->normal.w)) * weight;
     }
-    return sum * (params->roulette / (float)count);
+    return sum * (roulette / (float)count);
 }
 
 // Radiance of LANES pixels.
@@ -70,16 +73,16 @@ typedef struct {
 } MediaLight;
 
 /// Adds what is scattered of a VPL's light at one place of each ray.
-static inline void add_place(const Params* params, Scene scene, const Media* media,
+static inline void add_place(const RenderParams* params, Scene scene, const Media* media,
                              const ViewPacket* view, GLOBAL const Vpl* vpl, uint number, float u,
-                             WFloat level, MediaLight* light) {
+                             float roulette, WFloat level, MediaLight* light) {
     WFloat zero = WIDE(0.0f);
     float4 flux = vpl->flux;
     ViewPlaces places =
-        places_seen_from(view, xyz(vpl->position), params->extent, least_apart(vpl), u);
+        places_seen_from(view, xyz(vpl->position), params->scene.extent, least_apart(vpl), u);
     WFloat value = light_on_places(&places, vpl, as_bits(vpl->normal.w));
     WMask useful = view->valid & (value > zero);
-    if (params->roulette > 0.0f) {
+    if (roulette > 0.0f) {
         WFloat least = level / luminance(xyz(flux));
         useful = useful & (value >= least * flux.w);
         value = VMAX(value, least);
@@ -96,41 +99,39 @@ static inline void add_place(const Params* params, Scene scene, const Media* med
 }
 
 WEFT_KERNEL(media_gather)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float4* end_position, GLOBAL const float4* end_albedo,
- GLOBAL const uint* slot_pixel, GLOBAL const uint* block_set, GLOBAL const Vpl* vpls,
- GLOBAL float* radiance, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ViewPacket view = load_views(&params, slot_pixel, end_position, end_albedo, slot);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    GLOBAL const Vpl* vpl = vpls + params.list_first + set * params.list_stride;
+    uint set = receiver_set(&params, block_set, slot);
+    GLOBAL const Vpl* vpl = vpls + list.first + set * list.stride;
     MediaLight light;
     light.sum = no_light();
     light.rays = 0u;
-    uint count = mask_any(view.valid) ? params.list_length : 0u;
+    uint count = mask_any(view.valid) ? list.length : 0u;
     WFloat level = WIDE(0.0f);
-    if (params.roulette > 0.0f && count > 0u)
-        level = media_roulette_level(&params, &view, vpl, count);
+    if (roulette > 0.0f && count > 0u)
+        level = media_roulette_level(&params, roulette, &view, vpl, count);
     // Lights that all sets share are looked for at places between those of other sets.
-    float shift = params.list_stride == 0u ? (float)set / (float)params.gather_sets : 0.0f;
+    float shift = list.stride == 0u ? (float)set / (float)params.sampling.gather_sets : 0.0f;
     for (uint i = 0u; i < count; ++i, ++vpl) {
         if (!(max_component(xyz(vpl->flux)) > 0.0f)) continue;
-        for (uint k = 0u; k < params.media_steps; ++k)
-            add_place(&params, scene, &through, &view, vpl, i * params.media_steps + k,
-                      (fraction(vpl->cone.w + shift) + (float)k) / (float)params.media_steps, level,
+        for (uint k = 0u; k < steps; ++k)
+            add_place(&params, scene, &through, &view, vpl, i * steps + k,
+                      (fraction(vpl->cone.w + shift) + (float)k) / (float)steps, roulette, level,
                       &light);
     }
-    float scale = params.gather_scale / (float)params.media_steps;
+    float scale = params.sampling.gather_scale / (float)steps;
     light.sum.red = light.sum.red * scale;
     light.sum.green = light.sum.green * scale;
     light.sum.blue = light.sum.blue * scale;
-    if (params.media_adds != 0u) {
+    if (adds != 0u) {
         light.sum.red = light.sum.red + wide_load(radiance, slot);
-        light.sum.green = light.sum.green + wide_load(radiance, params.slots + slot);
-        light.sum.blue = light.sum.blue + wide_load(radiance, 2u * params.slots + slot);
+        light.sum.green = light.sum.green + wide_load(radiance, slots + slot);
+        light.sum.blue = light.sum.blue + wide_load(radiance, 2u * slots + slot);
     }
-    store_light(&params, &light.sum, 1.0f, slot, radiance);
-    count_rays(counters + params.counter, light.rays);
+    store_light(&light.sum, 1.0f, slots, slot, radiance);
+    count_rays(counters + range.counter, light.rays);
 }

@@ -17,8 +17,9 @@ typedef struct {
 } Flight;
 
 /// Goes through one stretch: 1 where the flight ends in it. *ratio as in medium.h.
-static inline int fly_through(const Params* params, const Media* media, const MediumWalk* walk,
-                              const MediumRecord* medium, float3* ratio, Random* random, float* t) {
+static inline int fly_through(const RenderParams* params, const Media* media,
+                              const MediumWalk* walk, const MediumRecord* medium, float3* ratio,
+                              Random* random, float* t) {
     float3 sigma = xyz(medium->sigma_t);
     float length = walk->end - walk->begin;
     if (!(max_component(sigma) > 0.0f && length > 0.0f)) return 0;
@@ -42,8 +43,8 @@ static inline int fly_through(const Params* params, const Media* media, const Me
 }
 
 /// A flight along the first `length` of a ray that starts inside of these boundaries.
-static inline Flight fly(const Params* params, const Media* media, float3 origin, float3 direction,
-                         float length, uint inside, Random* random) {
+static inline Flight fly(const RenderParams* params, const Media* media, float3 origin,
+                         float3 direction, float length, uint inside, Random* random) {
     Flight flight;
     flight.collides = 0;
     flight.t = length;

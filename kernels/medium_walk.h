@@ -15,11 +15,6 @@
 #include "grid_media.h"
 #include "medium.h"
 
-#define MEDIA_ARGS                                                                     \
-    GLOBAL const BvhNode *boundary_nodes, GLOBAL const float *boundary_leaves,         \
-        GLOBAL const float4 *boundary_normals, GLOBAL const MediumRecord *media,       \
-        GLOBAL const MediaRecord *media_record, GLOBAL const DensityGridRecord *grids, \
-        GLOBAL const float *densities, GLOBAL const float *density_bounds
 #define MEDIA_MAKE(name)             \
     Media name;                      \
     name.nodes = boundary_nodes;     \
@@ -122,7 +117,7 @@ static inline void walk_to_plane(const Media* media, MediumWalk* walk) {
 
 /// Goes on to the next stretch, which ends at `limit` at the latest. Returns 0 where that is
 /// reached.
-static inline int next_stretch(const Params* params, const Media* media, MediumWalk* walk,
+static inline int next_stretch(const RenderParams* params, const Media* media, MediumWalk* walk,
                                float limit) {
     if (!(walk->end < limit)) return 0;
     walk->begin = walk->end;
@@ -137,7 +132,7 @@ static inline int next_stretch(const Params* params, const Media* media, MediumW
 }
 
 /// Whether a medium has a grid.
-static inline int has_grid(const Params* params, const MediumRecord* medium) {
+static inline int has_grid(const RenderParams* params, const MediumRecord* medium) {
     return HAS(params, FEATURE_DENSITY_GRIDS) && medium->grid != NO_TRIANGLE ? 1 : 0;
 }
 
@@ -171,8 +166,8 @@ static inline int may_meet_media(const Media* media, float3 origin, float3 direc
 
 /// What media leave of light along the first `length` of a ray that starts inside of these
 /// boundaries: known where they are homogeneous, an unbiased estimate where they have grids.
-static inline float3 ray_transmittance(const Params* params, const Media* media, float3 origin,
-                                       float3 direction, float length, uint inside,
+static inline float3 ray_transmittance(const RenderParams* params, const Media* media,
+                                       float3 origin, float3 direction, float length, uint inside,
                                        Random* random) {
     float3 left = f3(1.0f, 1.0f, 1.0f);
     if (may_meet_media(media, origin, direction, length) == 0) return left;

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What has moved since the frame before, by boxes: Params::moved_boxes pairs of lower and upper
-// corners, each of an object where it was or where it is.
+// What has moved since the frame before, by boxes: RecordUpdate::moved_boxes pairs of lower and
+// upper corners, each of an object where it was or where it is.
 #ifndef WEFT_MOVED_H
 #define WEFT_MOVED_H
 
@@ -11,9 +11,8 @@
 #include "vector.h"
 
 /// 1 where any of the boxes meets that from `lower` to `upper`.
-static inline int meets_moved(const Params* params, GLOBAL const float4* boxes, float3 lower,
-                              float3 upper) {
-    for (uint i = 0u; i < params->moved_boxes; ++i) {
+static inline int meets_moved(uint count, GLOBAL const float4* boxes, float3 lower, float3 upper) {
+    for (uint i = 0u; i < count; ++i) {
         float4 low = boxes[2u * i];
         float4 high = boxes[2u * i + 1u];
         if (lower.x <= high.x && lower.y <= high.y && lower.z <= high.z && upper.x >= low.x &&
@@ -24,10 +23,9 @@ static inline int meets_moved(const Params* params, GLOBAL const float4* boxes, 
 }
 
 /// 1 where any of them is within `reach` of a place, or not much further.
-static inline int is_near_moved(const Params* params, GLOBAL const float4* boxes, float3 place,
-                                float reach) {
+static inline int is_near_moved(uint count, GLOBAL const float4* boxes, float3 place, float reach) {
     float3 about = f3(reach, reach, reach);
-    return meets_moved(params, boxes, place - about, place + about);
+    return meets_moved(count, boxes, place - about, place + about);
 }
 
 #endif

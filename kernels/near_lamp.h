@@ -12,9 +12,6 @@
 #include "near_lamp_limit.h"
 #include "triangle_irradiance.h"
 
-#define LAMP_ARGS                                                              \
-    GLOBAL const LightRecord *lights, GLOBAL const EmissiveTriangle *emissive, \
-        GLOBAL const float4 *positions, GLOBAL const Triangle *triangle_list
 #define LAMP_MAKE(name)         \
     Lamps name;                 \
     name.lights = lights;       \
@@ -32,10 +29,10 @@ typedef struct {
 
 /// 1 where the lamp is so near that the bound on its samples can cut light off, 0 from twice as far
 /// off on.
-static inline WFloat nearness(const Params* params, GLOBAL const LightRecord* lamp,
+static inline WFloat nearness(const RenderParams* params, GLOBAL const LightRecord* lamp,
                               const ReceiverPacket* packet) {
     WFloat zero = WIDE(0.0f);
-    float reach = square_root(lamp->area / params->light_bound_scale);
+    float reach = square_root(lamp->area / params->sampling.lights.bound_scale);
     if (!(reach > 0.0f) || has_closed_form(params, lamp) == 0) return zero;
     float4 centre = lamp->position;
     WFloat3 to;
@@ -71,13 +68,13 @@ static inline WFloat lamp_irradiance(const Lamps* lamps, GLOBAL const LightRecor
 
 /// Sum of the geometry terms of a lamp's samples in one set, from `first` on. What is hidden by the
 /// receiver's own surface counts as hidden, so here only its shading normal matters.
-static inline WFloat sampled_geometry(const Params* params, const ReceiverPacket* packet,
+static inline WFloat sampled_geometry(const RenderParams* params, const ReceiverPacket* packet,
                                       GLOBAL const Vpl* first) {
     WFloat zero = WIDE(0.0f);
     ReceiverPacket shaded = *packet;
     shaded.normal = packet->shading;
     WFloat sum = zero;
-    for (uint i = 0u; i < params->samples_per_light; ++i) {
+    for (uint i = 0u; i < params->sampling.lights.per_light; ++i) {
         GLOBAL const Vpl* vpl = first + i;
         WMask useful;
         WFloat g = connection(&shaded, vpl, VPL_SURFACE, from_vpl(&shaded, vpl), &useful);
@@ -88,7 +85,7 @@ static inline WFloat sampled_geometry(const Params* params, const ReceiverPacket
 
 /// Factor for the geometry terms of lamp `number`'s samples in a set, by lane: 1 where the lamp is
 /// far. Over all sets of `samples` the mean is that of an unhidden lamp.
-static inline WFloat near_lamp_scale(const Params* params, const Lamps* lamps, uint number,
+static inline WFloat near_lamp_scale(const RenderParams* params, const Lamps* lamps, uint number,
                                      const ReceiverPacket* packet, GLOBAL const Vpl* samples,
                                      uint set) {
     WFloat zero = WIDE(0.0f);
@@ -100,14 +97,15 @@ static inline WFloat near_lamp_scale(const Params* params, const Lamps* lamps, u
     // them.
     WFloat sampled = zero;
     WFloat hits = zero;
-    GLOBAL const Vpl* first = samples + number * params->samples_per_light;
-    for (uint s = 0u; s < params->sets; ++s, first += params->samples_per_set) {
+    GLOBAL const Vpl* first = samples + number * params->sampling.lights.per_light;
+    for (uint s = 0u; s < params->sampling.sets; ++s, first += params->sampling.lights.per_set) {
         WFloat of_set = sampled_geometry(params, packet, first);
         hits = hits + SELECT(of_set > zero, one, zero);
         if (s == set) sampled = of_set;
     }
     if (!mask_any((near > zero) & (sampled > zero))) return one;
-    float share = lamp->area / ((float)params->samples_per_light * (float)params->sets);
+    float share =
+        lamp->area / ((float)params->sampling.lights.per_light * (float)params->sampling.sets);
     if (lamp->both_sides != 0u) share = 2.0f * share;
     WFloat ratio = lamp_irradiance(lamps, lamp, packet) / (sampled * hits * share);
     // Neither without samples nor beyond what floats hold.

@@ -11,10 +11,10 @@
 #include "port.h"
 #include "types.h"
 
-static inline int has_closed_form(const Params* params, GLOBAL const LightRecord* lamp) {
+static inline int has_closed_form(const RenderParams* params, GLOBAL const LightRecord* lamp) {
     float4 axis = lamp->axis;
     int flat = axis.x != 0.0f || axis.y != 0.0f || axis.z != 0.0f ? 1 : 0;
-    return flat != 0 && params->samples_per_light > 0u ? 1 : 0;
+    return flat != 0 && params->sampling.lights.per_light > 0u ? 1 : 0;
 }
 
 #endif

@@ -23,7 +23,7 @@ typedef struct {
 } PacketInside;
 
 /// Fills in the planes that lie below all of a packet.
-static inline void find_above(const Params* params, const Media* media, WFloat3 positions,
+static inline void find_above(const RenderParams* params, const Media* media, WFloat3 positions,
                               PacketInside* packet) {
     uint count = media->record->boundaries;
     if (!HAS(params, FEATURE_CONVEX_MEDIA) || count == 0u) return;
@@ -35,29 +35,29 @@ static inline void find_above(const Params* params, const Media* media, WFloat3 
 }
 
 /// Of listed slots at those positions.
-static inline PacketInside listed_inside(const Params* params, const Media* media,
-                                         GLOBAL const float* planes, WFloat3 positions,
+static inline PacketInside listed_inside(const RenderParams* params, const Media* media,
+                                         GLOBAL const float* planes, uint stride, WFloat3 positions,
                                          const ReceiverList* list) {
     PacketInside packet;
     packet.above[0] = 0u;
     packet.above[1] = 0u;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         uint slot = list->slot[lane < list->count ? lane : 0u];
-        packet.inside[lane] = HAS(params, FEATURE_MEDIA)
-                                  ? as_bits(planes[RECEIVER_INSIDE * params->slots + slot])
-                                  : 0u;
+        packet.inside[lane] =
+            HAS(params, FEATURE_MEDIA) ? as_bits(planes[RECEIVER_INSIDE * stride + slot]) : 0u;
     }
     if (HAS(params, FEATURE_MEDIA)) find_above(params, media, positions, &packet);
     return packet;
 }
 
 /// Of the slots from `slot` on.
-static inline PacketInside load_inside(const Params* params, const Media* media,
-                                       GLOBAL const float* planes, WFloat3 positions, uint slot) {
+static inline PacketInside load_inside(const RenderParams* params, const Media* media,
+                                       GLOBAL const float* planes, uint stride, WFloat3 positions,
+                                       uint slot) {
     ReceiverList list;
     list.count = (uint)LANES;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) list.slot[lane] = slot + lane;
-    return listed_inside(params, media, planes, positions, &list);
+    return listed_inside(params, media, planes, stride, positions, &list);
 }
 
 /// 1 where a plane of a convex boundary lies below a light and all of the packet.
@@ -100,14 +100,15 @@ static inline void set_lane(LaneVectors* lanes, uint lane, float3 v) {
 }
 
 /// Random numbers of the way from a place that is used for purpose `number`.
-static inline Random way_random(const Params* params, float3 place, uint number) {
+static inline Random way_random(const RenderParams* params, float3 place, uint number) {
     uint key = hash_pair(hash_pair(as_bits(place.x), as_bits(place.y)), as_bits(place.z));
-    return make_random(params->seed ^ 0x6A09E667u, key, hash_pair(params->frame, number));
+    return make_random(params->sampling.seed ^ 0x6A09E667u, key,
+                       hash_pair(params->sampling.sample, number));
 }
 
 /// Multiplies what is left on ways from `places`, between `begin` and `end` of their lengths, by
 /// what the grid inside of a boundary leaves of it, in the lanes of `bits`.
-static inline void track_grid(const Params* params, const Media* media, uint boundary,
+static inline void track_grid(const RenderParams* params, const Media* media, uint boundary,
                               const LaneVectors* places, const LaneVectors* ways,
                               WideStretch stretch, uint bits, Random* random, LaneVectors* left) {
     DensityGrid grid;
@@ -129,7 +130,7 @@ static inline void track_grid(const Params* params, const Media* media, uint bou
 }
 
 /// packet_transmittance where boundaries are convex.
-static inline WFloat3 convex_transmittance(const Params* params, const Media* media,
+static inline WFloat3 convex_transmittance(const RenderParams* params, const Media* media,
                                            WFloat3 positions, const PacketInside* packet,
                                            float3 light, WFloat3 d, uint number, WMask wanted) {
     WFloat one = WIDE(1.0f);
@@ -165,7 +166,7 @@ static inline WFloat3 convex_transmittance(const Params* params, const Media* me
 /// What media leave of light on its ways from a light to the lanes of `wanted`; `d` leads from it
 /// to their `positions`. `number` tells the ways of a lane apart. 1 in other lanes of media that
 /// are walked.
-static inline WFloat3 packet_transmittance(const Params* params, const Media* media,
+static inline WFloat3 packet_transmittance(const RenderParams* params, const Media* media,
                                            WFloat3 positions, const PacketInside* packet,
                                            float3 from, WFloat3 d, uint number, WMask wanted) {
     if (HAS(params, FEATURE_CONVEX_MEDIA))
@@ -201,7 +202,7 @@ static inline WideLight no_light(void) {
 
 /// Adds the light of a connection with geometry term `g` from a light that the lanes of `wanted`
 /// see; see packet_transmittance.
-static inline void add_connection(const Params* params, const Media* media,
+static inline void add_connection(const RenderParams* params, const Media* media,
                                   const ReceiverPacket* packet, const PacketInside* inside,
                                   float3 from, float4 flux, WFloat g, WFloat3 d, uint number,
                                   WMask wanted, WideLight* light) {
@@ -220,11 +221,11 @@ static inline void add_connection(const Params* params, const Media* media,
 }
 
 /// Writes `light` times `scale` to the planes of irradiance.
-static inline void store_light(const Params* params, const WideLight* light, float scale, uint slot,
+static inline void store_light(const WideLight* light, float scale, uint stride, uint slot,
                                GLOBAL float* irradiance) {
     wide_store(light->red * scale, irradiance, slot);
-    wide_store(light->green * scale, irradiance, params->slots + slot);
-    wide_store(light->blue * scale, irradiance, 2u * params->slots + slot);
+    wide_store(light->green * scale, irradiance, stride + slot);
+    wide_store(light->blue * scale, irradiance, 2u * stride + slot);
 }
 
 #endif

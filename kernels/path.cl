@@ -2,35 +2,38 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The reference: path tracing without bounds or a longest path (path.h). A work-item traces
-// Params::samples samples of one pixel and adds them to the film's exact sums.
+// PathParams::samples samples of one pixel and adds them to the film's exact sums.
 #include "camera.h"
 #include "counters.h"
+#include "kernel.h"
 #include "path.h"
 #include "path_film.h"
 
 #define ROULETTE_START 3u  // surfaces that every path may reach
 
-static inline PathSample trace_path(const Params* params, const PathScene* world, uint pixel,
-                                    Random* random, uint* rays) {
+static inline PathSample trace_path(const RenderParams* params, const PathParams* path_params,
+                                    const PathScene* world, uint pixel, Random* random,
+                                    uint* rays) {
     PathSample sample = no_path_sample();
     float x = next_random(random);
     float y = next_random(random);
-    if (params->through_centres != 0u) {
+    if (path_params->through_centres != 0u) {
         x = 0.5f;
         y = 0.5f;
     }
-    float3 direction = camera_direction(params, (float)(pixel % params->width) + x,
-                                        (float)(pixel / params->width) + y);
-    Hit hit = trace_closest(world->scene, xyz(params->camera_origin), direction, RAY_INFINITY);
+    float3 direction = camera_direction(params, (float)(pixel % params->camera.width) + x,
+                                        (float)(pixel / params->camera.width) + y);
+    Hit hit = trace_closest(world->scene, xyz(params->camera.origin), direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == NO_TRIANGLE) {
-        if (HAS(params, FEATURE_ENVIRONMENT)) sample.emission = xyz(params->environment);
+        if (HAS(params, FEATURE_ENVIRONMENT)) sample.emission = xyz(params->scene.environment);
         return sample;
     }
     PathVertex vertex;
     vertex.bounce = 0u;
     vertex.light_weight = 1.0f;
-    vertex.surface = surface_at(params, &world->geometry, hit, direction, params->texture_angle);
+    vertex.surface =
+        surface_at(params, &world->geometry, hit, direction, params->camera.texture_angle);
     sample.emission = vertex.surface.emission;
     sample.albedo = vertex.surface.albedo;
     sample.normal = vertex.surface.shading;
@@ -46,20 +49,19 @@ static inline PathSample trace_path(const Params* params, const PathScene* world
 }
 
 WEFT_KERNEL(path)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL uint* film_sums, GLOBAL RayCounter* counters,
- GLOBAL NonfiniteCounter* nonfinite) {
-    if (GLOBAL_ID >= params.count) return;
-    uint pixel = params.first + GLOBAL_ID;
-    uint pixels = params.width * params.height;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint pixel = range.first + GLOBAL_ID;
+    uint pixels = params.camera.width * params.camera.height;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    PathScene world = {scene, geometry, lights, emissive, params.choice_lights};
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
     GLOBAL uint* sums = film_sums + pixel;
     uint rays = 0u;
-    for (uint i = 0u; i < params.samples; ++i) {
-        Random random = make_random(params.seed, pixel, params.frame + i);
-        PathSample sample = trace_path(&params, &world, pixel, &random, &rays);
-        add_sample(&params, sums, pixels, pixel, &sample, nonfinite);
+    for (uint i = 0u; i < path_params.samples; ++i) {
+        Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
+        PathSample sample = trace_path(&params, &path_params, &world, pixel, &random, &rays);
+        add_sample(path_params.film_scale, sums, pixels, pixel, &sample, nonfinite);
     }
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

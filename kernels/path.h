@@ -37,7 +37,7 @@ typedef struct {
     float3 indirect;  // by all later ones
 } PathLight;
 
-static inline void add_light(const Params* params, PathLight* sum, const PathVertex* vertex,
+static inline void add_light(const RenderParams* params, PathLight* sum, const PathVertex* vertex,
                              float3 light) {
     float3 weighted = light * vertex->light_weight;
     if (vertex->bounce == 1u) {
@@ -48,17 +48,17 @@ static inline void add_light(const Params* params, PathLight* sum, const PathVer
 }
 
 /// Moves to a surface that was hit along `direction`. Returns 0 where nothing goes on from it.
-static inline int enter_surface(const Params* params, PathVertex* vertex, float3 throughput) {
+static inline int enter_surface(const RenderParams* params, PathVertex* vertex, float3 throughput) {
     vertex->origin =
         vertex->surface.position +
-        vertex->surface.normal * surface_offset(vertex->surface.position, params->extent);
+        vertex->surface.normal * surface_offset(vertex->surface.position, params->scene.extent);
     vertex->throughput = throughput * vertex->surface.albedo;
     ++vertex->bounce;
     return max_component(vertex->throughput) > 0.0f ? 1 : 0;
 }
 
 /// Light of one chosen light by the vertex.
-static inline uint next_event(const Params* params, const PathScene* world,
+static inline uint next_event(const RenderParams* params, const PathScene* world,
                               const PathVertex* vertex, Random* random, PathLight* sum) {
     float choice = next_random(random);
     float u = next_random(random);
@@ -87,7 +87,7 @@ static inline float emission_weight(const PathScene* world, const Surface* surfa
 }
 
 /// Scatters the path and follows it to the next surface. Returns 0 where it ends.
-static inline int scatter(const Params* params, const PathScene* world, PathVertex* vertex,
+static inline int scatter(const RenderParams* params, const PathScene* world, PathVertex* vertex,
                           Random* random, PathLight* sum, uint* rays) {
     float u = next_random(random);
     float v = next_random(random);
@@ -99,7 +99,7 @@ static inline int scatter(const Params* params, const PathScene* world, PathVert
     ++*rays;
     if (hit.triangle == NO_TRIANGLE) {
         if (HAS(params, FEATURE_ENVIRONMENT))
-            add_light(params, sum, vertex, vertex->throughput * xyz(params->environment));
+            add_light(params, sum, vertex, vertex->throughput * xyz(params->scene.environment));
         return 0;
     }
     vertex->surface = surface_at(params, &world->geometry, hit, direction, 0.0f);

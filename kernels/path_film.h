@@ -48,15 +48,12 @@ static inline void add_square(GLOBAL uint* sums, uint pixels, uint channel, floa
 }
 
 /// Adds a sample to the sums of its pixel, which begin at `sums`.
-static inline void add_sample(const Params* params, GLOBAL uint* sums, uint pixels, uint pixel,
+static inline void add_sample(float scale, GLOBAL uint* sums, uint pixels, uint pixel,
                               const PathSample* sample, GLOBAL NonfiniteCounter* nonfinite) {
     // Scaled by a power of two, so that the sums' range fits the scene's light.
-    float3 emission =
-        guard(nonfinite, COMPONENT_EMISSION, pixel, sample->emission) * params->film_scale;
-    float3 direct =
-        guard(nonfinite, COMPONENT_DIRECT, pixel, sample->light.direct) * params->film_scale;
-    float3 indirect =
-        guard(nonfinite, COMPONENT_INDIRECT, pixel, sample->light.indirect) * params->film_scale;
+    float3 emission = guard(nonfinite, COMPONENT_EMISSION, pixel, sample->emission) * scale;
+    float3 direct = guard(nonfinite, COMPONENT_DIRECT, pixel, sample->light.direct) * scale;
+    float3 indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, sample->light.indirect) * scale;
     add_planes(sums, pixels, FILM_EMISSION, emission);
     add_planes(sums, pixels, FILM_DIRECT, direct);
     add_planes(sums, pixels, FILM_INDIRECT, indirect);

@@ -51,9 +51,9 @@ static inline float seen_depth(const Stretch* stretch) {
 }
 
 /// Light that is found by equi-angular sampling on a stretch.
-static inline float3 grid_airlight(const Params* params, const PathScene* world, const Media* media,
-                                   const DensityGrid* grid, const Stretch* stretch, Random* random,
-                                   uint* rays) {
+static inline float3 grid_airlight(const RenderParams* params, const PathScene* world,
+                                   const Media* media, const DensityGrid* grid,
+                                   const Stretch* stretch, Random* random, uint* rays) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     ChosenPoint chosen = choose_point(world, random);
     float u = next_random(random);
@@ -77,7 +77,7 @@ static inline float3 grid_airlight(const Params* params, const PathScene* world,
 
 /// Light at a point where delta tracking has scattered the path, whose ratio is that of the
 /// collision.
-static inline float3 collision_light(const Params* params, const PathScene* world,
+static inline float3 collision_light(const RenderParams* params, const PathScene* world,
                                      const Media* media, const Stretch* stretch,
                                      const MediaPath* path, float t, float free, Random* random,
                                      uint* rays) {
@@ -92,7 +92,7 @@ static inline float3 collision_light(const Params* params, const PathScene* worl
 
 /// Goes through a stretch of a medium with a grid. Returns 1 where the path is scattered there, -1
 /// where it ends.
-static inline int cross_grid(const Params* params, const PathScene* world, const Media* media,
+static inline int cross_grid(const RenderParams* params, const PathScene* world, const Media* media,
                              Stretch* stretch, MediaPath* path, Random* random, PathSample* sample,
                              uint* rays) {
     PathLight* sum = &sample->light;

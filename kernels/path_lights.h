@@ -52,7 +52,7 @@ static inline int faces(const Surface* surface, float3 direction) {
                                                                                                : 0;
 }
 
-static inline LightSample area_light_sample(const Params* params, const Geometry* geometry,
+static inline LightSample area_light_sample(const RenderParams* params, const Geometry* geometry,
                                             LightRecord light,
                                             GLOBAL const EmissiveTriangle* emissive,
                                             const Surface* surface, float3 origin,
@@ -73,7 +73,7 @@ static inline LightSample area_light_sample(const Params* params, const Geometry
     float density = (distance / facing) * (distance / light.area) * probability;
     float weight = power_heuristic(density, cosine * 0.318309886f);
     sample.irradiance = xyz(light.power) * (weight * cosine / density);
-    float3 target = point.position + normal * surface_offset(point.position, params->extent);
+    float3 target = point.position + normal * surface_offset(point.position, params->scene.extent);
     sample.origin = origin;
     sample.towards = target - origin;
     return sample;
@@ -109,7 +109,7 @@ static inline LightSample distant_sample(LightRecord light, const Surface* surfa
 }
 
 /// A sample of the light that falls on a surface point. `origin` is that point, moved off.
-static inline LightSample sample_lights(const Params* params, const Geometry* geometry,
+static inline LightSample sample_lights(const RenderParams* params, const Geometry* geometry,
                                         GLOBAL const LightRecord* lights, uint count,
                                         GLOBAL const EmissiveTriangle* emissive,
                                         const Surface* surface, float3 origin, float choice,

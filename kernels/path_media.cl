@@ -6,25 +6,26 @@
 // and emission included. Scenes without media run path.cl.
 #include "camera.h"
 #include "counters.h"
+#include "kernel.h"
 #include "path_film.h"
 #include "path_grid.h"
 #include "path_media.h"
 
 #define ROULETTE_START 3u  // scatterings that every path may reach
 
-static inline MediaPath camera_path(const Params* params, const Media* media, uint pixel,
-                                    Random* random) {
+static inline MediaPath camera_path(const RenderParams* params, const PathParams* path_params,
+                                    const Media* media, uint pixel, Random* random) {
     MediaPath path;
     float x = next_random(random);
     float y = next_random(random);
-    if (params->through_centres != 0u) {
+    if (path_params->through_centres != 0u) {
         x = 0.5f;
         y = 0.5f;
     }
     // Distances are what media know; a camera's directions are of any length.
-    path.direction = normalize3(camera_direction(params, (float)(pixel % params->width) + x,
-                                                 (float)(pixel / params->width) + y));
-    path.origin = xyz(params->camera_origin);
+    path.direction = normalize3(camera_direction(params, (float)(pixel % params->camera.width) + x,
+                                                 (float)(pixel / params->camera.width) + y));
+    path.origin = xyz(params->camera.origin);
     path.throughput = f3(1.0f, 1.0f, 1.0f);
     path.ratio = path.throughput;
     path.inside = media->record->around_camera;
@@ -35,7 +36,7 @@ static inline MediaPath camera_path(const Params* params, const Media* media, ui
 }
 
 /// Scatters the path at `t` of the stretch, where it has been found by a free path.
-static inline void scatter_in_medium(const Params* params, const PathScene* world,
+static inline void scatter_in_medium(const RenderParams* params, const PathScene* world,
                                      const Media* media, const Stretch* stretch, float t,
                                      MediaPath* path, Random* random, PathLight* sum, uint* rays) {
     ++path->bounce;
@@ -53,9 +54,9 @@ static inline void scatter_in_medium(const Params* params, const PathScene* worl
 
 /// Goes through a stretch of a homogeneous medium. Returns 1 where the path is scattered there, -1
 /// where it ends.
-static inline int cross_stretch(const Params* params, const PathScene* world, const Media* media,
-                                const Stretch* stretch, MediaPath* path, Random* random,
-                                PathSample* sample, uint* rays) {
+static inline int cross_stretch(const RenderParams* params, const PathScene* world,
+                                const Media* media, const Stretch* stretch, MediaPath* path,
+                                Random* random, PathSample* sample, uint* rays) {
     PathLight* sum = &sample->light;
     if (has_emission(params, &stretch->medium) != 0)
         add_emitted(params, stretch, stretch->length, path, sample);
@@ -91,9 +92,9 @@ static inline int cross_stretch(const Params* params, const PathScene* world, co
 
 /// Goes through the media of a ray that ends after `length`. Returns 1 where the path is scattered
 /// before, -1 where it ends.
-static inline int cross_media(const Params* params, const PathScene* world, const Media* media,
-                              MediaPath* path, float length, Random* random, PathSample* sample,
-                              uint* rays) {
+static inline int cross_media(const RenderParams* params, const PathScene* world,
+                              const Media* media, MediaPath* path, float length, Random* random,
+                              PathSample* sample, uint* rays) {
     MediumWalk walk = start_walk(media, path->origin, path->direction, path->inside);
     while (next_stretch(params, media, &walk, length) != 0) {
         path->inside = walk.inside;
@@ -116,7 +117,7 @@ static inline int cross_media(const Params* params, const PathScene* world, cons
 }
 
 /// Goes on from a surface. Returns 0 where the path ends.
-static inline int scatter_on_surface(const Params* params, const PathScene* world,
+static inline int scatter_on_surface(const RenderParams* params, const PathScene* world,
                                      const Media* media, MediaPath* path, Random* random,
                                      PathLight* sum, uint* rays) {
     PathVertex vertex;
@@ -139,18 +140,18 @@ static inline int scatter_on_surface(const Params* params, const PathScene* worl
 }
 
 /// Follows the path to where it is scattered next. Returns 0 where it ends.
-static inline int go_on(const Params* params, const PathScene* world, const Media* media,
+static inline int go_on(const RenderParams* params, const PathScene* world, const Media* media,
                         MediaPath* path, Random* random, PathSample* sample, uint* rays) {
     Hit hit = trace_closest(world->scene, path->origin, path->direction, RAY_INFINITY);
     ++*rays;
     int met = hit.triangle != NO_TRIANGLE ? 1 : 0;
     if (met != 0) {
-        float angle = path->kind == RAY_OF_CAMERA ? params->texture_angle : 0.0f;
+        float angle = path->kind == RAY_OF_CAMERA ? params->camera.texture_angle : 0.0f;
         path->surface = surface_at(params, &world->geometry, hit, path->direction, angle);
         if (path->kind == RAY_OF_CAMERA) {
             sample->albedo = path->surface.albedo;
             sample->normal = path->surface.shading;
-            sample->depth = hit.t * dot3(path->direction, xyz(params->camera_forward));
+            sample->depth = hit.t * dot3(path->direction, xyz(params->camera.forward));
         }
     }
     int scattered = cross_media(params, world, media, path, met != 0 ? hit.t : RAY_INFINITY, random,
@@ -161,7 +162,7 @@ static inline int go_on(const Params* params, const PathScene* world, const Medi
                              path->inside != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST,
                              random);
     float3 light = f3(0.0f, 0.0f, 0.0f);
-    if (met == 0 && HAS(params, FEATURE_ENVIRONMENT)) light = xyz(params->environment);
+    if (met == 0 && HAS(params, FEATURE_ENVIRONMENT)) light = xyz(params->scene.environment);
     if (met != 0 && max_component(path->surface.emission) > 0.0f)
         light = path->surface.emission * met_weight(world, path, &path->surface, hit.t);
     add_met(params, path, light, sample);
@@ -171,23 +172,22 @@ static inline int go_on(const Params* params, const PathScene* world, const Medi
 }
 
 WEFT_KERNEL(path_media)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, MEDIA_ARGS, GLOBAL uint* film_sums,
- GLOBAL RayCounter* counters, GLOBAL NonfiniteCounter* nonfinite) {
-    if (GLOBAL_ID >= params.count) return;
-    uint pixel = params.first + GLOBAL_ID;
-    uint pixels = params.width * params.height;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint pixel = range.first + GLOBAL_ID;
+    uint pixels = params.camera.width * params.camera.height;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
-    PathScene world = {scene, geometry, lights, emissive, params.choice_lights};
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
     GLOBAL uint* sums = film_sums + pixel;
     uint rays = 0u;
-    for (uint i = 0u; i < params.samples; ++i) {
-        Random random = make_random(params.seed, pixel, params.frame + i);
+    for (uint i = 0u; i < path_params.samples; ++i) {
+        Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
         PathSample sample = no_path_sample();
-        MediaPath path = camera_path(&params, &through, pixel, &random);
+        MediaPath path = camera_path(&params, &path_params, &through, pixel, &random);
         while (go_on(&params, &world, &through, &path, &random, &sample, &rays) != 0) continue;
-        add_sample(&params, sums, pixels, pixel, &sample, nonfinite);
+        add_sample(path_params.film_scale, sums, pixels, pixel, &sample, nonfinite);
     }
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

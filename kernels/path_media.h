@@ -65,7 +65,8 @@ typedef struct {
 } ChosenPoint;
 
 /// Light that arrives after `bounce` scatterings.
-static inline void add_scattered(const Params* params, PathLight* sum, uint bounce, float3 light) {
+static inline void add_scattered(const RenderParams* params, PathLight* sum, uint bounce,
+                                 float3 light) {
     if (bounce > 1u)
         sum->indirect += light;
     else if (HAS(params, FEATURE_SAMPLED_DIRECT))
@@ -73,7 +74,7 @@ static inline void add_scattered(const Params* params, PathLight* sum, uint boun
 }
 
 /// Light that arrives where the path has been scattered last, as often as it was.
-static inline void add_met(const Params* params, const MediaPath* path, float3 light,
+static inline void add_met(const RenderParams* params, const MediaPath* path, float3 light,
                            PathSample* sample) {
     float3 arrives = light * path->throughput * path->ratio;
     if (path->bounce == 0u)
@@ -83,7 +84,7 @@ static inline void add_met(const Params* params, const MediaPath* path, float3 l
 }
 
 /// Whether a medium emits light.
-static inline int has_emission(const Params* params, const MediumRecord* medium) {
+static inline int has_emission(const RenderParams* params, const MediumRecord* medium) {
     return HAS(params, FEATURE_EMISSIVE_MEDIA) && max_component(xyz(medium->emission)) > 0.0f ? 1
                                                                                               : 0;
 }
@@ -101,7 +102,7 @@ static inline float emitted1(float emission, float sigma, float depth) {
 /// stretch: its length where it is homogeneous. Extinction and emission go with the same density,
 /// so that the integral of emission times transmittance is known for any. Free paths have nothing
 /// to do with it: this belongs to their start, wherever they end.
-static inline void add_emitted(const Params* params, const Stretch* stretch, float depth,
+static inline void add_emitted(const RenderParams* params, const Stretch* stretch, float depth,
                                const MediaPath* path, PathSample* sample) {
     float3 emission = xyz(stretch->medium.emission);
     add_met(params, path,
@@ -112,7 +113,7 @@ static inline void add_emitted(const Params* params, const Stretch* stretch, flo
 }
 
 /// 1 where light that arrives after `bounce` scatterings is asked for.
-static inline int wants_bounce(const Params* params, uint bounce) {
+static inline int wants_bounce(const RenderParams* params, uint bounce) {
     return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
 }
 
@@ -141,7 +142,8 @@ typedef struct {
     float solid;        // density per solid angle; 0 where no scattered ray can meet the light
 } PlaceLight;
 
-static inline PlaceLight light_at(const Params* params, const ChosenPoint* chosen, float3 place) {
+static inline PlaceLight light_at(const RenderParams* params, const ChosenPoint* chosen,
+                                  float3 place) {
     PlaceLight found;
     float3 power = xyz(chosen->light.power);
     found.irradiance = f3(0.0f, 0.0f, 0.0f);
@@ -175,7 +177,7 @@ static inline PlaceLight light_at(const Params* params, const ChosenPoint* chose
     if (!(facing > 0.0f)) return found;
     found.solid = (found.distance / facing) * found.distance * chosen->density;
     found.irradiance = power / found.solid;
-    found.target += normal * surface_offset(found.target, params->extent);
+    found.target += normal * surface_offset(found.target, params->scene.extent);
     return found;
 }
 
@@ -189,7 +191,7 @@ typedef struct {
 
 /// Light of a chosen point that is scattered into the path at a point of the stretch, weighted.
 /// Which of the two ways of next-event estimation has found the point makes no difference.
-static inline float3 light_scattered_at(const Params* params, const PathScene* world,
+static inline float3 light_scattered_at(const RenderParams* params, const PathScene* world,
                                         const Media* media, const Stretch* stretch,
                                         const ChosenPoint* chosen, const ScatterPoint* at,
                                         Random* random, uint* rays) {
@@ -219,7 +221,7 @@ static inline float3 light_scattered_at(const Params* params, const PathScene* w
 }
 
 /// The same in a homogeneous medium, where transmittance and densities are known.
-static inline float3 scattered_light(const Params* params, const PathScene* world,
+static inline float3 scattered_light(const RenderParams* params, const PathScene* world,
                                      const Media* media, const Stretch* stretch,
                                      const ChosenPoint* chosen, float t, Random* random,
                                      uint* rays) {
@@ -253,9 +255,9 @@ static inline float met_weight(const PathScene* world, const MediaPath* path,
 }
 
 /// Light of one chosen light by a surface that the path has come to, through media.
-static inline uint surface_light(const Params* params, const PathScene* world, const Media* media,
-                                 const MediaPath* path, const PathVertex* vertex, Random* random,
-                                 PathLight* sum) {
+static inline uint surface_light(const RenderParams* params, const PathScene* world,
+                                 const Media* media, const MediaPath* path,
+                                 const PathVertex* vertex, Random* random, PathLight* sum) {
     float choice = next_random(random);
     float u = next_random(random);
     float v = next_random(random);

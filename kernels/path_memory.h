@@ -20,8 +20,9 @@ static inline Hit no_segment(void) {
     return hit;
 }
 
-static inline uint segment_memory(const Params* params, uint set, uint place) {
-    return 2u * params->sets * params->paths_per_set + set * params->vpls_per_set + place;
+static inline uint segment_memory(const RenderParams* params, uint set, uint place) {
+    return 2u * params->sampling.sets * params->sampling.paths_per_set +
+           set * params->sampling.vpls_per_set + place;
 }
 
 static inline void remember_start(const LightPath* path, uint item, GLOBAL float4* memory) {
@@ -42,12 +43,12 @@ static inline int starts_alike(const LightPath* path, uint item, GLOBAL const fl
                : 0;
 }
 
-static inline void remember_hit(const Params* params, Hit hit, uint set, uint place,
+static inline void remember_hit(const RenderParams* params, Hit hit, uint set, uint place,
                                 GLOBAL float4* memory) {
     memory[segment_memory(params, set, place)] = f4(from_bits(hit.triangle), hit.t, hit.u, hit.v);
 }
 
-static inline Hit recall_hit(const Params* params, uint set, uint place,
+static inline Hit recall_hit(const RenderParams* params, uint set, uint place,
                              GLOBAL const float4* memory) {
     float4 kept = memory[segment_memory(params, set, place)];
     Hit hit;

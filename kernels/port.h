@@ -4,7 +4,7 @@
 // The one place that knows whether kernels are compiled as OpenCL C 1.2 by a device or as C++ by
 // the host compiler. Everything below looks the same to a kernel on both sides:
 //
-//   GLOBAL CONSTANT_TABLE PARAMS WEFT_KERNEL(name) GLOBAL_ID      address spaces and entry points
+//   GLOBAL CONSTANT_TABLE VALUE_ARGUMENT KERNEL_ENTRY GLOBAL_ID    address spaces and entry points
 //   f3(x,y,z) f4(x,y,z,w)                                         constructors
 //   as_bits(f) from_bits(u) square_root(f) absolute(f)            scalar built-ins
 //   WFloat WMask (LANES rays), NFloat NMask (NODE_WIDTH children) wide values, touched only through
@@ -30,8 +30,8 @@
 #define VMIN(a, b) SELECT((a) < (b), (a), (b))
 #define VMAX(a, b) SELECT((a) > (b), (a), (b))
 
-// A feature bit of the frame: a compile-time constant on OpenCL, a test of Params natively.
-// `p` is a pointer to Params.
+// A feature bit of the frame: a compile-time constant on OpenCL, a test of RenderParams natively.
+// `p` is a pointer to RenderParams.
 #ifdef WEFT_FEATURES
 #define HAS(p, bit) (((uint)(WEFT_FEATURES) & (uint)(bit)) != 0u)
 #else

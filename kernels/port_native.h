@@ -12,8 +12,8 @@ typedef unsigned char uchar;
 #define GLOBAL
 #define CONSTANT_TABLE static constexpr
 #define CONSTANT_POINTER const
-#define PARAMS const Params& params
-#define WEFT_KERNEL(name) static void name
+#define VALUE_ARGUMENT(type, name) const type& name
+#define KERNEL_ENTRY static
 #define GLOBAL_ID current_global_id
 
 static thread_local uint current_global_id;

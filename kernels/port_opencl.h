@@ -14,8 +14,8 @@
 #define GLOBAL __global
 #define CONSTANT_TABLE __constant
 #define CONSTANT_POINTER __constant
-#define PARAMS const Params params
-#define WEFT_KERNEL(name) __kernel __attribute__((reqd_work_group_size(LOCAL_SIZE, 1, 1))) void name
+#define VALUE_ARGUMENT(type, name) const type name
+#define KERNEL_ENTRY __kernel __attribute__((reqd_work_group_size(LOCAL_SIZE, 1, 1)))
 #define GLOBAL_ID ((uint)get_global_id(0))
 
 #define f3(x, y, z) ((float3)((x), (y), (z)))

@@ -3,13 +3,13 @@
 //
 // Which rays of a buffer are blocked before their t_max, for benchmarks and tests of ray queries.
 // The rays are those of query_closest.cl; the answer is 1 or 0.
+#include "kernel.h"
 #include "trace.h"
 
 WEFT_KERNEL(query_any)
-(PARAMS, SCENE_ARGS, GLOBAL const float4* ray_origin, GLOBAL const float4* ray_direction,
- GLOBAL int* blocked) {
-    if (GLOBAL_ID >= params.count) return;
-    uint i = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint i = range.first + GLOBAL_ID;
     SCENE_MAKE(scene);
     float4 origin = ray_origin[i];
     blocked[i] = trace_any(scene, xyz(origin), xyz(ray_direction[i]), origin.w);

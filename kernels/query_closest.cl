@@ -3,13 +3,13 @@
 //
 // Closest hits of a buffer of rays, for benchmarks and tests of ray queries. A ray is its origin
 // (w: t_max) and its direction, of any length; a hit is the bits of the triangle id, then t, u, v.
+#include "kernel.h"
 #include "trace.h"
 
 WEFT_KERNEL(query_closest)
-(PARAMS, SCENE_ARGS, GLOBAL const float4* ray_origin, GLOBAL const float4* ray_direction,
- GLOBAL float4* hits) {
-    if (GLOBAL_ID >= params.count) return;
-    uint i = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint i = range.first + GLOBAL_ID;
     SCENE_MAKE(scene);
     float4 origin = ray_origin[i];
     Hit hit = trace_closest(scene, xyz(origin), xyz(ray_direction[i]), origin.w);

@@ -4,13 +4,13 @@
 // Closest hits of a buffer of rays as query_closest, in packets of LANES consecutive rays, which
 // start at the origin of the first of them. Rays whose t_max is 0 are left out, and miss; that of
 // the others is infinite.
+#include "kernel.h"
 #include "trace.h"
 
 WEFT_KERNEL(query_closest_packet)
-(PARAMS, SCENE_ARGS, GLOBAL const float4* ray_origin, GLOBAL const float4* ray_direction,
- GLOBAL float4* hits) {
-    if (GLOBAL_ID >= params.count) return;
-    uint first = (params.first + GLOBAL_ID) * (uint)LANES;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint first = (range.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     PacketDirections directions;
     uint active = 0u;

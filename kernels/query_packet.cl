@@ -3,21 +3,21 @@
 //
 // Which shadow rays of a buffer are blocked before SHADOW_END, in packets, for benchmarks and tests
 // of ray queries. PACKET_BLOCK consecutive rays start at one point. `rays` holds four planes of
-// Params::slots floats: x, y, z of the vector from the start to the end point, and 1 for rays to
+// `slots` floats: x, y, z of the vector from the start to the end point, and 1 for rays to
 // trace. The answer is 1 for blocked rays, 0 for others. A work-item traces LANES rays.
+#include "kernel.h"
 #include "trace.h"
 
 WEFT_KERNEL(query_packet)
-(PARAMS, SCENE_ARGS, GLOBAL const float4* block_origin, GLOBAL const float* rays,
- GLOBAL float* blocked) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     WFloat3 d;
     d.x = wide_load(rays, slot);
-    d.y = wide_load(rays, params.slots + slot);
-    d.z = wide_load(rays, 2u * params.slots + slot);
-    WMask active = wide_load(rays, 3u * params.slots + slot) > WIDE(0.0f);
+    d.y = wide_load(rays, slots + slot);
+    d.z = wide_load(rays, 2u * slots + slot);
+    WMask active = wide_load(rays, 3u * slots + slot) > WIDE(0.0f);
     WFloat zero = WIDE(0.0f);
     WFloat answer = zero;
     if (mask_any(active)) {

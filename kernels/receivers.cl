@@ -4,15 +4,15 @@
 // De-interleaves the G-buffer: what the pixels of one sample set need for shadow rays, in the order
 // of the work list, as planes of `slots` floats that a packet loads with one wide read each.
 #include "gbuffer.h"
+#include "kernel.h"
 #include "offset.h"
 #include "receivers.h"
 #include "triangle.h"
 
 WEFT_KERNEL(receivers)
-(PARAMS, GBUFFER_ARGS, GLOBAL const uint* slot_pixel, GLOBAL const uint* view_inside,
- GLOBAL float* receiver_planes, GLOBAL uint* pixel_slot) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = range.first + GLOBAL_ID;
     uint pixel = slot_pixel[slot];
     float valid = 0.0f;
     float3 position = f3(0.0f, 0.0f, 0.0f);
@@ -25,11 +25,11 @@ WEFT_KERNEL(receivers)
         normal = xyz(gb_normal[pixel]);
         shading = xyz(gb_shading[pixel]);
         position = xyz(gb_position[pixel]);
-        position += normal * surface_offset(position, params.extent);
+        position += normal * surface_offset(position, params.scene.extent);
         if (HAS(&params, FEATURE_MEDIA)) inside = view_inside[pixel];
     }
     GLOBAL float* plane = receiver_planes + slot;
-    uint stride = params.slots;
+    uint stride = slots;
     plane[RECEIVER_X * stride] = position.x;
     plane[RECEIVER_Y * stride] = position.y;
     plane[RECEIVER_Z * stride] = position.z;

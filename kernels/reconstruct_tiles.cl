@@ -5,17 +5,18 @@
 // and 2 for lattices of stride 4, 2 and 1, and between them the share of the finer of two where a
 // tile fades from one to the other. Pixels that need a finer lattice, by tile_geometry, use it. At
 // stride 1 this is the discontinuity buffer of reconstruct.cl. One work-item per tile.
+#include "kernel.h"
 #include "lattice.h"
 #include "tile_window.h"
 
 /// Interpolates at a lit pixel of any tile: taps on other surfaces are left out.
-static inline float4 lattice_mean(const Params* params, GLOBAL const uint* gb_ids,
+static inline float4 lattice_mean(const RenderParams* params, GLOBAL const uint* gb_ids,
                                   GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                   GLOBAL const float4* gb_shading, const PixelSurface* surface,
                                   GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
-                                  int x, int y, int stride) {
-    int width = (int)params->width;
-    int height = (int)params->height;
+                                  uint slots, int x, int y, int stride) {
+    int width = (int)params->camera.width;
+    int height = (int)params->camera.height;
     LatticeTaps across = lattice_taps(x, stride, width);
     LatticeTaps down = lattice_taps(y, stride, height);
     float3 sum = f3(0.0f, 0.0f, 0.0f);
@@ -32,7 +33,7 @@ static inline float4 lattice_mean(const Params* params, GLOBAL const uint* gb_id
             uint slot = pixel_slot[other];
             if (slot == NO_TRIANGLE) continue;
             if (on_surface(surface, gb_position, gb_shading, other) == 0) continue;
-            sum += slot_irradiance(irradiance, params->slots, slot) * share;
+            sum += slot_irradiance(irradiance, slots, slot) * share;
             weight += share;
         }
     }
@@ -45,11 +46,11 @@ typedef struct {
 } PixelRow;
 
 /// A row of lattice points to a row of pixels.
-static inline PixelRow smooth_row(const Params* params, GLOBAL const uint* pixel_slot,
-                                  GLOBAL const float* irradiance, uint pixel) {
+static inline PixelRow smooth_row(GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
+                                  uint slots, uint pixel) {
     PixelRow row = {NODE(0.0f), NODE(0.0f), NODE(0.0f)};
     for (uint i = 0u; i < TILE_POINTS_4; ++i) {
-        float3 point = slot_irradiance(irradiance, params->slots, pixel_slot[pixel + 4u * i]);
+        float3 point = slot_irradiance(irradiance, slots, pixel_slot[pixel + 4u * i]);
         NFloat weight = node_load(tile_weights_4 + TILE_EDGE * i);
         row.red = row.red + weight * point.x;
         row.green = row.green + weight * point.y;
@@ -59,13 +60,13 @@ static inline PixelRow smooth_row(const Params* params, GLOBAL const uint* pixel
 }
 
 /// A tile that is one smooth surface with its taps, at stride 4: no tap needs a test.
-static inline void interpolate_smooth(const Params* params, GLOBAL const uint* pixel_slot,
-                                      GLOBAL const float* irradiance, uint left, uint top,
-                                      GLOBAL float4* filtered) {
+static inline void interpolate_smooth(const RenderParams* params, GLOBAL const uint* pixel_slot,
+                                      GLOBAL const float* irradiance, uint slots, uint left,
+                                      uint top, GLOBAL float4* filtered) {
     PixelRow rows[TILE_POINTS_4];
     for (uint j = 0u; j < TILE_POINTS_4; ++j)
-        rows[j] = smooth_row(params, pixel_slot, irradiance,
-                             (top + 4u * j - 4u) * params->width + left - 4u);
+        rows[j] = smooth_row(pixel_slot, irradiance, slots,
+                             (top + 4u * j - 4u) * params->camera.width + left - 4u);
     for (uint y = 0u; y < TILE_EDGE; ++y) {
         PixelRow mean = {NODE(0.0f), NODE(0.0f), NODE(0.0f)};
         for (uint j = 0u; j < TILE_POINTS_4; ++j) {
@@ -80,18 +81,18 @@ static inline void interpolate_smooth(const Params* params, GLOBAL const uint* p
         node_store(mean.red, red);
         node_store(mean.green, green);
         node_store(mean.blue, blue);
-        GLOBAL float4* line = filtered + (top + y) * params->width + left;
+        GLOBAL float4* line = filtered + (top + y) * params->camera.width + left;
         for (uint x = 0u; x < TILE_EDGE; ++x) line[x] = f4(red[x], green[x], blue[x], 1.0f);
     }
 }
 
 /// Interpolates all pixels of a tile inside the picture between the lattice points of a stride, as
 /// lattice_mean: `points` along an edge, the first of which lies one stride before the tile.
-static inline void lattice_means(const Params* params, GLOBAL const uint* gb_ids,
+static inline void lattice_means(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                  GLOBAL const float4* gb_shading, const TileWindow* window,
                                  GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
-                                 int left, int top, int stride, uint points,
+                                 uint slots, int left, int top, int stride, uint points,
                                  CONSTANT_POINTER float* weights, TileMeans* means) {
     SurfaceRow rows[TILE_EDGE];
     MeanRow sums[TILE_EDGE];
@@ -103,17 +104,17 @@ static inline void lattice_means(const Params* params, GLOBAL const uint* gb_ids
         for (uint i = 0u; i < points; ++i) {
             int x = left + ((int)i - 1) * stride;
             int y = top + ((int)j - 1) * stride;
-            uint other = (uint)(y * (int)params->width + x);
+            uint other = (uint)(y * (int)params->camera.width + x);
             uint slot = pixel_slot[other];
             if (slot == NO_TRIANGLE || pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
-            float3 e = slot_irradiance(irradiance, params->slots, slot);
+            float3 e = slot_irradiance(irradiance, slots, slot);
             float3 position = xyz(gb_position[other]);
             float3 shading = xyz(gb_shading[other]);
             NFloat across = node_load(weights + TILE_EDGE * i);
             for (uint row = 0u; row < TILE_EDGE; ++row) {
                 float down = weights[TILE_EDGE * j + row];
                 if (down == 0.0f) continue;
-                NMask holds = row_holds(&rows[row], position, shading, params->filter_cosine);
+                NMask holds = row_holds(&rows[row], position, shading, params->filter.cosine);
                 NFloat share = across * down;
                 add_means(&sums[row], holds, share * e.x, share * e.y, share * e.z, share);
             }
@@ -141,51 +142,51 @@ static inline TileStrides tile_strides(const TileRecord* record, uint stride) {
 }
 
 /// The mean of one pixel where the tile's way of computing it does not serve.
-static inline float4 pixel_mean(const Params* params, GLOBAL const uint* gb_ids,
+static inline float4 pixel_mean(const RenderParams* params, GLOBAL const uint* gb_ids,
                                 GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                 GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
                                 GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
-                                int x, int y, int stride) {
-    uint pixel = (uint)(y * (int)params->width + x);
+                                uint slots, int x, int y, int stride) {
+    uint pixel = (uint)(y * (int)params->camera.width + x);
     PixelSurface surface = pixel_surface(params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
     float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
     // What the coarse lattice serves, the middle one may miss.
     for (int s = stride; s > 1 && s <= 4 && mean.w == 0.0f; s *= 2)
         mean = lattice_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
-                            pixel_slot, irradiance, x, y, s);
+                            pixel_slot, irradiance, slots, x, y, s);
     if (mean.w == 0.0f)
         mean = window_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface, pixel_slot,
-                           irradiance, pixel);
+                           irradiance, slots, pixel);
     return mean;
 }
 
 /// All pixels of a tile by the lattice of that stride. `share` of it goes to what `filtered`
 /// already holds, all of it where that is 1.
-static inline void reconstruct_at(const Params* params, GLOBAL const uint* gb_ids,
+static inline void reconstruct_at(const RenderParams* params, GLOBAL const uint* gb_ids,
                                   GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                   GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
                                   const TileRecord* record, const TileWindow* window,
                                   GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
-                                  int left, int top, uint tile_stride, float share,
+                                  uint slots, int left, int top, uint tile_stride, float share,
                                   GLOBAL float4* filtered) {
     TileStrides strides = tile_strides(record, tile_stride);
     int inside = tile_is_inside(params, left, top);
     TileMeans coarse, middle, full;
     if (inside != 0 && (strides.coarse[0] | strides.coarse[1]) != 0u)
         lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, window, pixel_slot,
-                      irradiance, left, top, 4, TILE_POINTS_4, tile_weights_4, &coarse);
+                      irradiance, slots, left, top, 4, TILE_POINTS_4, tile_weights_4, &coarse);
     if (inside != 0 && (strides.middle[0] | strides.middle[1]) != 0u)
         lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, window, pixel_slot,
-                      irradiance, left, top, 2, TILE_POINTS_2, tile_weights_2, &middle);
-    if ((strides.full[0] | strides.full[1]) != 0u && params->filter_radius == 1u) {
+                      irradiance, slots, left, top, 2, TILE_POINTS_2, tile_weights_2, &middle);
+    if ((strides.full[0] | strides.full[1]) != 0u && params->filter.radius == 1u) {
         TileSamples samples;
-        load_samples(params, pixel_slot, irradiance, left, top, &samples);
+        load_samples(params, pixel_slot, irradiance, slots, left, top, &samples);
         window_means(params, window, &samples, &full);
     }
     for (uint bit = 0u; bit < TILE_EDGE * TILE_EDGE; ++bit) {
         int x = left + (int)(bit % TILE_EDGE);
         int y = top + (int)(bit / TILE_EDGE);
-        if (x >= (int)params->width || y >= (int)params->height) continue;
+        if (x >= (int)params->camera.width || y >= (int)params->camera.height) continue;
         uint word = bit / 32u;
         uint mask = 1u << (bit % 32u);
         float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -202,8 +203,8 @@ static inline void reconstruct_at(const Params* params, GLOBAL const uint* gb_id
         }
         if (stride != 0 && mean.w == 0.0f)
             mean = pixel_mean(params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading,
-                              pixel_slot, irradiance, x, y, stride);
-        uint pixel = (uint)(y * (int)params->width + x);
+                              pixel_slot, irradiance, slots, x, y, stride);
+        uint pixel = (uint)(y * (int)params->camera.width + x);
         if (share < 1.0f) {
             float3 coarser = xyz(filtered[pixel]);
             float3 mixed = coarser + (xyz(mean) - coarser) * share;
@@ -214,10 +215,9 @@ static inline void reconstruct_at(const Params* params, GLOBAL const uint* gb_id
 }
 
 WEFT_KERNEL(reconstruct_tiles)
-(PARAMS, GBUFFER_ARGS, GLOBAL const TileRecord* tiles, GLOBAL const float* tile_height,
- GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance, GLOBAL float4* filtered) {
-    if (GLOBAL_ID >= params.count) return;
-    uint tile = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint tile = range.first + GLOBAL_ID;
     TileRecord record = tiles[tile];
     int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
     int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;
@@ -225,7 +225,7 @@ WEFT_KERNEL(reconstruct_tiles)
     float finer_share = tile_height[tile] - (float)level;
     int smooth = level == 0u && (record.flags & TILE_SMOOTH) != 0u ? 1 : 0;
     if (smooth != 0)
-        interpolate_smooth(&params, pixel_slot, irradiance, (uint)left, (uint)top, filtered);
+        interpolate_smooth(&params, pixel_slot, irradiance, slots, (uint)left, (uint)top, filtered);
     if (smooth != 0 && finer_share == 0.0f) return;
     TileWindow window;
     if ((record.lit[0] | record.lit[1]) != 0u)
@@ -233,9 +233,10 @@ WEFT_KERNEL(reconstruct_tiles)
                     &window);
     if (smooth == 0)
         reconstruct_at(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &record,
-                       &window, pixel_slot, irradiance, left, top, 4u >> level, 1.0f, filtered);
+                       &window, pixel_slot, irradiance, slots, left, top, 4u >> level, 1.0f,
+                       filtered);
     if (finer_share > 0.0f)
         reconstruct_at(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &record,
-                       &window, pixel_slot, irradiance, left, top, 2u >> level, finer_share,
+                       &window, pixel_slot, irradiance, slots, left, top, 2u >> level, finer_share,
                        filtered);
 }

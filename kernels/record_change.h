@@ -11,8 +11,8 @@
 // and a VPL is taken not to change.
 //
 // The radius is that at which the mean error of the first order, (|l1| + |l2|) R^2 / 8 by the
-// eigenvalues of H, is Params::cache_error of the irradiance (Schwarzhaupt et al. 2012). H sees no
-// shadows: records that see some VPLs and not others serve less far.
+// eigenvalues of H, is SamplingParams::record_error of the irradiance (Schwarzhaupt et al. 2012). H
+// sees no shadows: records that see some VPLs and not others serve less far.
 #ifndef WEFT_RECORD_CHANGE_H
 #define WEFT_RECORD_CHANGE_H
 
@@ -105,8 +105,8 @@ static inline void add_bend(WFloat square, WFloat bright, WideChange* change) {
 }
 
 /// Radius by error and by the share of light that is seen, before pixels have a say.
-static inline WFloat error_radius(const Params* params, const WideChange* change, WFloat3 tangent,
-                                  WFloat3 bitangent, WFloat bright) {
+static inline WFloat error_radius(const RenderParams* params, const WideChange* change,
+                                  WFloat3 tangent, WFloat3 bitangent, WFloat bright) {
     WFloat slope_along =
         wide_luminance(wide_dot(change->move_red, tangent), wide_dot(change->move_green, tangent),
                        wide_dot(change->move_blue, tangent));
@@ -120,7 +120,7 @@ static inline WFloat error_radius(const Params* params, const WideChange* change
     bend = VMAX(bend, apart);
     WFloat zero = WIDE(0.0f);
     WFloat far = WIDE(MEDIA_EVERYWHERE);
-    WFloat ratio = bright * (8.0f * params->cache_error) / bend;
+    WFloat ratio = bright * (8.0f * params->sampling.record_error) / bend;
     WFloat radius = SELECT(bend > zero, wide_square_root(ratio), far);
     // H is small as well where it changes its sign; further than light falls to nothing at its
     // slope no record serves (Krivanek et al. 2006).

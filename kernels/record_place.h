@@ -14,11 +14,11 @@
 #define MOST_PIXELS 20.0f
 
 /// Sizes and place of a new record, by its pixel.
-static inline void store_place(const Params* params, GLOBAL const float4* gb_position,
-                               GLOBAL const float4* gb_normal, uint pixel, GLOBAL float* record) {
-    uint stride = params->slots;
+static inline void store_place(const RenderParams* params, GLOBAL const float4* gb_position,
+                               GLOBAL const float4* gb_normal, uint pixel, uint stride,
+                               GLOBAL float* record) {
     float4 at = gb_position[pixel];
-    float across = at.w * params->pixel_angle;
+    float across = at.w * params->camera.pixel_angle;
     record[RECORD_LEAST * stride] = across;
     record[RECORD_MOST * stride] = MOST_PIXELS * square_root(gb_normal[pixel].w * across);
     record[RECORD_PLACE * stride] = at.x;

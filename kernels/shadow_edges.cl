@@ -5,6 +5,7 @@
 // a light's shadow is at every pixel that looked at it and in whose window, 6 x 6 pixels, not all
 // saw the same. Only there are further rays worth their time (soft_shadows.cl). One work-item for
 // LANES pixels of a row and 32 lights.
+#include "kernel.h"
 #include "shadow_words.h"
 
 /// The lights that any pixel of the windows saw, and any did not; `seen` and `hidden` are the words
@@ -24,20 +25,20 @@ static inline WWords disputed(GLOBAL const uint* seen, GLOBAL const uint* hidden
 }
 
 WEFT_KERNEL(shadow_edges)
-(PARAMS, GLOBAL const uint* pixel_shadows, GLOBAL uint* shadow_edges) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
-    uint runs = (params.width + (uint)LANES - 1u) / (uint)LANES;
-    uint word = item / (runs * params.height);
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
+    uint runs = (params.camera.width + (uint)LANES - 1u) / (uint)LANES;
+    uint word = item / (runs * params.camera.height);
     uint x = item % runs * (uint)LANES;
-    uint y = item / runs % params.height;
+    uint y = item / runs % params.camera.height;
     uint place = shadow_place(&params, x, y);
     GLOBAL const uint* seen = pixel_shadows + seen_plane(&params, word) + place;
     GLOBAL const uint* hidden = pixel_shadows + hidden_plane(&params, word) + place;
     WWords looked = load_words(seen, 0) | load_words(hidden, 0);
     uint edges[LANES];
-    store_words(disputed(seen, hidden, (int)shadow_pitch(params.width)) & looked, edges, 0);
-    uint count = params.width - x < (uint)LANES ? params.width - x : (uint)LANES;
-    GLOBAL uint* to = shadow_edges + (word * params.height + y) * params.width + x;
+    store_words(disputed(seen, hidden, (int)shadow_pitch(params.camera.width)) & looked, edges, 0);
+    uint count = params.camera.width - x < (uint)LANES ? params.camera.width - x : (uint)LANES;
+    GLOBAL uint* to = shadow_edges + (word * params.camera.height + y) * params.camera.width + x;
     for (uint lane = 0u; lane < count; ++lane) to[lane] = edges[lane];
 }

@@ -8,15 +8,17 @@
 //
 // `pixel_shadows` tells of every pixel which lights were seen and which were not (shadow_words.h).
 #include "counters.h"
+#include "kernel.h"
 #include "near_lamp.h"
 #include "packet_media.h"
+#include "sample_sets.h"
 #include "shadow_words.h"
 
 /// Adds a light's samples from `first` on, of which `blocked` lanes see none.
-static inline void add_light(const Params* params, const Media* media, const ReceiverPacket* packet,
-                             const PacketInside* inside, WFloat scale, GLOBAL const Vpl* first,
-                             WMask blocked, WideLight* light) {
-    GLOBAL const Vpl* end = first + params->samples_per_light;
+static inline void add_light(const RenderParams* params, const Media* media,
+                             const ReceiverPacket* packet, const PacketInside* inside, WFloat scale,
+                             GLOBAL const Vpl* first, WMask blocked, WideLight* light) {
+    GLOBAL const Vpl* end = first + params->sampling.lights.per_light;
     for (GLOBAL const Vpl* vpl = first; vpl < end; ++vpl) {
         float4 flux = vpl->flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
@@ -51,20 +53,20 @@ static inline WMask look_at_light(Scene scene, const ReceiverPacket* packet,
 
 /// Number of the sample of every light that a packet's pixels look at first; all of them look at
 /// the same.
-static inline uint packet_look(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
+static inline uint packet_look(const RenderParams* params, GLOBAL const uint* slot_pixel, uint slot,
                                uint set) {
     uint pixel = NO_TRIANGLE;
     for (uint lane = 0u; lane < (uint)LANES && pixel == NO_TRIANGLE; ++lane)
         pixel = slot_pixel[slot + lane];
-    uint column = pixel % params->width / params->interleave;
-    uint row = pixel / params->width / params->interleave;
+    uint column = pixel % params->camera.width / params->sampling.interleave;
+    uint row = pixel / params->camera.width / params->sampling.interleave;
     return shadow_look(params, column, row, set);
 }
 
 /// Writes what the lanes of a packet saw of the `lights` lights of a word where their pixels are.
-static inline void store_shadows(const Params* params, GLOBAL const uint* slot_pixel, uint slot,
-                                 uint word, uint lights, const uint* seen, const uint* hidden,
-                                 GLOBAL uint* pixel_shadows) {
+static inline void store_shadows(const RenderParams* params, GLOBAL const uint* slot_pixel,
+                                 uint slot, uint word, uint lights, const uint* seen,
+                                 const uint* hidden, GLOBAL uint* pixel_shadows) {
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         uint pixel = slot_pixel[slot + lane];
         if (pixel == NO_TRIANGLE) continue;
@@ -74,42 +76,42 @@ static inline void store_shadows(const Params* params, GLOBAL const uint* slot_p
             seen_bits |= (seen[bit] >> lane & 1u) << bit;
             hidden_bits |= (hidden[bit] >> lane & 1u) << bit;
         }
-        uint place = shadow_place(params, pixel % params->width, pixel / params->width);
+        uint place =
+            shadow_place(params, pixel % params->camera.width, pixel / params->camera.width);
         pixel_shadows[seen_plane(params, word) + place] = seen_bits;
         pixel_shadows[hidden_plane(params, word) + place] = hidden_bits;
     }
 }
 
 WEFT_KERNEL(shadow_probes)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, LAMP_ARGS, GLOBAL const float* receiver_planes,
- GLOBAL const uint* block_set, GLOBAL const uint* slot_pixel, GLOBAL const Vpl* samples,
- GLOBAL float* irradiance, GLOBAL uint* pixel_shadows, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     LAMP_MAKE(lamps);
-    ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    GLOBAL const Vpl* of_set = samples + set * params.samples_per_set;
+    ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);
+    PacketInside inside =
+        load_inside(&params, &through, receiver_planes, slots, packet.position, slot);
+    uint set = receiver_set(&params, block_set, slot);
+    GLOBAL const Vpl* of_set = samples + set * params.sampling.lights.per_set;
     WideLight light = no_light();
     uint rays = 0u;
     uint look = packet_look(&params, slot_pixel, slot, set);
-    for (uint word = 0u; word < shadow_words(params.sampled_lights); ++word) {
+    for (uint word = 0u; word < shadow_words(params.scene.area_lights); ++word) {
         uint seen[SHADOW_WORD_LIGHTS];
         uint hidden[SHADOW_WORD_LIGHTS];
         uint first_light = word * SHADOW_WORD_LIGHTS;
-        uint count = params.sampled_lights - first_light;
+        uint count = params.scene.area_lights - first_light;
         if (count > SHADOW_WORD_LIGHTS) count = SHADOW_WORD_LIGHTS;
         for (uint bit = 0u; bit < count; ++bit) {
             seen[bit] = hidden[bit] = 0u;
             if (!mask_any(packet.valid)) continue;
             uint l = first_light + bit;
-            GLOBAL const Vpl* first = of_set + l * params.samples_per_light;
+            GLOBAL const Vpl* first = of_set + l * params.sampling.lights.per_light;
             WMask blocked;
-            WMask looked = look_at_light(scene, &packet, first, params.samples_per_light, look,
-                                         &blocked, &rays);
+            WMask looked = look_at_light(scene, &packet, first, params.sampling.lights.per_light,
+                                         look, &blocked, &rays);
             seen[bit] = mask_bits(looked & mask_not(blocked));
             hidden[bit] = mask_bits(blocked);
             if (seen[bit] == 0u) continue;
@@ -118,6 +120,6 @@ WEFT_KERNEL(shadow_probes)
         }
         store_shadows(&params, slot_pixel, slot, word, count, seen, hidden, pixel_shadows);
     }
-    store_light(&params, &light, params.gather_scale, slot, irradiance);
-    count_rays(counters + params.counter, rays);
+    store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
+    count_rays(counters + range.counter, rays);
 }

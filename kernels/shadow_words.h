@@ -14,23 +14,23 @@
 /// Number of the sample of every light of its `set` that a pixel looks at first, by the column and
 /// row of its square of interleaved pixels. It differs between the four nearest pixels of a set, so
 /// that those of a window look at most of what all of them share.
-static inline uint shadow_look(const Params* params, uint column, uint row, uint set) {
-    return (set + column % 2u + row % 2u * 2u) % params->samples_per_light;
+static inline uint shadow_look(const RenderParams* params, uint column, uint row, uint set) {
+    return (set + column % 2u + row % 2u * 2u) % params->sampling.lights.per_light;
 }
 
 /// Place of a pixel in a plane.
-static inline uint shadow_place(const Params* params, uint x, uint y) {
-    return (y + SHADOW_MARGIN) * shadow_pitch(params->width) + x + SHADOW_MARGIN;
+static inline uint shadow_place(const RenderParams* params, uint x, uint y) {
+    return (y + SHADOW_MARGIN) * shadow_pitch(params->camera.width) + x + SHADOW_MARGIN;
 }
 
 /// Where the words of the lights that were seen begin, of 32 lights from 32 `word` on.
-static inline uint seen_plane(const Params* params, uint word) {
-    return 2u * word * shadow_plane(params->width, params->height);
+static inline uint seen_plane(const RenderParams* params, uint word) {
+    return 2u * word * shadow_plane(params->camera.width, params->camera.height);
 }
 
 /// Where the words of the lights that were hidden begin.
-static inline uint hidden_plane(const Params* params, uint word) {
-    return (2u * word + 1u) * shadow_plane(params->width, params->height);
+static inline uint hidden_plane(const RenderParams* params, uint word) {
+    return (2u * word + 1u) * shadow_plane(params->camera.width, params->camera.height);
 }
 
 #endif

@@ -11,6 +11,7 @@
 #include "brightness.h"
 #include "counters.h"
 #include "edge_cells.h"
+#include "kernel.h"
 #include "near_lamp.h"
 #include "packet_media.h"
 
@@ -22,6 +23,8 @@ typedef struct {
     GLOBAL const Vpl* samples;
     GLOBAL const float* slopes;
     GLOBAL float* irradiance;
+    uint slots;  // stride of the planes of receivers and irradiance
+    float shadow_step;
     uint set;
 } SecondLook;
 
@@ -38,11 +41,11 @@ typedef struct {
 } LightEdges;
 
 /// Luminance by all samples of a light from `first` on, were nothing between.
-static inline WFloat light_luminance(const Params* params, const ReceiverPacket* packet,
+static inline WFloat light_luminance(const RenderParams* params, const ReceiverPacket* packet,
                                      WFloat scale, GLOBAL const Vpl* first) {
     WFloat zero = WIDE(0.0f);
     WFloat sum = zero;
-    for (GLOBAL const Vpl* vpl = first; vpl < first + params->samples_per_light; ++vpl) {
+    for (GLOBAL const Vpl* vpl = first; vpl < first + params->sampling.lights.per_light; ++vpl) {
         WMask useful;
         WFloat g = connection(packet, vpl, VPL_SURFACE, from_vpl(packet, vpl), &useful);
         sum = sum + SELECT(useful, g * scale * luminance(xyz(vpl->flux)), zero);
@@ -52,17 +55,17 @@ static inline WFloat light_luminance(const Params* params, const ReceiverPacket*
 
 /// 1 where a light of luminance `light` means so much to a pixel that a sample which has not been
 /// looked at could show: by what one look in a window changes, in just noticeable differences.
-static inline int may_show(const Params* params, const SecondLook* look, const EdgePixel* pixel,
-                           float light) {
+static inline int may_show(const RenderParams* params, const SecondLook* look,
+                           const EdgePixel* pixel, float light) {
     // The sum stands for one pixel of a window of gather_scale; half way through a penumbra half of
     // what all of them give is there at least.
     float change = pixel->reflectance * light;
-    float there = m_max(pixel->radiance, 0.5f * params->gather_scale * change);
-    return change * brightness_slope(look->slopes, there) < params->shadow_step ? 0 : 1;
+    float there = m_max(pixel->radiance, 0.5f * params->sampling.gather_scale * change);
+    return change * brightness_slope(look->slopes, there) < look->shadow_step ? 0 : 1;
 }
 
 /// The pixels at the edges of a light's shadow, but those to which it means too little.
-static inline void find_visible(const Params* params, const SecondLook* look,
+static inline void find_visible(const RenderParams* params, const SecondLook* look,
                                 const ShadowLight* shadow, const EdgeCell* cell,
                                 LightEdges* found) {
     EdgeList* edges = &found->edges;
@@ -97,14 +100,14 @@ static inline WFloat packet_scale(const LightEdges* from, const EdgePacket* pack
 }
 
 /// Adds `light` times `scale` to the irradiance of listed slots, of which none gets below 0.
-static inline void add_to_listed(const Params* params, const WideLight* light, float scale,
-                                 const ReceiverList* list, GLOBAL float* irradiance) {
+static inline void add_to_listed(const WideLight* light, float scale, const ReceiverList* list,
+                                 uint stride, GLOBAL float* irradiance) {
     float added[3][LANES];
     wide_store(light->red * scale, added[0], 0);
     wide_store(light->green * scale, added[1], 0);
     wide_store(light->blue * scale, added[2], 0);
     for (uint channel = 0u; channel < 3u; ++channel) {
-        GLOBAL float* plane = irradiance + channel * params->slots;
+        GLOBAL float* plane = irradiance + channel * stride;
         for (uint lane = 0u; lane < list->count; ++lane) {
             uint slot = list->slot[lane];
             plane[slot] = m_max(0.0f, plane[slot] + added[channel][lane]);
@@ -114,7 +117,7 @@ static inline void add_to_listed(const Params* params, const WideLight* light, f
 
 /// Looks at sample `i` of a light from pixels that have not, and puts right what their first look
 /// took for it; returns the number of rays.
-static inline uint look_at_sample(Scene scene, const Params* params, const SecondLook* look,
+static inline uint look_at_sample(Scene scene, const RenderParams* params, const SecondLook* look,
                                   const ShadowLight* shadow, uint i, const EdgeCell* cell,
                                   const LightEdges* from, const EdgePacket* edges) {
     GLOBAL const Vpl* vpl = shadow->first + i;
@@ -130,23 +133,24 @@ static inline uint look_at_sample(Scene scene, const Params* params, const Secon
         WFloat one = WIDE(1.0f);
         WFloat change = SELECT(before, -one, one) * packet_scale(from, edges);
         PacketInside inside = listed_inside(params, &look->media, look->receiver_planes,
-                                            packet.position, &edges->list);
+                                            look->slots, packet.position, &edges->list);
         WideLight light = no_light();
         add_connection(params, &look->media, &packet, &inside, xyz(vpl->position), vpl->flux,
                        g * change, d, i, changed, &light);
-        add_to_listed(params, &light, params->gather_scale, &edges->list, look->irradiance);
+        add_to_listed(&light, params->sampling.gather_scale, &edges->list, look->slots,
+                      look->irradiance);
     }
     return mask_count(useful);
 }
 
 /// Sends rays to a light from the pixels of a cell at the edges of its shadow; returns their
 /// number.
-static inline uint look_again(Scene scene, const Params* params, const SecondLook* look,
+static inline uint look_again(Scene scene, const RenderParams* params, const SecondLook* look,
                               const ShadowLight* shadow, const EdgeCell* cell) {
     LightEdges visible;
     find_visible(params, look, shadow, cell, &visible);
     uint rays = 0u;
-    for (uint i = 0u; i < params->samples_per_light; ++i) {
+    for (uint i = 0u; i < params->sampling.lights.per_light; ++i) {
         float4 flux = shadow->first[i].flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
         for (uint next = 0u; next < visible.edges.count;) {
@@ -159,32 +163,30 @@ static inline uint look_again(Scene scene, const Params* params, const SecondLoo
 }
 
 WEFT_KERNEL(soft_shadows)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, LAMP_ARGS, GLOBAL const float* receiver_planes,
- GLOBAL const uint* pixel_slot, GLOBAL const Vpl* samples, GLOBAL const uint* pixel_shadows,
- GLOBAL const uint* shadow_edges, GLOBAL const float* slopes, GLOBAL const float4* gb_albedo,
- GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     LAMP_MAKE(lamps);
-    uint sets = params.interleave * params.interleave;
-    uint set = (item % sets + params.set_rotation) % params.gather_sets;
-    SecondLook look = {through, lamps, receiver_planes, samples, slopes, irradiance, set};
-    ShadowPlanes planes = {receiver_planes, pixel_slot, pixel_shadows,
-                           shadow_edges,    gb_albedo,  irradiance};
+    uint sets = params.sampling.interleave * params.sampling.interleave;
+    uint set = (item % sets + params.sampling.set_rotation) % params.sampling.gather_sets;
+    SecondLook look = {through,    lamps, receiver_planes, samples, slopes,
+                       irradiance, slots, shadow_step,     set};
+    ShadowPlanes planes = {receiver_planes, pixel_slot, pixel_shadows, shadow_edges,
+                           gb_albedo,       irradiance, slots};
     uint rays = 0u;
-    for (uint word = 0u; word < shadow_words(params.sampled_lights); ++word) {
+    for (uint word = 0u; word < shadow_words(params.scene.area_lights); ++word) {
         EdgeCell cell;
         find_edge_pixels(&params, item / sets, item % sets, set, word, &planes, &cell);
         for (uint left = cell.some; left != 0u; left &= left - 1u) {
             ShadowLight shadow;
             shadow.bit = lowest_bit(left);
             shadow.number = word * SHADOW_WORD_LIGHTS + shadow.bit;
-            shadow.first =
-                samples + set * params.samples_per_set + shadow.number * params.samples_per_light;
+            shadow.first = samples + set * params.sampling.lights.per_set +
+                           shadow.number * params.sampling.lights.per_light;
             rays += look_again(scene, &params, &look, &shadow, &cell);
         }
     }
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

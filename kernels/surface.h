@@ -62,8 +62,8 @@ static inline Facet facet_of(const Geometry* geometry, uint id) {
 
 /// The surface at a hit, on that facet, of a ray that travels along `direction`. Textures are
 /// averaged over a cone of `angle` radians about the ray; 0 asks for full detail.
-static inline Surface surface_on(const Params* params, const Geometry* geometry, const Facet* facet,
-                                 Hit hit, float3 direction, float angle) {
+static inline Surface surface_on(const RenderParams* params, const Geometry* geometry,
+                                 const Facet* facet, Hit hit, float3 direction, float angle) {
     Surface surface;
     Triangle triangle = facet->triangle;
     MaterialRecord material = facet->material;
@@ -104,7 +104,7 @@ static inline Surface surface_on(const Params* params, const Geometry* geometry,
 }
 
 /// The same for a single hit.
-static inline Surface surface_at(const Params* params, const Geometry* geometry, Hit hit,
+static inline Surface surface_at(const RenderParams* params, const Geometry* geometry, Hit hit,
                                  float3 direction, float angle) {
     Facet facet = facet_of(geometry, hit.triangle);
     return surface_on(params, geometry, &facet, hit, direction, angle);

@@ -4,6 +4,7 @@
 // What the G-buffer says about undersampling a tile: which pixels are lit, and how coarse a lattice
 // serves each. A pixel is served by a lattice if the taps that lie on its own surface hold most of
 // the weight. One work-item per tile, row by row.
+#include "kernel.h"
 #include "lattice.h"
 #include "tile_window.h"
 
@@ -11,13 +12,13 @@
 // one pixel of it: any two of them then keep to the whole.
 #define SMOOTH_SHARE 0.25f
 
-static inline float lattice_support(const Params* params, GLOBAL const uint* gb_ids,
+static inline float lattice_support(const RenderParams* params, GLOBAL const uint* gb_ids,
                                     GLOBAL const float4* gb_albedo,
                                     GLOBAL const float4* gb_position,
                                     GLOBAL const float4* gb_shading, const PixelSurface* surface,
                                     int x, int y, int stride) {
-    int width = (int)params->width;
-    int height = (int)params->height;
+    int width = (int)params->camera.width;
+    int height = (int)params->camera.height;
     LatticeTaps across = lattice_taps(x, stride, width);
     LatticeTaps down = lattice_taps(y, stride, height);
     float support = 0.0f;
@@ -38,11 +39,11 @@ static inline float lattice_support(const Params* params, GLOBAL const uint* gb_
 
 /// 1 where all pixels of a tile, all lit, and all coarse lattice points about it are one smooth
 /// surface.
-static inline int tile_is_smooth(const Params* params, GLOBAL const uint* gb_ids,
+static inline int tile_is_smooth(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                  GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
                                  const TileWindow* window, int left, int top) {
-    int width = (int)params->width;
+    int width = (int)params->camera.width;
     uint centre = (uint)((top + 4) * width + left + 4);
     PixelSurface surface =
         pixel_surface(params, gb_position, gb_normal, gb_shading, centre, SMOOTH_SHARE);
@@ -61,7 +62,7 @@ static inline int tile_is_smooth(const Params* params, GLOBAL const uint* gb_ids
 }
 
 /// Pixels of a tile inside the picture that the lattice serves, as two words.
-static inline void served_inside(const Params* params, GLOBAL const uint* gb_ids,
+static inline void served_inside(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                  GLOBAL const float4* gb_shading, const TileWindow* window,
                                  int left, int top, int stride, uint points,
@@ -76,7 +77,7 @@ static inline void served_inside(const Params* params, GLOBAL const uint* gb_ids
         for (uint i = 0u; i < points; ++i) {
             int x = left + ((int)i - 1) * stride;
             int y = top + ((int)j - 1) * stride;
-            uint other = (uint)(y * (int)params->width + x);
+            uint other = (uint)(y * (int)params->camera.width + x);
             if (pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
             float3 position = xyz(gb_position[other]);
             float3 shading = xyz(gb_shading[other]);
@@ -84,7 +85,7 @@ static inline void served_inside(const Params* params, GLOBAL const uint* gb_ids
             for (uint row = 0u; row < TILE_EDGE; ++row) {
                 float down = weights[TILE_EDGE * j + row];
                 if (down == 0.0f) continue;
-                NMask holds = row_holds(&rows[row], position, shading, params->filter_cosine);
+                NMask holds = row_holds(&rows[row], position, shading, params->filter.cosine);
                 support[row] = support[row] + SELECT(holds, across * down, NODE(0.0f));
             }
         }
@@ -92,12 +93,12 @@ static inline void served_inside(const Params* params, GLOBAL const uint* gb_ids
     served[0] = 0u;
     served[1] = 0u;
     for (uint row = 0u; row < TILE_EDGE; ++row)
-        served[row / 4u] |= node_mask_bits(support[row] >= NODE(params->enough_support))
+        served[row / 4u] |= node_mask_bits(support[row] >= NODE(params->filter.enough_support))
                             << (row % 4u * TILE_EDGE);
 }
 
 /// The same for any tile, pixel by pixel.
-static inline void served_at_border(const Params* params, GLOBAL const uint* gb_ids,
+static inline void served_at_border(const RenderParams* params, GLOBAL const uint* gb_ids,
                                     GLOBAL const float4* gb_albedo,
                                     GLOBAL const float4* gb_position,
                                     GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
@@ -110,17 +111,17 @@ static inline void served_at_border(const Params* params, GLOBAL const uint* gb_
         int x = left + (int)(bit % TILE_EDGE);
         int y = top + (int)(bit / TILE_EDGE);
         PixelSurface surface = pixel_surface(params, gb_position, gb_normal, gb_shading,
-                                             (uint)(y * (int)params->width + x), 1.0f);
+                                             (uint)(y * (int)params->camera.width + x), 1.0f);
         if (lattice_support(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface, x, y,
-                            stride) >= params->enough_support)
+                            stride) >= params->filter.enough_support)
             served[bit / 32u] |= 1u << (bit % 32u);
     }
 }
 
 WEFT_KERNEL(tile_geometry)
-(PARAMS, GBUFFER_ARGS, GLOBAL TileRecord* tiles) {
-    if (GLOBAL_ID >= params.count) return;
-    uint tile = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint tile = range.first + GLOBAL_ID;
     uint columns = tile_columns(&params);
     int left = (int)(tile % columns) * TILE_EDGE;
     int top = (int)(tile / columns) * TILE_EDGE;

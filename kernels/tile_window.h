@@ -27,7 +27,7 @@ typedef struct {
 } SurfaceRow;
 
 /// Fills in the tile whose first pixel is (`left`, `top`), and `border` (0 or 1) pixels around it.
-static inline void load_window(const Params* params, GLOBAL const uint* gb_ids,
+static inline void load_window(const RenderParams* params, GLOBAL const uint* gb_ids,
                                GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
                                int left, int top, int border, TileWindow* window) {
@@ -39,9 +39,9 @@ static inline void load_window(const Params* params, GLOBAL const uint* gb_ids,
             int row = top + y;
             int lit = 0;
             uint pixel = 0u;
-            if (column >= 0 && row >= 0 && column < (int)params->width &&
-                row < (int)params->height) {
-                pixel = (uint)(row * (int)params->width + column);
+            if (column >= 0 && row >= 0 && column < (int)params->camera.width &&
+                row < (int)params->camera.height) {
+                pixel = (uint)(row * (int)params->camera.width + column);
                 lit = pixel_is_lit(gb_ids, gb_albedo, pixel);
             }
             float4 none = f4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -58,7 +58,7 @@ static inline void load_window(const Params* params, GLOBAL const uint* gb_ids,
             window->normal[0][y][x] = normal.x;
             window->normal[1][y][x] = normal.y;
             window->normal[2][y][x] = normal.z;
-            window->reach[y][x] = params->filter_planes * normal.w;
+            window->reach[y][x] = params->filter.planes * normal.w;
             window->lit[y / 4] |= (uint)lit << (y % 4 * TILE_EDGE + x);
         }
     }
@@ -124,18 +124,19 @@ typedef struct {
     float sampled[WINDOW_EDGE][WINDOW_ROW];  // 1 or 0
 } TileSamples;
 
-static inline void load_samples(const Params* params, GLOBAL const uint* pixel_slot,
-                                GLOBAL const float* irradiance, int left, int top,
+static inline void load_samples(const RenderParams* params, GLOBAL const uint* pixel_slot,
+                                GLOBAL const float* irradiance, uint slots, int left, int top,
                                 TileSamples* samples) {
     for (int y = -1; y <= TILE_EDGE; ++y) {
         for (int x = -1; x <= TILE_EDGE; ++x) {
             int column = left + x;
             int row = top + y;
             uint slot = NO_TRIANGLE;
-            if (column >= 0 && row >= 0 && column < (int)params->width && row < (int)params->height)
-                slot = pixel_slot[row * (int)params->width + column];
+            if (column >= 0 && row >= 0 && column < (int)params->camera.width &&
+                row < (int)params->camera.height)
+                slot = pixel_slot[row * (int)params->camera.width + column];
             float3 e = f3(0.0f, 0.0f, 0.0f);
-            if (slot != NO_TRIANGLE) e = slot_irradiance(irradiance, params->slots, slot);
+            if (slot != NO_TRIANGLE) e = slot_irradiance(irradiance, slots, slot);
             samples->red[y + 1][x + 1] = e.x;
             samples->green[y + 1][x + 1] = e.y;
             samples->blue[y + 1][x + 1] = e.z;
@@ -191,23 +192,23 @@ static inline float4 mean_of(const TileMeans* means, uint bit) {
 }
 
 /// 1 where the window about a pixel is 3 x 3 and keeps to the picture without being moved.
-static inline int window_is_centred(const Params* params, int x, int y) {
-    return params->filter_radius == 1u && x > 0 && y > 0 && x + 1 < (int)params->width &&
-                   y + 1 < (int)params->height
+static inline int window_is_centred(const RenderParams* params, int x, int y) {
+    return params->filter.radius == 1u && x > 0 && y > 0 && x + 1 < (int)params->camera.width &&
+                   y + 1 < (int)params->camera.height
                ? 1
                : 0;
 }
 
 /// The discontinuity buffer of a tile: window_mean of all its pixels but those at the picture's
 /// border, whose windows are moved inwards; for windows of 3 x 3 pixels.
-static inline void window_means(const Params* params, const TileWindow* window,
+static inline void window_means(const RenderParams* params, const TileWindow* window,
                                 const TileSamples* samples, TileMeans* means) {
     for (uint y = 0u; y < TILE_EDGE; ++y) {
         SurfaceRow row = surface_row(window, y);
         MeanRow sum = no_means();
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
-                NMask mask = row_continues(window, &row, y, dx, dy, params->filter_cosine);
+                NMask mask = row_continues(window, &row, y, dx, dy, params->filter.cosine);
                 // A pixel is on its own surface whatever rounding says.
                 if (dx == 0 && dy == 0) mask = NODE(0.0f) == NODE(0.0f);
                 int v = (int)y + 1 + dy;

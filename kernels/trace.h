@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ray queries: the one thing besides the launch loop that differs between backends. A kernel takes
-// SCENE_ARGS first, makes a Scene from them with SCENE, and hands it to trace_*.
+// Ray queries: the one thing besides the launch loop that differs between backends. A kernel that
+// TRACES makes a Scene of its arguments with SCENE_MAKE, and hands it to trace_*.
 #ifndef WEFT_TRACE_H
 #define WEFT_TRACE_H
 
@@ -14,7 +14,7 @@
 #include "trace_native.h"
 #else
 
-#define SCENE_ARGS GLOBAL const BvhNode *bvh_nodes, GLOBAL const float *bvh_leaves
+#define SCENE_ARGUMENTS GLOBAL const BvhNode *bvh_nodes, GLOBAL const float *bvh_leaves
 #define SCENE_MAKE(name)    \
     Scene name;             \
     name.nodes = bvh_nodes; \

@@ -7,7 +7,7 @@
 #ifndef WEFT_TRACE_NATIVE_H
 #define WEFT_TRACE_NATIVE_H
 
-#define SCENE_ARGS const ::weft::NativeScene *native_scene, const void *
+#define SCENE_ARGUMENTS const ::weft::NativeScene* native_scene
 #define SCENE_MAKE(name) Scene name = *native_scene
 
 typedef const ::weft::NativeScene& Scene;

@@ -3,7 +3,7 @@
 //
 // Structs that host and kernels share: 4-byte scalars and float4 only, padded explicitly, sizes
 // asserted by the host (host/device/shared_types.h) and probed on the device by the tests.
-// All geometry is in scene units times Params::unit, centred on the scene (kernel units).
+// All geometry is in scene units times SceneParams::unit, centred on the scene (kernel units).
 #ifndef WEFT_TYPES_H
 #define WEFT_TYPES_H
 
@@ -280,73 +280,121 @@ typedef struct {
 
 // The film of path tracing holds exact sums (film_sums.h): FILM_SUM_WORDS words for each of the
 // planes above, then FILM_SQUARE_WORDS words for the squares of each channel of the picture.
-// A sum counts 2^-FILM_SUM_SHIFT of its unit, which is 1 / Params::film_scale for light.
+// A sum counts 2^-FILM_SUM_SHIFT of its unit, which is 1 / PathParams::film_scale for light.
 #define FILM_SUM_WORDS 3
 #define FILM_SUM_SHIFT 52
 #define FILM_SQUARE_WORDS 4
 #define FILM_SQUARE_SHIFT 72
 #define FILM_PIXEL_WORDS 60
 
+// The camera and the image it makes: the ray through film point (s, t) in [-1,1]^2, +t up, has the
+// direction forward + s right + t up.
 typedef struct {
-    // Camera: the ray through film point (s, t) in [-1,1]^2, +t up, is forward + s right + t up.
-    float4 camera_origin;
-    float4 camera_forward;  // unit
-    float4 camera_right;
-    float4 camera_up;
-    float4 environment;        // rgb radiance
-    float4 scene_centre;       // xyz of the bounding sphere; w: its radius, kernel units
-    float jitter_x, jitter_y;  // in pixels, from the pixel's corner
+    float4 origin;
+    float4 forward;  // unit
+    float4 right;
+    float4 up;
+    float jitter_x, jitter_y;  // of primary rays, in pixels, from the pixel's corner
     float pixel_angle;         // radians between neighbouring pixels at the centre
     float texture_angle;       // angle over which primary rays average textures
-    float unit;                // kernel units per scene unit, a power of two
-    float extent;              // largest |coordinate| of geometry and camera, kernel units
-    float vpl_bound;           // bound on G of indirect VPLs
-    float light_bound_scale;   // bound on G of a light sample: this / light area
-    float gather_scale;        // sets: a set's sum times this estimates the whole sum
-    float filter_cosine;       // discontinuity buffer: least cosine between normals
-    float filter_planes;       // and largest distance from the plane, in footprints
-    uint width, height;
-    uint features;
+    uint width, height;        // of the image, pixels
+    uint pad[2];
+} CameraParams;
+
+// The scene as all kernels see it. Lights lie in the light table by kind: area lights, then point
+// and spot lights, directional lights, environments.
+typedef struct {
+    float4 environment;      // rgb radiance
+    float4 bounding_sphere;  // xyz centre; w: radius, kernel units
+    float unit;              // kernel units per scene unit, a power of two
+    float extent;            // largest |coordinate| of geometry and camera, kernel units
+    uint lights;             // entries of the light table
+    uint area_lights;        // among them, the first entries
+    uint delta_lights_first, delta_lights;  // point and spot lights that the plan samples
+    uint directional_lights_first, directional_lights;
+    uint choice_lights;  // lights that next-event estimation chooses from, the first entries
+    uint pad[3];
+} SceneParams;
+
+// How many points on area lights a sample set has.
+typedef struct {
+    uint per_light;     // points of each light; 0: `per_set` are chosen by power
+    uint per_set;       // of all lights
+    float bound_scale;  // bound on G of a point: this / area of its light
+    uint pad;
+} LightSampling;
+
+// What the plan samples: sets, virtual lights, light paths and records.
+typedef struct {
+    LightSampling lights;
     uint seed;
-    uint frame;
-    uint first, count;  // work-items of this launch: [first, first + count)
-    uint slots;         // length of the work list
-    uint sets;          // sample sets made per frame
-    uint gather_sets;   // sets the work list chooses from
-    uint set_rotation;
-    uint lights;               // entries of the light table
-    uint sampled_lights;       // area lights among them, the first entries
-    uint samples_per_light;    // per set; 0: `samples_per_set` are chosen by power
-    uint samples_per_set;      // light sample points of one set
+    uint sample;               // number of the sample that is made, from 0 on
+    uint sets;                 // sample sets made for each sample
+    uint gather_sets;          // sets the work list chooses from
+    uint set_rotation;         // of the sets among the pixels, by sample
+    uint interleave;           // edge of the squares of pixels that hold every set once
+    float gather_scale;        // a set's sum times this estimates the whole sum
+    float vpl_bound;           // bound on G of indirect VPLs
     uint environment_samples;  // rays per pixel
     uint paths_per_set;
     uint vpls_per_set;
     uint bounces;
     uint survivors[MAX_BOUNCES];  // paths of a set that reach bounce k + 1
     uint first_vpl[MAX_BOUNCES];  // their first slot inside the set
-    uint filter_radius;
-    uint film_starts;                       // 1 for the first sample, which starts the film's sums
-    uint counter;                           // which RayCounter this launch adds to
-    uint delta_lights_first, delta_lights;  // point and spot lights
-    uint directional_lights_first, directional_lights;  // in the light table
-    uint samples;          // path tracing: samples of a pixel in one launch, from `frame` on
+    uint edge_samples;            // further rays of an edge pixel, even; 0: none
+    float record_error;           // relative error that the radius of irradiance records allows
+    uint pad[2];
+} SamplingParams;
+
+// What belongs to the same surface in reconstruction (discontinuity buffer).
+typedef struct {
+    uint radius;           // of the filter footprint, pixels
+    float cosine;          // least cosine between normals
+    float planes;          // largest distance from the plane, in footprints of a pixel
+    float enough_support;  // of the weight of a lattice's taps, what a pixel needs on its surface
+} FilterParams;
+
+// What all kernels of a sample share.
+typedef struct {
+    CameraParams camera;
+    SceneParams scene;
+    SamplingParams sampling;
+    FilterParams filter;
+    uint features;  // FEATURE_*
+    uint pad[3];
+} RenderParams;
+
+// The work-items of one launch, filled in by the executor, and where it counts its rays.
+typedef struct {
+    uint first, count;  // [first, first + count)
+    uint counter;       // which RayCounter
+} LaunchRange;
+
+// Which entries of a list a sample set owns: those of set k are the `length` from first + k stride
+// on.
+typedef struct {
+    uint first, stride, length;
+} SetList;
+
+// The cells of the hemispheres that a launch samples, of the records in slots from `first` on.
+typedef struct {
+    uint first;
+    uint elevations, azimuths;
+} HemisphereGrid;
+
+// How irradiance records gather VPLs, and which of them are computed again after a change.
+typedef struct {
+    uint vpls;
+    float roulette;    // as of vpl_gather
+    uint mask_words;   // words of a packet's bits by VPL (cache_masks.h); 0: none are kept
+    uint moved_boxes;  // see moved.h
+} RecordUpdate;
+
+// The samples of every pixel in one launch of the path tracer, from SamplingParams::sample on.
+typedef struct {
+    uint samples;
     uint through_centres;  // 1: all of them go through the pixel's centre
     float film_scale;      // a power of two that brings the scene's light to about 1
-    uint choice_lights;    // lights that next-event estimation chooses from, the first entries
-    uint list_first, list_stride, list_length;  // VPLs of set k: first + k stride ...
-    float enough_support;  // of the weight of a lattice's taps, what a pixel needs on its surface
-    uint edge_samples;     // further rays of an edge pixel, even; 0: none
-    float roulette;        // share of the mean contribution below which VPLs are traced by chance
-    float shadow_step;     // change of one look at a light that stays unseen, in just noticeable
-                           // differences
-    uint interleave;       // edge of the squares of pixels that hold every set once
-    uint media_steps;      // places on a view ray where a light's scattered light is looked for
-    uint media_adds;       // 1: scattered light is added to what is there
-    float cache_error;     // of irradiance records: relative error that their radius allows
-    uint cache_records;    // how many there are
-    uint cache_words;      // words of a packet's bits by VPL (cache_masks.h); 0: none are kept
-    uint moved_boxes;      // see moved.h
-    uint pad;
-} Params;
+} PathParams;
 
 #endif

@@ -13,13 +13,14 @@
 //   shading   as normal, and emission none: the same for every pixel and frame (ViewMedia)
 #include "camera.h"
 #include "gbuffer.h"
+#include "kernel.h"
 #include "medium_walk.h"
 
 // Optical depth from which on nothing is scattered to the camera that could be seen.
 #define UNSEEN_DEPTH 14.0f
 // Length of a ray without end, kernel units: far beyond any scene, and its square is a float.
 #define VIEW_INFINITY 1e9f
-// Share of their length by which neighbouring rays may differ, times Params::filter_planes, beside
+// Share of their length by which neighbouring rays may differ, times FilterParams::planes, beside
 // what a surface seen at an angle makes of it over some pixels.
 #define LENGTH_SHARE 0.05f
 #define LENGTH_PIXELS 8.0f
@@ -32,8 +33,9 @@ typedef struct {
 } Scattering;
 
 /// Adds a stretch of a medium.
-static inline void add_stretch(const Params* params, const Media* media, const MediumWalk* walk,
-                               const MediumRecord* medium, Scattering* found) {
+static inline void add_stretch(const RenderParams* params, const Media* media,
+                               const MediumWalk* walk, const MediumRecord* medium,
+                               Scattering* found) {
     if (found->depth >= UNSEEN_DEPTH) return;
     float begin = walk->begin;
     float end = walk->end;
@@ -63,8 +65,9 @@ typedef struct {
 } Passed;
 
 /// Goes through a stretch.
-static inline void pass_stretch(const Params* params, const Media* media, const MediumWalk* walk,
-                                const MediumRecord* medium, Passed* passed) {
+static inline void pass_stretch(const RenderParams* params, const Media* media,
+                                const MediumWalk* walk, const MediumRecord* medium,
+                                Passed* passed) {
     if (!(max_component(passed->left) > 0.0f)) return;
     float3 sigma = xyz(medium->sigma_t);
     float depth = walk->end - walk->begin;
@@ -81,17 +84,16 @@ static inline void pass_stretch(const Params* params, const Media* media, const 
 }
 
 WEFT_KERNEL(view_media)
-(PARAMS, GBUFFER_ARGS, MEDIA_ARGS, GLOBAL float4* view_left, GLOBAL float4* view_glow,
- GLOBAL uint* view_inside, GLOBAL uint* end_ids, GLOBAL float4* end_position,
- GLOBAL float4* end_normal, GLOBAL float4* end_albedo) {
-    if (GLOBAL_ID >= params.count) return;
-    uint pixel = params.first + GLOBAL_ID;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint pixel = range.first + GLOBAL_ID;
     MEDIA_MAKE(through);
-    float3 direction = camera_direction(&params, (float)(pixel % params.width) + params.jitter_x,
-                                        (float)(pixel / params.width) + params.jitter_y);
+    float3 direction =
+        camera_direction(&params, (float)(pixel % params.camera.width) + params.camera.jitter_x,
+                         (float)(pixel / params.camera.width) + params.camera.jitter_y);
     int met = gb_ids[2u * pixel] != NO_TRIANGLE ? 1 : 0;
     float length = met != 0 ? gb_position[pixel].w * length3(direction) : RAY_INFINITY;
-    MediumWalk walk = start_walk(&through, xyz(params.camera_origin), normalize3(direction),
+    MediumWalk walk = start_walk(&through, xyz(params.camera.origin), normalize3(direction),
                                  through.record->around_camera);
     Passed passed = {f3(1.0f, 1.0f, 1.0f), f3(0.0f, 0.0f, 0.0f)};
     Scattering found = {0.0f, 0.0f, 0.0f, 0};

@@ -23,7 +23,7 @@ typedef struct {
     int valid;
 } ViewRay;
 
-static inline ViewRay view_ray(const Params* params, GLOBAL const float4* end_position,
+static inline ViewRay view_ray(const RenderParams* params, GLOBAL const float4* end_position,
                                GLOBAL const float4* end_albedo, uint pixel) {
     ViewRay ray;
     ray.direction = f3(0.0f, 0.0f, 1.0f);
@@ -31,16 +31,16 @@ static inline ViewRay view_ray(const Params* params, GLOBAL const float4* end_po
     ray.end = 1.0f;
     ray.valid = 0;
     if (pixel == NO_TRIANGLE || !(end_albedo[pixel].w > 0.0f)) return ray;
-    ray.direction =
-        normalize3(camera_direction(params, (float)(pixel % params->width) + params->jitter_x,
-                                    (float)(pixel / params->width) + params->jitter_y));
+    ray.direction = normalize3(
+        camera_direction(params, (float)(pixel % params->camera.width) + params->camera.jitter_x,
+                         (float)(pixel / params->camera.width) + params->camera.jitter_y));
     ray.begin = end_position[pixel].x;
     ray.end = end_position[pixel].y;
     ray.valid = 1;
     return ray;
 }
 
-static inline ViewPacket load_views(const Params* params, GLOBAL const uint* slot_pixel,
+static inline ViewPacket load_views(const RenderParams* params, GLOBAL const uint* slot_pixel,
                                     GLOBAL const float4* end_position,
                                     GLOBAL const float4* end_albedo, uint slot) {
     LaneVectors directions;
@@ -54,7 +54,7 @@ static inline ViewPacket load_views(const Params* params, GLOBAL const uint* slo
         valid |= (uint)ray.valid << lane;
     }
     ViewPacket packet;
-    packet.origin = xyz(params->camera_origin);
+    packet.origin = xyz(params->camera.origin);
     packet.direction = wide_of(&directions);
     packet.begin = wide_load(begin, 0);
     packet.end = wide_load(end, 0);
@@ -130,7 +130,7 @@ typedef struct {
 
 /// One lane's place: what scatters there, what media leave of it on the way to the camera, and of
 /// light on its way there from `way` beyond.
-static inline void walk_to_place(const Params* params, const Media* media, float3 origin,
+static inline void walk_to_place(const RenderParams* params, const Media* media, float3 origin,
                                  float3 direction, float t, float3 way, uint number,
                                  float3* scatters, float3* left, float* g) {
     *scatters = f3(0.0f, 0.0f, 0.0f);
@@ -182,7 +182,7 @@ static inline void scatters_at(const Media* media, uint index, WMask here, Place
 
 /// Multiplies what scatters by the density of the grid inside of a boundary, in the lanes of
 /// `bits`.
-static inline void scale_by_density(const Params* params, const Media* media, uint boundary,
+static inline void scale_by_density(const RenderParams* params, const Media* media, uint boundary,
                                     WFloat3 positions, uint bits, PlaceMedia* found) {
     DensityGrid grid;
     float3 sigma;
@@ -199,9 +199,9 @@ static inline void scale_by_density(const Params* params, const Media* media, ui
 
 /// Multiplies what is left by what grids leave on the ways of places to the camera and to the
 /// light.
-static inline void track_grids(const Params* params, const Media* media, const ViewPacket* view,
-                               const ViewPlaces* places, WFloat3 positions, uint number,
-                               WMask wanted, PlaceMedia* found) {
+static inline void track_grids(const RenderParams* params, const Media* media,
+                               const ViewPacket* view, const ViewPlaces* places, WFloat3 positions,
+                               uint number, WMask wanted, PlaceMedia* found) {
     WFloat one = WIDE(1.0f);
     WFloat3 back = wide_vector(-(view->direction.x * places->t), -(view->direction.y * places->t),
                                -(view->direction.z * places->t));
@@ -224,7 +224,7 @@ static inline void track_grids(const Params* params, const Media* media, const V
 }
 
 /// media_at where boundaries are convex.
-static inline PlaceMedia convex_media_at(const Params* params, const Media* media,
+static inline PlaceMedia convex_media_at(const RenderParams* params, const Media* media,
                                          const ViewPacket* view, const ViewPlaces* places,
                                          uint number, WMask wanted) {
     PlaceMedia found;
@@ -260,8 +260,9 @@ static inline PlaceMedia convex_media_at(const Params* params, const Media* medi
 }
 
 /// The media at the places of the lanes of `wanted`; see packet_transmittance.
-static inline PlaceMedia media_at(const Params* params, const Media* media, const ViewPacket* view,
-                                  const ViewPlaces* places, uint number, WMask wanted) {
+static inline PlaceMedia media_at(const RenderParams* params, const Media* media,
+                                  const ViewPacket* view, const ViewPlaces* places, uint number,
+                                  WMask wanted) {
     if (HAS(params, FEATURE_CONVEX_MEDIA))
         return convex_media_at(params, media, view, places, number, wanted);
     WFloat zero = WIDE(0.0f);

@@ -5,29 +5,31 @@
 // meets something that has moved, where it was or where it is, not beyond what it hit.
 // The scene of this launch is what has moved, at both places.
 #include "counters.h"
+#include "kernel.h"
 #include "light_path.h"
 #include "path_memory.h"
 #include "trace.h"
 
 WEFT_KERNEL(vpl_doubts)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, MEDIA_ARGS, GLOBAL const float4* path_memory,
- GLOBAL uint* path_doubts, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
-    uint set = item / params.paths_per_set;
-    uint path_in_set = item % params.paths_per_set;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
+    uint set = item / params.sampling.paths_per_set;
+    uint path_in_set = item % params.sampling.paths_per_set;
     uint index = path_index(&params, item);
     SCENE_MAKE(moved);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
     LightPath path = emit_path(&params, &geometry, lights, emissive, index);
-    Random random = make_random(params.seed, index, 0x1F83D9ABu);
+    Random random = make_random(params.sampling.seed, index, 0x1F83D9ABu);
     uint rays = 0u;
     uint known = 0u;
     // In media a path takes as many random numbers as its segments ask for.
     int alike = HAS(&params, FEATURE_MEDIA) ? 0 : starts_alike(&path, item, path_memory);
-    while (alike != 0 && known < params.bounces && path_in_set < params.survivors[known]) {
-        Hit hit = recall_hit(&params, set, params.first_vpl[known] + path_in_set, path_memory);
+    while (alike != 0 && known < params.sampling.bounces &&
+           path_in_set < params.sampling.survivors[known]) {
+        Hit hit =
+            recall_hit(&params, set, params.sampling.first_vpl[known] + path_in_set, path_memory);
         if (hit.triangle == NOT_TRACED) break;
         // What was hit may itself have moved, and be found a rounding error further away.
         float reach = hit.triangle == NO_TRIANGLE ? RAY_INFINITY : hit.t * 1.0000305f;
@@ -36,9 +38,9 @@ WEFT_KERNEL(vpl_doubts)
         ++known;
         Vertex vertex;
         if (follow(&params, hit, &geometry, &through, &random, &path, &vertex) == 0) break;
-        if (known < params.bounces)
+        if (known < params.sampling.bounces)
             path.direction = next_direction(&params, &vertex, known - 1u, index);
     }
     path_doubts[item] = known;
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

@@ -5,37 +5,39 @@
 // Serves indirect VPLs, points on area lights and punctual lights alike; the launch says which
 // stretch of the buffer belongs to a set.
 //
-// Where Params::roulette is above 0, VPLs that would add little are traced by chance, and then
-// count for more (Russian roulette, Arvo and Kirk 1990). A VPL's random number is the same for all
-// receivers, so that what roulette adds to the error is smooth but for steps of the size of one
-// small contribution.
+// Where `roulette`, a share of the mean contribution, is above 0, VPLs that would add little are
+// traced by chance, and then count for more (Russian roulette, Arvo and Kirk 1990). A VPL's random
+// number is the same for all receivers, so that what roulette adds to the error is smooth but for
+// steps of the size of one small contribution.
 #include "connection.h"
 #include "counters.h"
+#include "kernel.h"
 #include "packet_media.h"
+#include "sample_sets.h"
 
 WEFT_KERNEL(vpl_gather)
-(PARAMS, SCENE_ARGS, MEDIA_ARGS, GLOBAL const float* receiver_planes, GLOBAL const uint* block_set,
- GLOBAL const Vpl* vpls, GLOBAL float* irradiance, GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = (params.first + GLOBAL_ID) * (uint)LANES;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
-    ReceiverPacket packet = load_receivers(&params, receiver_planes, slot);
-    PacketInside inside = load_inside(&params, &through, receiver_planes, packet.position, slot);
-    uint set = (block_set[slot / PACKET_BLOCK] + params.set_rotation) % params.gather_sets;
-    GLOBAL const Vpl* vpl = vpls + params.list_first + set * params.list_stride;
+    ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);
+    PacketInside inside =
+        load_inside(&params, &through, receiver_planes, slots, packet.position, slot);
+    uint set = receiver_set(&params, block_set, slot);
+    GLOBAL const Vpl* vpl = vpls + list.first + set * list.stride;
     WideLight light = no_light();
     uint rays = 0u;
-    uint count = mask_any(packet.valid) ? params.list_length : 0u;
+    uint count = mask_any(packet.valid) ? list.length : 0u;
     WFloat level = WIDE(0.0f);
-    if (params.roulette > 0.0f && count > 0u) level = roulette_level(&params, &packet, vpl, count);
+    if (roulette > 0.0f && count > 0u) level = roulette_level(roulette, &packet, vpl, count);
     for (uint i = 0u; i < count; ++i, ++vpl) {
         float4 flux = vpl->flux;
         if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
         WFloat3 d = from_vpl(&packet, vpl);
         WMask useful;
         WFloat g = connection(&packet, vpl, as_bits(vpl->normal.w), d, &useful);
-        if (params.roulette > 0.0f) {
+        if (roulette > 0.0f) {
             // A contribution below the level survives in proportion to it, and is the level then.
             WFloat least = level / luminance(xyz(flux));
             useful = useful & (g >= least * flux.w);
@@ -47,6 +49,6 @@ WEFT_KERNEL(vpl_gather)
         add_connection(&params, &through, &packet, &inside, xyz(vpl->position), flux, g, d, i,
                        useful & mask_not(blocked), &light);
     }
-    store_light(&params, &light, params.gather_scale, slot, irradiance);
-    count_rays(counters + params.counter, rays);
+    store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
+    count_rays(counters + range.counter, rays);
 }

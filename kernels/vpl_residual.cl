@@ -4,12 +4,13 @@
 // What VPLs leave out, by path tracing (Kollig and Keller 2004). Virtual lights stand for the light
 // of surface y that falls on x, with the geometry term G(x, y) cut off at a bound b. The rest,
 // max(0, G - b), is the share max(0, 1 - b / G) of what a scattered ray from x finds at y: of light
-// by up to Params::bounces surfaces before x. Light by more surfaces has no virtual lights at all,
-// so its share is 1. Samples on area lights have bounds of their own.
+// by up to SamplingParams::bounces surfaces before x. Light by more surfaces has no virtual lights
+// at all, so its share is 1. Samples on area lights have bounds of their own.
 //
 // A work-item adds one path to the irradiance of one receiver: to the direct part where bit 0 of
-// Params::list_length is set, to the indirect part where bit 1 is.
+// `parts` is set, to the indirect part where bit 1 is.
 #include "counters.h"
+#include "kernel.h"
 #include "near_lamp_limit.h"
 #include "path.h"
 #include "receiver_values.h"
@@ -24,18 +25,18 @@ static inline float share_beyond(float bound, float distance, float cosine_x, fl
 
 /// Share of a lamp's light that its samples leave out; all of it where they know nothing of it, and
 /// nothing where near_lamp.h makes up for it.
-static inline float lamp_share(const Params* params, const PathScene* world, uint instance,
+static inline float lamp_share(const RenderParams* params, const PathScene* world, uint instance,
                                float distance, float cosine_x, float cosine_y) {
     uint index = world->geometry.instances[instance].light;
     if (index == NO_TRIANGLE) return 1.0f;
     if (has_closed_form(params, world->lights + index) != 0) return 0.0f;
-    return share_beyond(params->light_bound_scale / world->lights[index].area, distance, cosine_x,
-                        cosine_y);
+    return share_beyond(params->sampling.lights.bound_scale / world->lights[index].area, distance,
+                        cosine_x, cosine_y);
 }
 
 /// Follows a ray from the receiver to the first surface, and from there the path of all light.
-static inline PathLight trace_residual(const Params* params, const PathScene* world,
-                                       float3 position, float3 normal, float3 shading,
+static inline PathLight trace_residual(const RenderParams* params, const PathScene* world,
+                                       uint parts, float3 position, float3 normal, float3 shading,
                                        Random* random, uint* rays) {
     PathLight sum;
     sum.direct = f3(0.0f, 0.0f, 0.0f);
@@ -52,14 +53,14 @@ static inline PathLight trace_residual(const Params* params, const PathScene* wo
     vertex.bounce = 1u;
     vertex.surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
     float facing = -dot3(direction, vertex.surface.normal);
-    if ((params->list_length & 1u) != 0u && max_component(vertex.surface.emission) > 0.0f)
+    if ((parts & 1u) != 0u && max_component(vertex.surface.emission) > 0.0f)
         sum.direct = vertex.surface.emission *
                      lamp_share(params, world, vertex.surface.instance, hit.t, about_z.z, facing);
-    if ((params->list_length & 2u) == 0u) return sum;
-    float share = share_beyond(params->vpl_bound, hit.t, about_z.z, facing);
+    if ((parts & 2u) == 0u) return sum;
+    float share = share_beyond(params->sampling.vpl_bound, hit.t, about_z.z, facing);
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
     while (goes_on != 0) {
-        vertex.light_weight = vertex.bounce <= params->bounces + 1u ? share : 1.0f;
+        vertex.light_weight = vertex.bounce <= params->sampling.bounces + 1u ? share : 1.0f;
         if (vertex.light_weight > 0.0f) *rays += next_event(params, world, &vertex, random, &sum);
         goes_on = scatter(params, world, &vertex, random, &sum, rays);
         if (goes_on != 0) goes_on = survives(&vertex, 1u, random);
@@ -68,27 +69,24 @@ static inline PathLight trace_residual(const Params* params, const PathScene* wo
 }
 
 WEFT_KERNEL(vpl_residual)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, GLOBAL const float* receiver_planes,
- GLOBAL const uint* slot_pixel, GLOBAL float* direct, GLOBAL float* indirect,
- GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint slot = params.first + GLOBAL_ID;
-    uint stride = params.slots;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint slot = range.first + GLOBAL_ID;
+    uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    PathScene world = {scene, geometry, lights, emissive, params.choice_lights};
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
     float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
     float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
     float3 normal = shading;
     if (HAS(&params, FEATURE_SMOOTH_NORMALS))
         normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
     uint rays = 0u;
-    Random random = make_random(params.seed, slot_pixel[slot], params.frame);
-    PathLight light = trace_residual(&params, &world, position, normal, shading, &random, &rays);
-    if ((params.list_length & 1u) != 0u)
-        add_irradiance(direct, stride, slot, light.direct * 3.14159265f);
-    if ((params.list_length & 2u) != 0u)
-        add_irradiance(indirect, stride, slot, light.indirect * 3.14159265f);
-    count_rays(counters + params.counter, rays);
+    Random random = make_random(params.sampling.seed, slot_pixel[slot], params.sampling.sample);
+    PathLight light =
+        trace_residual(&params, &world, parts, position, normal, shading, &random, &rays);
+    if ((parts & 1u) != 0u) add_irradiance(direct, stride, slot, light.direct * 3.14159265f);
+    if ((parts & 2u) != 0u) add_irradiance(indirect, stride, slot, light.indirect * 3.14159265f);
+    count_rays(counters + range.counter, rays);
 }

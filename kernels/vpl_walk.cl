@@ -6,6 +6,7 @@
 // (vpl_doubts.cl).
 #include "cache.h"
 #include "counters.h"
+#include "kernel.h"
 #include "light_path.h"
 #include "path_memory.h"
 #include "trace.h"
@@ -31,14 +32,15 @@ static inline float roulette_number(uint seed, uint vpl) {
 }
 
 /// Stores what the path scatters at a vertex: number `number` of all, `share` of its flux.
-static inline void store_vertex(const Params* params, GLOBAL Vpl* vpl, const LightPath* path,
+static inline void store_vertex(const RenderParams* params, GLOBAL Vpl* vpl, const LightPath* path,
                                 const Vertex* vertex, float share, uint number) {
     float scale = vertex->kind == VPL_SURFACE ? share * 0.318309886f : share;
     store_vpl(vpl, vertex->kind, path->origin, vertex->normal, path->flux * scale,
-              params->vpl_bound, roulette_number(params->seed, number));
+              params->sampling.vpl_bound, roulette_number(params->sampling.seed, number));
     if (HAS(params, FEATURE_MEDIA)) {
         vpl->cone.x = vertex->g;
-        vpl->cone.w = radical_inverse(PRIME_POSITION_U, number, hash_pair(params->seed, 0x51u));
+        vpl->cone.w =
+            radical_inverse(PRIME_POSITION_U, number, hash_pair(params->sampling.seed, 0x51u));
     }
 }
 
@@ -68,21 +70,19 @@ static inline uint change_of(const Vpl* before, GLOBAL const Vpl* vpl) {
 }
 
 WEFT_KERNEL(vpl_walk)
-(PARAMS, SCENE_ARGS, GEOMETRY_ARGS, LIGHT_ARGS, MEDIA_ARGS, GLOBAL const uint* path_doubts,
- GLOBAL float4* path_memory, GLOBAL uint* vpl_changes, GLOBAL Vpl* vpls,
- GLOBAL RayCounter* counters) {
-    if (GLOBAL_ID >= params.count) return;
-    uint item = params.first + GLOBAL_ID;
-    uint set = item / params.paths_per_set;
-    uint path_in_set = item % params.paths_per_set;
+{
+    if (GLOBAL_ID >= range.count) return;
+    uint item = range.first + GLOBAL_ID;
+    uint set = item / params.sampling.paths_per_set;
+    uint path_in_set = item % params.sampling.paths_per_set;
     uint index = path_index(&params, item);
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
     LightPath path = emit_path(&params, &geometry, lights, emissive, index);
-    Random random = make_random(params.seed, index, 0x1F83D9ABu);
-    float share = 1.0f / ((float)params.paths_per_set * (float)params.sets);
-    uint block = params.frame * params.sets + set;
+    Random random = make_random(params.sampling.seed, index, 0x1F83D9ABu);
+    float share = 1.0f / ((float)params.sampling.paths_per_set * (float)params.sampling.sets);
+    uint block = params.sampling.sample * params.sampling.sets + set;
     uint known = 0u;
     if (HAS(&params, FEATURE_TEMPORAL)) {
         known = path_doubts[item];
@@ -90,10 +90,10 @@ WEFT_KERNEL(vpl_walk)
     }
     uint rays = 0u;
     int alive = 1;
-    for (uint bounce = 0u; bounce < params.bounces; ++bounce) {
-        if (path_in_set >= params.survivors[bounce]) break;
-        uint place = params.first_vpl[bounce] + path_in_set;
-        GLOBAL Vpl* vpl = vpls + set * params.vpls_per_set + place;
+    for (uint bounce = 0u; bounce < params.sampling.bounces; ++bounce) {
+        if (path_in_set >= params.sampling.survivors[bounce]) break;
+        uint place = params.sampling.first_vpl[bounce] + path_in_set;
+        GLOBAL Vpl* vpl = vpls + set * params.sampling.vpls_per_set + place;
         Vpl before = no_vpl();
         if (HAS(&params, FEATURE_TEMPORAL)) before = *vpl;
         if (max_component(path.flux) <= 0.0f) alive = 0;
@@ -114,14 +114,15 @@ WEFT_KERNEL(vpl_walk)
         } else {
             // One bad value would reach every pixel that sees this VPL.
             if (is_finite3(path.flux) == 0) path.flux = f3(0.0f, 0.0f, 0.0f);
-            float survival = (float)params.paths_per_set / (float)params.survivors[bounce];
+            float survival =
+                (float)params.sampling.paths_per_set / (float)params.sampling.survivors[bounce];
             store_vertex(&params, vpl, &path, &vertex, share * survival,
-                         block * params.vpls_per_set + place);
-            if (bounce + 1u < params.bounces)
+                         block * params.sampling.vpls_per_set + place);
+            if (bounce + 1u < params.sampling.bounces)
                 path.direction = next_direction(&params, &vertex, bounce, index);
         }
         if (HAS(&params, FEATURE_TEMPORAL))
-            vpl_changes[set * params.vpls_per_set + place] = change_of(&before, vpl);
+            vpl_changes[set * params.sampling.vpls_per_set + place] = change_of(&before, vpl);
     }
-    count_rays(counters + params.counter, rays);
+    count_rays(counters + range.counter, rays);
 }

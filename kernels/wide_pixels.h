@@ -15,18 +15,19 @@ typedef struct {
     uint count;
 } PixelRun;
 
-static inline PixelRun pixel_run(const Params* params, uint item) {
-    uint runs = (params->width + LANES - 1u) / LANES;
+static inline PixelRun pixel_run(const RenderParams* params, uint item) {
+    uint runs = (params->camera.width + LANES - 1u) / LANES;
     PixelRun run;
     run.y = item / runs;
     run.x = (item - run.y * runs) * LANES;
-    run.first = run.y * params->width + run.x;
-    run.count = params->width - run.x < LANES ? params->width - run.x : LANES;
+    run.first = run.y * params->camera.width + run.x;
+    run.count = params->camera.width - run.x < LANES ? params->camera.width - run.x : LANES;
     return run;
 }
 
 /// The bits of the run's pixels in masks of tiles (edges.h), the leftmost in bit 0.
-static inline uint run_bits(const Params* params, GLOBAL const uint* masks, const PixelRun* run) {
+static inline uint run_bits(const RenderParams* params, GLOBAL const uint* masks,
+                            const PixelRun* run) {
     uint columns = tile_columns(params);
     uint row = run->y % TILE_EDGE;
     uint shift = row * TILE_EDGE % 32u;

@@ -52,10 +52,10 @@ Pixels random_pixels(std::mt19937& random) {
     return made;
 }
 
-native::Params params_with(std::uint32_t features, float error) {
-    native::Params params{};
+native::RenderParams params_with(std::uint32_t features, float error) {
+    native::RenderParams params{};
     params.features = features;
-    params.cache_error = error;
+    params.sampling.record_error = error;
     return params;
 }
 
@@ -63,7 +63,8 @@ TEST(CacheLookup, RecordsOfHemispheresHaveWardsWeights) {
     const native::CacheRecord record = plain_record();
     std::mt19937 random(1);
     for (const double error : {0.2, 0.4, 0.8}) {
-        const native::Params params = params_with(FEATURE_HEMISPHERES, static_cast<float>(error));
+        const native::RenderParams params =
+            params_with(FEATURE_HEMISPHERES, static_cast<float>(error));
         int served = 0;
         for (int i = 0; i < 100; ++i) {
             const Pixels about = random_pixels(random);
@@ -84,7 +85,7 @@ TEST(CacheLookup, RecordsOfHemispheresHaveWardsWeights) {
 
 TEST(CacheLookup, OthersHaveWeightsWithoutCusps) {
     const native::CacheRecord record = plain_record();
-    const native::Params params = params_with(0, 0.2F);
+    const native::RenderParams params = params_with(0, 0.2F);
     std::mt19937 random(2);
     for (int i = 0; i < 100; ++i) {
         const Pixels about = random_pixels(random);
@@ -100,7 +101,7 @@ TEST(CacheLookup, OthersHaveWeightsWithoutCusps) {
 TEST(CacheLookup, WeightsAreBoundedAtTheRecordAndEndBehindIt) {
     const native::CacheRecord record = plain_record();
     for (const float error : {0.0F, 0.1F, 1.0F}) {
-        const native::Params params = params_with(FEATURE_HEMISPHERES, error);
+        const native::RenderParams params = params_with(FEATURE_HEMISPHERES, error);
         native::SurfaceRow row{};
         for (int i = 0; i < pixels; ++i) {
             row.normal_z[i] = 1.0F;

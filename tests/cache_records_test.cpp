@@ -159,8 +159,8 @@ TEST(CacheRecords, CurvatureInTheTangentPlaneIsThatOfTheGeometryTerm) {
 }
 
 TEST(CacheRecords, RadiiFollowTheErrorAndTheShareOfLightThatIsSeen) {
-    native::Params params{};
-    params.cache_error = 0.1F;
+    native::RenderParams params{};
+    params.sampling.record_error = 0.1F;
     native::WideChange change = native::no_change();
     change.along = 3.0F;
     change.across = -1.0F;

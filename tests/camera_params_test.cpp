@@ -21,11 +21,11 @@ glm::dvec3 vector(const shared::float4& v) {
     return {v.x, v.y, v.z};
 }
 
-shared::Params params_of(const Camera& camera, std::uint32_t width, std::uint32_t height,
-                         const KernelUnits& units = {}) {
-    shared::Params params{};
-    params.width = width;
-    params.height = height;
+shared::RenderParams params_of(const Camera& camera, std::uint32_t width, std::uint32_t height,
+                               const KernelUnits& units = {}) {
+    shared::RenderParams params{};
+    params.camera.width = width;
+    params.camera.height = height;
     set_camera(camera, units, params);
     return params;
 }
@@ -38,9 +38,9 @@ Camera camera_with(FovAxis axis, double fov) {
 }
 
 /// Full angles in degrees that the picture spans: {horizontal, vertical, diagonal}.
-glm::dvec3 angles_of(const shared::Params& params) {
-    const double right = glm::length(vector(params.camera_right));
-    const double up = glm::length(vector(params.camera_up));
+glm::dvec3 angles_of(const shared::RenderParams& params) {
+    const double right = glm::length(vector(params.camera.right));
+    const double up = glm::length(vector(params.camera.up));
     return glm::dvec3(std::atan(right), std::atan(up), std::atan(std::hypot(right, up))) * 2.0 /
            degree;
 }
@@ -63,56 +63,57 @@ TEST(CameraParams, FieldOfViewAlongEveryAxis) {
 TEST(CameraParams, PixelsAreSquare) {
     for (const FovAxis axis :
          {FovAxis::x, FovAxis::y, FovAxis::diagonal, FovAxis::smaller, FovAxis::larger}) {
-        const shared::Params params = params_of(camera_with(axis, 1.1), 321, 123);
-        EXPECT_NEAR(glm::length(vector(params.camera_right)) / 321.0,
-                    glm::length(vector(params.camera_up)) / 123.0, 1e-7);
-        EXPECT_NEAR(params.pixel_angle, 2.0 * glm::length(vector(params.camera_up)) / 123.0, 1e-7);
+        const shared::RenderParams params = params_of(camera_with(axis, 1.1), 321, 123);
+        EXPECT_NEAR(glm::length(vector(params.camera.right)) / 321.0,
+                    glm::length(vector(params.camera.up)) / 123.0, 1e-7);
+        EXPECT_NEAR(params.camera.pixel_angle, 2.0 * glm::length(vector(params.camera.up)) / 123.0,
+                    1e-7);
     }
 }
 
 TEST(CameraParams, LooksAlongMinusZWithYUp) {
-    const shared::Params params = params_of(camera_with(FovAxis::y, 90.0 * degree), 100, 100);
-    EXPECT_NEAR(glm::length(vector(params.camera_forward) - glm::dvec3(0, 0, -1)), 0.0, 1e-7);
-    EXPECT_NEAR(glm::length(vector(params.camera_right) - glm::dvec3(1, 0, 0)), 0.0, 1e-6);
-    EXPECT_NEAR(glm::length(vector(params.camera_up) - glm::dvec3(0, 1, 0)), 0.0, 1e-6);
+    const shared::RenderParams params = params_of(camera_with(FovAxis::y, 90.0 * degree), 100, 100);
+    EXPECT_NEAR(glm::length(vector(params.camera.forward) - glm::dvec3(0, 0, -1)), 0.0, 1e-7);
+    EXPECT_NEAR(glm::length(vector(params.camera.right) - glm::dvec3(1, 0, 0)), 0.0, 1e-6);
+    EXPECT_NEAR(glm::length(vector(params.camera.up) - glm::dvec3(0, 1, 0)), 0.0, 1e-6);
 }
 
 TEST(CameraParams, MirrorTurnsLeftAndRight) {
     Camera camera = camera_with(FovAxis::y, 1.0);
-    const shared::Params plain = params_of(camera, 64, 48);
+    const shared::RenderParams plain = params_of(camera, 64, 48);
     camera.mirror_x = true;
-    const shared::Params mirrored = params_of(camera, 64, 48);
-    EXPECT_EQ(vector(mirrored.camera_right), -vector(plain.camera_right));
-    EXPECT_EQ(vector(mirrored.camera_up), vector(plain.camera_up));
-    EXPECT_EQ(vector(mirrored.camera_forward), vector(plain.camera_forward));
+    const shared::RenderParams mirrored = params_of(camera, 64, 48);
+    EXPECT_EQ(vector(mirrored.camera.right), -vector(plain.camera.right));
+    EXPECT_EQ(vector(mirrored.camera.up), vector(plain.camera.up));
+    EXPECT_EQ(vector(mirrored.camera.forward), vector(plain.camera.forward));
 }
 
 TEST(CameraParams, ScaleAndShearAreIgnored) {
     Camera camera = test::look_at({3.0, 2.0, 5.0}, {0.0, 0.0, 0.0}, 0.9);
-    const shared::Params plain = params_of(camera, 64, 48);
+    const shared::RenderParams plain = params_of(camera, 64, 48);
     for (int axis = 0; axis < 3; ++axis) camera.to_world[axis] *= 7.0 + axis;
     camera.to_world[0] += 0.25 * camera.to_world[2];
-    const shared::Params scaled = params_of(camera, 64, 48);
-    EXPECT_NEAR(glm::length(vector(scaled.camera_forward) - vector(plain.camera_forward)), 0, 1e-6);
-    EXPECT_NEAR(glm::length(vector(scaled.camera_right) - vector(plain.camera_right)), 0, 1e-6);
-    EXPECT_NEAR(glm::length(vector(scaled.camera_up) - vector(plain.camera_up)), 0, 1e-6);
+    const shared::RenderParams scaled = params_of(camera, 64, 48);
+    EXPECT_NEAR(glm::length(vector(scaled.camera.forward) - vector(plain.camera.forward)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(vector(scaled.camera.right) - vector(plain.camera.right)), 0, 1e-6);
+    EXPECT_NEAR(glm::length(vector(scaled.camera.up) - vector(plain.camera.up)), 0, 1e-6);
 }
 
 TEST(CameraParams, OriginIsInKernelUnits) {
     const KernelUnits units{{1e7, -2e7, 0.0}, 0.25};
     Camera camera;
     camera.to_world = glm::translate(glm::dmat4(1.0), glm::dvec3(1e7 + 4.0, -2e7 - 8.0, 2.0));
-    const shared::Params params = params_of(camera, 10, 10, units);
-    EXPECT_EQ(vector(params.camera_origin), glm::dvec3(1.0, -2.0, 0.5));
-    EXPECT_EQ(params.unit, 0.25F);
+    const shared::RenderParams params = params_of(camera, 10, 10, units);
+    EXPECT_EQ(vector(params.camera.origin), glm::dvec3(1.0, -2.0, 0.5));
+    EXPECT_EQ(params.scene.unit, 0.25F);
 }
 
 TEST(CameraParams, SinglePicturesUsePixelCentres) {
-    shared::Params params{};
+    shared::RenderParams params{};
     for (const std::uint32_t seed : {0U, 7U}) {
         set_jitter(0, true, seed, params);
-        EXPECT_EQ(params.jitter_x, 0.5F);
-        EXPECT_EQ(params.jitter_y, 0.5F);
+        EXPECT_EQ(params.camera.jitter_x, 0.5F);
+        EXPECT_EQ(params.camera.jitter_y, 0.5F);
     }
 }
 
@@ -124,15 +125,15 @@ TEST(CameraParams, FramesFillThePixelEvenly) {
         std::set<std::pair<float, float>> distinct;
         constexpr std::uint32_t frames = 36;
         for (std::uint32_t frame = 0; frame < frames; ++frame) {
-            shared::Params params{};
+            shared::RenderParams params{};
             set_jitter(frame, false, seed, params);
-            for (const float v : {params.jitter_x, params.jitter_y}) {
+            for (const float v : {params.camera.jitter_x, params.camera.jitter_y}) {
                 EXPECT_GE(v, 0.0F);
                 EXPECT_LT(v, 1.0F);
             }
-            x += static_cast<double>(params.jitter_x) / frames;
-            y += static_cast<double>(params.jitter_y) / frames;
-            distinct.insert({params.jitter_x, params.jitter_y});
+            x += static_cast<double>(params.camera.jitter_x) / frames;
+            y += static_cast<double>(params.camera.jitter_y) / frames;
+            distinct.insert({params.camera.jitter_x, params.camera.jitter_y});
         }
         EXPECT_EQ(distinct.size(), frames);
         EXPECT_NEAR(x, 0.5, 0.04) << seed;
@@ -141,14 +142,14 @@ TEST(CameraParams, FramesFillThePixelEvenly) {
 }
 
 TEST(CameraParams, JitterDependsOnTheSeedAlone) {
-    shared::Params a{};
-    shared::Params b{};
+    shared::RenderParams a{};
+    shared::RenderParams b{};
     set_jitter(5, false, 3, a);
     set_jitter(5, false, 3, b);
-    EXPECT_EQ(a.jitter_x, b.jitter_x);
+    EXPECT_EQ(a.camera.jitter_x, b.camera.jitter_x);
     set_jitter(5, false, 4, b);
-    EXPECT_NE(a.jitter_x, b.jitter_x);
-    EXPECT_NE(a.jitter_y, b.jitter_y);
+    EXPECT_NE(a.camera.jitter_x, b.camera.jitter_x);
+    EXPECT_NE(a.camera.jitter_y, b.camera.jitter_y);
 }
 
 TEST(CameraParams, AutomaticCameraShowsTheWholeScene) {
@@ -164,12 +165,12 @@ TEST(CameraParams, AutomaticCameraShowsTheWholeScene) {
             const Camera camera = choose_camera(builder.scene, flat, "", diagnostics);
             EXPECT_EQ(diagnostics.warnings().size(), 1u);
             for (const auto& [width, height] : {std::pair{100U, 100U}, {300U, 100U}, {50U, 200U}}) {
-                const shared::Params params = params_of(camera, width, height, flat.units);
-                const glm::dvec3 forward = vector(params.camera_forward);
-                const glm::dvec3 right = vector(params.camera_right);
-                const glm::dvec3 up = vector(params.camera_up);
+                const shared::RenderParams params = params_of(camera, width, height, flat.units);
+                const glm::dvec3 forward = vector(params.camera.forward);
+                const glm::dvec3 right = vector(params.camera.right);
+                const glm::dvec3 up = vector(params.camera.up);
                 for (const shared::float4& p : flat.positions) {
-                    const glm::dvec3 d = vector(p) - vector(params.camera_origin);
+                    const glm::dvec3 d = vector(p) - vector(params.camera.origin);
                     const double depth = glm::dot(d, forward);
                     ASSERT_GT(depth, 0.0);
                     EXPECT_LE(std::abs(glm::dot(d, right)) / glm::dot(right, right) / depth, 1.0);

@@ -64,16 +64,20 @@ class ServerCheck {
         const std::string options = "-cl-std=CL1.2";
         return {name, source, options, program_key(device_.device, source, options), 8, 8};
     }
-    /// A kernel that adds a number; like all of Weft's it has Params first, and minds the count.
+    /// A kernel that adds a number. It has the name and the arguments of a kernel of Weft's, which
+    /// are what the server binds, and minds the count of its range.
     [[nodiscard]] ProgramRecipe adding(int number) const {
         return recipe(
-            "add",
-            fmt::format("typedef struct {{ uint words[{}]; }} Params;\n"
+            "shadow_edges",
+            fmt::format("typedef struct {{ uint words[{}]; }} RenderParams;\n"
+                        "typedef struct {{ uint words[{}]; }} LaunchRange;\n"
                         "__kernel __attribute__((reqd_work_group_size(8, 1, 1)))\n"
-                        "void add(Params params, __global int* to) {{\n"
-                        "    if (get_global_id(0) < params.words[{}]) to[get_global_id(0)] += {};\n"
+                        "void shadow_edges(const RenderParams params, const LaunchRange range,\n"
+                        "                  __global const uint* from, __global uint* to) {{\n"
+                        "    if (get_global_id(0) < range.words[{}]) to[get_global_id(0)] += {};\n"
                         "}}\n",
-                        sizeof(shared::Params) / 4, offsetof(shared::Params, count) / 4, number));
+                        sizeof(shared::RenderParams) / 4, sizeof(shared::LaunchRange) / 4,
+                        offsetof(shared::LaunchRange, count) / 4, number));
     }
     [[nodiscard]] CompileRequest request(const std::vector<ProgramRecipe>& programs) const {
         return {static_cast<std::uint32_t>(device_.info.index), 2, cache().string(), programs};
@@ -111,10 +115,12 @@ int added(const ServerCheck& check, const ProgramRecipe& recipe) {
     values.fill(10);
     const cl::Buffer buffer(context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, sizeof(values),
                             values.data());
-    shared::Params params{};
-    params.count = 8;
+    const shared::RenderParams params{};
+    const shared::LaunchRange range{0, 8, 0};
     kernel.setArg(0, sizeof(params), &params);
-    kernel.setArg(1, buffer);
+    kernel.setArg(1, sizeof(range), &range);
+    kernel.setArg(2, buffer);
+    kernel.setArg(3, buffer);
     queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(8), cl::NDRange(8));
     queue.enqueueReadBuffer(buffer, CL_TRUE, 0, sizeof(values), values.data());
     return values.back() - 10;

@@ -12,8 +12,9 @@
 
 #include "components/component.h"
 
-// A component touches its own files, one line of one list, and one line for each of its kernels:
-// held against the sources for the example that docs/adding-a-component.md walks through.
+// A component touches its own files, one line of one list, and for each of its kernels a line of
+// another and its signature: held against the sources for the example that
+// docs/adding-a-component.md walks through.
 namespace weft {
 namespace {
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 const std::string example = "ambient_occlusion";
 const std::string component_line = "WEFT_COMPONENT(ambient_occlusion)";
 const std::string kernel_line = "WEFT_KERNEL_ENTRY(ambient_occlusion, ";
+const std::string signature_line = "#define ARGUMENTS_ambient_occlusion(X) ";
 
 std::string text_of(const fs::path& file) {
     std::ifstream in(file);
@@ -55,11 +57,12 @@ std::vector<std::string> mentions(const std::string& word) {
     return found;
 }
 
-TEST(ComponentList, TheExampleIsRegisteredByOneLineAndOneForItsKernel) {
+TEST(ComponentList, TheExampleIsRegisteredByOneLineAndTwoForItsKernel) {
     const std::vector<std::string> found = mentions(example);
-    ASSERT_EQ(found.size(), 2U) << testing::PrintToString(found);
+    ASSERT_EQ(found.size(), 3U) << testing::PrintToString(found);
     EXPECT_EQ(found[0], "host/components/components.def: " + component_line);
     EXPECT_TRUE(found[1].starts_with("kernels/kernels.def: " + kernel_line)) << found[1];
+    EXPECT_TRUE(found[2].starts_with("kernels/signatures.h: " + signature_line)) << found[2];
     // The name it has for users is its own file's matter, too.
     EXPECT_TRUE(mentions("\"occlusion\"").empty());
     // The check sees what is there.
@@ -74,8 +77,8 @@ TEST(ComponentList, TheWalkthroughShowsTheLinesAndFilesThereAre) {
         EXPECT_NE(page.find(line.substr(line.find(": ") + 2)), std::string::npos) << line;
     for (const char* file :
          {"host/components/components.def", "host/components/ambient_occlusion.cpp",
-          "kernels/ambient_occlusion.cl", "kernels/kernels.def",
-          "tests/ambient_occlusion_test.cpp"}) {
+          "kernels/ambient_occlusion.cl", "kernels/kernels.def", "kernels/signatures.h",
+          "kernels/buffers.def", "host/frame/stages.def", "tests/ambient_occlusion_test.cpp"}) {
         EXPECT_TRUE(fs::exists(root / file)) << file;
         EXPECT_NE(page.find(file), std::string::npos) << file;
     }
@@ -83,7 +86,8 @@ TEST(ComponentList, TheWalkthroughShowsTheLinesAndFilesThereAre) {
     std::set<std::string> sources;
     for (const char* file :
          {"host/components/ambient_occlusion.cpp", "kernels/ambient_occlusion.cl",
-          "host/components/component.h", "host/components/components.def", "kernels/kernels.def"})
+          "host/components/component.h", "host/components/components.def", "kernels/kernels.def",
+          "kernels/signatures.h", "kernels/buffers.def", "host/frame/stages.def"})
         for (const std::string& line : lines_of(root / file)) sources.insert(line);
     bool inside = false;
     std::size_t shown = 0;

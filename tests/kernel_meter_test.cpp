@@ -40,7 +40,7 @@ class LateExecutor : public Executor {
     void build(std::span<const KernelId>, std::uint32_t) override {}
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override {
         for (std::uint32_t first = 0; first < launch.items; first += 10) {
-            late_.push_back(launch.milliseconds);
+            late_.push_back(launch.options.milliseconds);
             if (keep_going && !keep_going(1.0)) return false;
         }
         return true;
@@ -66,18 +66,24 @@ class LateExecutor : public Executor {
 TEST(KernelMeter, CountsWhatItIsGiven) {
     LateExecutor inner;
     KernelMeter meter(inner);
-    const shared::Params params{};
+    const shared::RenderParams params{};
     FakeBuffer large(1000);
     FakeBuffer small(24);
-    const std::array<Buffer*, 3> twice{&large, &small, &large};
-    const std::array<Buffer*, 1> once{&small};
+    const float value = 1.0F;
+    const std::array<LaunchArgument, 4> twice{{{.buffer = &large},
+                                               {.buffer = &small},
+                                               {.buffer = &large},
+                                               {.value = &value, .bytes = 4}}};
+    const std::array<LaunchArgument, 1> once{{{.buffer = &small}}};
     double gather = 1.0;
-    EXPECT_TRUE(meter.run({KernelId::vpl_gather, params, nullptr, twice, 25, 0, 0, &gather}, {}));
+    EXPECT_TRUE(meter.run(
+        {KernelId::vpl_gather, params, nullptr, twice, 25, {.milliseconds = &gather}}, {}));
     EXPECT_TRUE(meter.run({KernelId::compose, params, nullptr, once, 10}, {}));
     double again = 0.0;
     int asked = 0;
-    EXPECT_FALSE(meter.run({KernelId::vpl_gather, params, nullptr, once, 100, 0, 0, &again},
-                           [&](double) { return ++asked < 2; }));
+    EXPECT_FALSE(
+        meter.run({KernelId::vpl_gather, params, nullptr, once, 100, {.milliseconds = &again}},
+                  [&](double) { return ++asked < 2; }));
     EXPECT_EQ(gather, 1.0);  // the device has not told yet
     EXPECT_EQ(meter.take_milliseconds(), 0.25 * (3 + 1 + 2));
     EXPECT_EQ(gather, 1.0 + 0.25 * 3);

@@ -39,24 +39,6 @@ TEST(NativeVariants, AllHaveTheListedKernelsInOrder) {
     }
 }
 
-TEST(NativeVariants, AllTakeTheSameArguments) {
-    const std::vector<IsaVariant> variants = runnable_variants();
-    for (std::size_t k = 0; k < listed_kernels().size(); ++k) {
-        const NativeKernel& first = variants.front().kernels->kernels[k];
-        ASSERT_GE(first.argument_count, 2u) << first.name;
-        EXPECT_FALSE(first.arguments[0].is_pointer) << first.name;
-        EXPECT_EQ(first.arguments[0].size, sizeof(shared::Params)) << first.name;
-        for (const IsaVariant& variant : variants) {
-            const NativeKernel& other = variant.kernels->kernels[k];
-            ASSERT_EQ(other.argument_count, first.argument_count) << first.name;
-            for (std::size_t a = 0; a < first.argument_count; ++a) {
-                EXPECT_EQ(other.arguments[a].is_pointer, first.arguments[a].is_pointer);
-                EXPECT_EQ(other.arguments[a].size, first.arguments[a].size);
-            }
-        }
-    }
-}
-
 TEST(NativeVariants, EveryWidthCanBeChosen) {
     for (const std::uint32_t lanes : {1U, 4U, 8U, 16U})
         EXPECT_EQ(choose_variant(lanes).kernels->lanes, static_cast<int>(lanes));

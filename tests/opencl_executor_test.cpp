@@ -3,6 +3,7 @@
 #if WEFT_HAS_OPENCL
 
 #include "device/opencl/opencl_executor.h"
+#include "device/launch.h"
 
 #include <gtest/gtest.h>
 
@@ -76,44 +77,57 @@ std::pair<ExitCode, std::string> failure_of(const Action& action) {
 class Counting {
   public:
     Counting(Executor& executor, std::uint32_t pixels) : executor_(executor), pixels_(pixels) {
-        const auto of = [&](std::size_t count, float value) {
-            buffers_.push_back(upload<float>(executor, std::vector<float>(count, value), "test"));
-        };
-        of(2 * pixels, 0.0F);
-        for (int i = 0; i < 4; ++i) of(4 * pixels, 0.0F);  // position, normals, albedo
-        of(4 * pixels, 1.0F);                              // emission
-        for (int i = 0; i < 7; ++i) of(4, 0.0F);           // features that are off
-        of(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-        of(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-        of(sizeof(shared::NonfiniteCounter) / sizeof(float), 0.0F);
-        of(4, 0.0F);  // edge masks, which are off
+        const std::vector<shared::float4> dark(pixels, {0.0F, 0.0F, 0.0F, 0.0F});
+        const std::vector<shared::float4> bright(pixels, {1.0F, 1.0F, 1.0F, 1.0F});
+        const std::vector<std::uint32_t> zeros(std::size_t{2} * pixels, 0);
+        const std::vector<float> film(FILM_PLANES * FILM_STRIDE(std::size_t{pixels}), 0.0F);
+        surfaces_.gb_ids = upload<kinds::SurfaceIds>(executor, zeros, "ids");
+        surfaces_.gb_position = upload<kinds::SurfacePositions>(executor, dark, "positions");
+        surfaces_.gb_normal = upload<kinds::SurfaceNormals>(executor, dark, "normals");
+        surfaces_.gb_shading = upload<kinds::SurfaceShadingNormals>(executor, dark, "shading");
+        surfaces_.gb_albedo = upload<kinds::SurfaceAlbedo>(executor, dark, "albedo");
+        surfaces_.gb_emission = upload<kinds::SurfaceEmission>(executor, bright, "emission");
+        light_.pixel_slot = upload<kinds::PixelSlots>(executor, zeros, "slots");
+        high_ = upload<kinds::FilmHigh>(executor, film, "film");
+        low_ = upload<kinds::FilmLow>(executor, film, "film");
+        const shared::NonfiniteCounter none{};
+        nonfinite_ = upload<kinds::NonfiniteCounters>(executor, {&none, 1}, "counters");
         const KernelId kernel = KernelId::compose;
         executor.build({&kernel, 1}, 0);
     }
 
     bool run(std::uint32_t items, std::uint32_t items_per_launch,
              const std::function<bool(double)>& keep_going = {}) {
-        shared::Params params{};
-        params.width = pixels_;
-        params.height = 1;
-        params.unit = 1.0F;
-        params.frame = 2;  // the film holds samples that this one adds to
-        std::vector<Buffer*> arguments;
-        for (const auto& buffer : buffers_) arguments.push_back(buffer.get());
-        return executor_.run(
-            {KernelId::compose, params, nullptr, arguments, items, items_per_launch}, keep_going);
+        shared::RenderParams params{};
+        params.camera.width = pixels_;
+        params.camera.height = 1;
+        params.scene.unit = 1.0F;
+        params.sampling.sample = 2;  // the film holds samples that this one adds to
+        return run_kernel(executor_, params,
+                          kernels::compose{.surfaces = view(surfaces_),
+                                           .composed = view(light_),
+                                           .slots = 0U,
+                                           .film_high = high_,
+                                           .film_low = low_,
+                                           .nonfinite = nonfinite_,
+                                           .edge_masks = nullptr},
+                          items, {.items_per_launch = items_per_launch}, keep_going);
     }
 
     /// How often each pixel was worked on.
     std::vector<float> counts() {
         (void)executor_.take_milliseconds();
-        return read_buffer<float>(executor_, *buffers_.at(13), pixels_);
+        return read_buffer(executor_, high_, pixels_);
     }
 
   private:
     Executor& executor_;
     std::uint32_t pixels_;
-    std::vector<std::unique_ptr<Buffer>> buffers_;
+    owned::SeenSurfaces surfaces_;
+    owned::ComposedLight light_;  // but for slots, features that are off
+    DeviceBuffer<kinds::FilmHigh> high_;
+    DeviceBuffer<kinds::FilmLow> low_;
+    DeviceBuffer<kinds::NonfiniteCounters> nonfinite_;
 };
 
 TEST_F(OpenclExecutor, DescribesItsDevice) {
@@ -133,7 +147,7 @@ TEST_F(OpenclExecutor, BuffersKeepWhatIsWritten) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{1000}, std::size_t{1} << 20}) {
         std::vector<std::uint32_t> values(count);
         std::iota(values.begin(), values.end(), 7U);
-        const auto buffer = upload<std::uint32_t>(*executor_, values, "numbers");
+        const auto buffer = upload<kinds::EdgePixels>(*executor_, values, "numbers");
         EXPECT_GE(buffer->bytes(), 4 * count);
         EXPECT_EQ(read_buffer<std::uint32_t>(*executor_, *buffer, count), values);
         executor_->with_mapped(*buffer, Access::write, [&](std::span<std::byte> bytes) {
@@ -155,7 +169,7 @@ TEST_F(OpenclExecutor, CountsItsBytes) {
 }
 
 TEST_F(OpenclExecutor, FailuresInsideAMappingLeaveTheBufferUsable) {
-    const auto buffer = upload<int>(*executor_, std::vector<int>(16, 3), "test");
+    const auto buffer = upload<kinds::RaysBlocked>(*executor_, std::vector<int>(16, 3), "test");
     EXPECT_THROW(executor_->with_mapped(
                      *buffer, Access::read,
                      [](std::span<std::byte>) { throw std::runtime_error("in between"); }),
@@ -179,9 +193,9 @@ TEST_F(OpenclExecutor, TooLargeBuffersAreRefusedClearly) {
 }
 
 TEST_F(OpenclExecutor, KernelsMustBeBuiltFirst) {
-    const shared::Params params{};
+    const shared::RenderParams params{};
     const auto [code, text] = failure_of([&] {
-        executor_->run({KernelId::compose, params, nullptr, {}, 1, 0}, {});
+        executor_->run({KernelId::compose, params, nullptr, {}, 1}, {});
     });
     EXPECT_EQ(code, ExitCode::device);
     EXPECT_EQ(text, "kernel compose was launched but not built");
@@ -245,34 +259,36 @@ TEST_F(OpenclExecutor, RayCountersCarryIntoTheirHighHalf) {
     std::memcpy(&light.normal.w, &kind, sizeof(kind));
     light.flux = {1.0F, 1.0F, 1.0F, 0.0F};
     shared::RayCounter counter{0xFFFFFF00U, 41, 0, 0};
-    const auto receivers = upload<float>(*executor_, planes, "receivers");
-    const auto sets =
-        upload<std::uint32_t>(*executor_, std::vector<std::uint32_t>(slots / PACKET_BLOCK), "sets");
-    const auto vpls =
-        upload<shared::Vpl>(*executor_, std::span<const shared::Vpl>(&light, 1), "VPLs");
-    const auto irradiance = executor_->allocate(sizeof(float) * 3 * slots, "irradiance");
-    const auto counters = upload<shared::RayCounter>(
-        *executor_, std::span<const shared::RayCounter>(&counter, 1), "counters");
+    const auto receivers = upload<kinds::ReceiverPlanes>(*executor_, planes, "receivers");
+    const std::vector<std::uint32_t> first_set(slots / PACKET_BLOCK, 0);
+    const auto sets = upload<kinds::BlockSets>(*executor_, first_set, "sets");
+    const auto vpls = upload<kinds::VirtualLights>(*executor_, {&light, 1}, "VPLs");
+    const auto irradiance = allocate<kinds::SlotLight>(*executor_, 3 * slots, "irradiance");
+    const auto counters = upload<kinds::RayCounters>(*executor_, {&counter, 1}, "counters");
+    const owned::MediaTables no_media;
     const KernelId kernel = KernelId::vpl_gather;
     executor_->build({&kernel, 1}, 0);
-    shared::Params params{};
-    params.slots = slots;
-    params.gather_sets = 1;
-    params.gather_scale = 1.0F;
-    params.list_length = 1;
-    params.extent = 6.0F;
-    // Media, which are off, come first.
-    std::vector<Buffer*> arguments(8, counters.get());
-    for (Buffer* const buffer :
-         {receivers.get(), sets.get(), vpls.get(), irradiance.get(), counters.get()})
-        arguments.push_back(buffer);
-    ASSERT_TRUE(executor_->run(
-        {kernel, params, scene.get(), arguments, slots / executor_->lanes(), 10}, {}));
+    shared::RenderParams params{};
+    params.sampling.gather_sets = 1;
+    params.sampling.gather_scale = 1.0F;
+    params.scene.extent = 6.0F;
+    ASSERT_TRUE(run_kernel(*executor_, params,
+                           kernels::vpl_gather{.scene = *scene,
+                                               .media_tables = view(no_media),
+                                               .list = shared::SetList{0, 0, 1},
+                                               .roulette = 0.0F,
+                                               .slots = slots,
+                                               .receiver_planes = receivers,
+                                               .block_set = sets,
+                                               .vpls = vpls,
+                                               .irradiance = irradiance,
+                                               .counters = counters},
+                           slots / executor_->lanes(), {.items_per_launch = 10}));
     EXPECT_GE(executor_->take_milliseconds(), 0.0);
-    const auto found = read_buffer<shared::RayCounter>(*executor_, *counters, 1).front();
+    const auto found = read_buffer(*executor_, counters, 1).front();
     EXPECT_EQ(found.rays_high, 42u);
     EXPECT_EQ(found.rays_low, 0xFFFFFF00U + slots);  // wrapped around
-    EXPECT_EQ(read_buffer<float>(*executor_, *irradiance, 1).front(), 1.0F);
+    EXPECT_EQ(read_buffer(*executor_, irradiance, 1).front(), 1.0F);
 }
 
 /// Files of the program cache.

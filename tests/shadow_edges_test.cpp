@@ -133,21 +133,22 @@ std::vector<std::uint32_t> written_edges(Executor& executor, const Looks& looks)
     constexpr std::size_t guard = 32;  // more than any packet is wide
     const KernelId kernel = KernelId::shadow_edges;
     executor.build({&kernel, 1}, 0);
-    shared::Params params{};
-    params.width = static_cast<std::uint32_t>(looks.width());
-    params.height = static_cast<std::uint32_t>(looks.height());
-    params.sampled_lights = looks.lights();
+    shared::RenderParams params{};
+    shared::CameraParams& camera = params.camera;
+    camera.width = static_cast<std::uint32_t>(looks.width());
+    camera.height = static_cast<std::uint32_t>(looks.height());
     const std::size_t values = looks.words() * looks.pixels();
-    const auto shadows = upload<std::uint32_t>(executor, looks.planes(), "shadows of pixels");
-    const auto edges = upload<std::uint32_t>(
+    const auto shadows = upload<kinds::PixelShadows>(executor, looks.planes(), "shadows of pixels");
+    const auto edges = upload<kinds::ShadowEdges>(
         executor, std::vector<std::uint32_t>(values + guard, untouched), "edges");
-    const std::array<Buffer*, 2> buffers{shadows.get(), edges.get()};
     const std::uint32_t lanes = executor.lanes();
-    const std::uint32_t runs = (params.width + lanes - 1) / lanes * params.height;
+    const std::uint32_t runs = (camera.width + lanes - 1) / lanes * camera.height;
     // Launches of 100 work-items end in the middle of rows and of words.
-    EXPECT_TRUE(executor.run({kernel, params, nullptr, buffers, runs * looks.words(), 100}, {}));
+    EXPECT_TRUE(run_kernel(executor, params,
+                           kernels::shadow_edges{.pixel_shadows = shadows, .shadow_edges = edges},
+                           runs * looks.words(), {.items_per_launch = 100}));
     (void)executor.take_milliseconds();
-    auto written = read_buffer<std::uint32_t>(executor, *edges, values + guard);
+    auto written = read_buffer(executor, edges, values + guard);
     for (std::size_t i = values; i < written.size(); ++i) EXPECT_EQ(written[i], untouched);
     written.resize(values);
     return written;

@@ -42,12 +42,19 @@ std::size_t number_of(const std::string& source, const std::string& name) {
     return std::stoul(match[1]);
 }
 
-/// Adds the members of `uint a, b[6][8]`.
-void add_members(const std::string& source, const std::string& declaration, Layout& layout) {
+/// Adds the members of `uint a, b[6][8]`, or of a struct among `known`.
+void add_members(const std::string& source, const std::map<std::string, Layout>& known,
+                 const std::string& declaration, Layout& layout) {
     std::smatch match;
-    if (!std::regex_match(declaration, match, std::regex("\\s*(float4|float|uint)\\s+(.*)")))
+    if (!std::regex_match(declaration, match, std::regex("\\s*(\\w+)\\s+(.*)")))
         throw std::runtime_error("not a plain member: " + declaration);
-    const std::size_t scalar = match[1] == "float4" ? 16 : 4;
+    const auto structure = known.find(match[1]);
+    if (structure == known.end() && match[1] != "float4" && match[1] != "float" &&
+        match[1] != "uint")
+        throw std::runtime_error("neither a scalar nor a struct declared before: " + declaration);
+    const std::size_t scalar = structure != known.end() ? structure->second.bytes
+                               : match[1] == "float4"   ? 16
+                                                        : 4;
     const std::string names = match[2];
     const std::regex one("(\\w+)((?:\\[\\w+\\])*)");
     for (std::sregex_iterator it(names.begin(), names.end(), one), end; it != end; ++it) {
@@ -71,11 +78,12 @@ std::map<std::string, Layout> unpadded_layouts(const std::string& source) {
     const std::string bare = std::regex_replace(source, std::regex("//[^\n]*"), "");
     const std::regex structure("typedef struct \\{([^}]*)\\} (\\w+);");
     for (std::sregex_iterator it(bare.begin(), bare.end(), structure), end; it != end; ++it) {
-        Layout& layout = layouts[(*it)[2]];
+        Layout layout;
         std::istringstream body((*it)[1]);
         for (std::string declaration; std::getline(body, declaration, ';');)
             if (declaration.find_first_not_of(" \n") != std::string::npos)
-                add_members(source, declaration, layout);
+                add_members(source, layouts, declaration, layout);
+        layouts[(*it)[2]] = layout;
     }
     return layouts;
 }
@@ -97,7 +105,17 @@ std::map<std::string, std::size_t> host_sizes() {
             {"TileRecord", sizeof(TileRecord)},
             {"RayCounter", sizeof(RayCounter)},
             {"NonfiniteCounter", sizeof(NonfiniteCounter)},
-            {"Params", sizeof(Params)}};
+            {"CameraParams", sizeof(CameraParams)},
+            {"SceneParams", sizeof(SceneParams)},
+            {"LightSampling", sizeof(LightSampling)},
+            {"SamplingParams", sizeof(SamplingParams)},
+            {"FilterParams", sizeof(FilterParams)},
+            {"RenderParams", sizeof(RenderParams)},
+            {"LaunchRange", sizeof(LaunchRange)},
+            {"SetList", sizeof(SetList)},
+            {"HemisphereGrid", sizeof(HemisphereGrid)},
+            {"RecordUpdate", sizeof(RecordUpdate)},
+            {"PathParams", sizeof(PathParams)}};
 }
 
 // Where the members' sizes add up to the struct's, no compiler has put anything between them, so
@@ -127,9 +145,10 @@ TEST(SharedTypes, OffsetsOnTheHost) {
     EXPECT_EQ(offset("BvhNode", "child"), offsetof(shared::BvhNode, child));
     EXPECT_EQ(offset("LightRecord", "both_sides"), offsetof(shared::LightRecord, both_sides));
     EXPECT_EQ(offset("MaterialRecord", "texture"), offsetof(shared::MaterialRecord, texture));
-    EXPECT_EQ(offset("Params", "width"), offsetof(shared::Params, width));
-    EXPECT_EQ(offset("Params", "filter_radius"), offsetof(shared::Params, filter_radius));
-    EXPECT_EQ(offset("Params", "list_length"), offsetof(shared::Params, list_length));
+    EXPECT_EQ(offset("CameraParams", "width"), offsetof(shared::CameraParams, width));
+    EXPECT_EQ(offset("SamplingParams", "first_vpl"), offsetof(shared::SamplingParams, first_vpl));
+    EXPECT_EQ(offset("RenderParams", "filter"), offsetof(shared::RenderParams, filter));
+    EXPECT_EQ(offset("RenderParams", "features"), offsetof(shared::RenderParams, features));
 }
 
 #if WEFT_HAS_OPENCL

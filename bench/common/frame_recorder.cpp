@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "device/kernel_signature.h"
 #include "frame/renderer.h"
 
 namespace weft::bench {
@@ -38,7 +39,6 @@ class FrameRecorder : public Executor {
         inner_.build(kernels, features);
     }
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override {
-        if (launch.kernel == KernelId::gbuffer) frame_.primary = launch.params;
         if (launch.kernel == KernelId::vpl_gather) keep_gather(launch);
         Launch passed = launch;
         if (launch.scene != nullptr) passed.scene = frame_.scene.get();
@@ -59,18 +59,23 @@ class FrameRecorder : public Executor {
     class Placeholder : public TracedScene {};
 
     template <class T>
-    std::vector<T> contents(Buffer& buffer) {
+    std::vector<T> contents(const Launch& launch, std::string_view name) {
+        Buffer& buffer = *argument_of(launch, name).buffer;
         return read_buffer<T>(inner_, buffer, buffer.bytes() / sizeof(T));
+    }
+    template <class T>
+    static T value_of(const Launch& launch, std::string_view name) {
+        return *static_cast<const T*>(argument_of(launch, name).value);
     }
 
     /// Lights are gathered by the same kernel, before the indirect VPLs: the last launch counts.
     void keep_gather(const Launch& launch) {
-        frame_.gather = launch.params;
-        // Media come first; receivers, sets, VPLs, irradiance and counters are last.
-        const std::size_t first = launch.buffers.size() - 5;
-        frame_.receivers = contents<float>(*launch.buffers[first]);
-        frame_.block_sets = contents<std::uint32_t>(*launch.buffers[first + 1]);
-        frame_.vpls = contents<shared::Vpl>(*launch.buffers[first + 2]);
+        frame_.params = launch.params;
+        frame_.list = value_of<shared::SetList>(launch, "list");
+        frame_.slots = value_of<shared::uint>(launch, "slots");
+        frame_.receivers = contents<float>(launch, "receiver_planes");
+        frame_.block_sets = contents<std::uint32_t>(launch, "block_set");
+        frame_.vpls = contents<shared::Vpl>(launch, "vpls");
     }
 
     Executor& inner_;

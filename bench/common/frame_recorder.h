@@ -15,8 +15,9 @@ namespace weft::bench {
 
 /// What the VPL gathering of a frame reads, and the acceleration structure the frame was made with.
 struct RecordedFrame {
-    shared::Params primary{};               ///< of the primary rays: the camera
-    shared::Params gather{};                ///< of the VPL gathering
+    shared::RenderParams params{};          ///< of the VPL gathering, and of the primary rays
+    shared::SetList list{};                 ///< the VPLs of each set
+    std::uint32_t slots = 0;                ///< stride of the planes of receivers
     std::vector<float> receivers;           ///< planes, see kernels/receivers.h
     std::vector<std::uint32_t> block_sets;  ///< by block of PACKET_BLOCK slots
     std::vector<shared::Vpl> vpls;

@@ -9,9 +9,11 @@
 namespace weft::bench {
 namespace {
 
-/// Bytes of these buffers; one that is given twice counts once.
-std::uint64_t bytes_of(std::span<Buffer* const> buffers) {
-    const std::set<const Buffer*> different(buffers.begin(), buffers.end());
+/// Bytes of the buffers among these; one that is given twice counts once.
+std::uint64_t bytes_of(std::span<const LaunchArgument> arguments) {
+    std::set<const Buffer*> different;
+    for (const LaunchArgument& argument : arguments)
+        if (argument.buffer != nullptr) different.insert(argument.buffer);
     std::uint64_t bytes = 0;
     for (const Buffer* const buffer : different) bytes += buffer->bytes();
     return bytes;
@@ -34,13 +36,14 @@ void KernelMeter::with_mapped(Buffer& buffer, Access access,
 }
 
 bool KernelMeter::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
-    if (launch.milliseconds != nullptr) wanted_.push_back({runs_.size(), launch.milliseconds});
+    double* const wanted = launch.options.milliseconds;
+    if (wanted != nullptr) wanted_.push_back({runs_.size(), wanted});
     KernelUse& use = runs_.emplace_back();
     use.kernel = launch.kernel;
     use.items = launch.items;
-    use.bound_bytes = bytes_of(launch.buffers);
+    use.bound_bytes = bytes_of(launch.arguments);
     Launch passed = launch;
-    passed.milliseconds = &use.ms;
+    passed.options.milliseconds = &use.ms;
     return inner_.run(passed, [&](double done) {
         ++use.launches;
         return !keep_going || keep_going(done);

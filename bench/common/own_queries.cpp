@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "device/launch.h"
 #include "device/native/native_executor.h"
 #if WEFT_HAS_OPENCL
 #include "device/opencl/opencl_executor.h"
@@ -12,27 +13,79 @@
 
 namespace weft::bench {
 
-/// One ray set on the device.
-struct OwnQueries::Query {
-    Executor& executor;
-    const TracedScene& scene;
-    KernelId kernel;
-    std::unique_ptr<Buffer> first, second, answers;
-    std::size_t slots;
-    std::uint32_t items;
+namespace {
+
+/// Runs a kernel and waits for it.
+template <class Kernel>
+Timing timed(Executor& executor, const Kernel& arguments, std::size_t items) {
+    const Stopwatch watch;
+    run_kernel(executor, {}, arguments, static_cast<std::uint32_t>(items));
+    const double ms = executor.take_milliseconds();
+    Timing timing = watch.elapsed();
+    timing.ms = ms;
+    return timing;
+}
+
+/// Single rays on the device, and room for what a kernel answers.
+template <class Kernel, class Answers>
+struct RayQuery {
+    RayQuery(Executor& on, const TracedScene& in, const RaySet& rays)
+        : executor(on),
+          scene(in),
+          origins(upload<kinds::RayOrigins>(on, rays.origins, "ray origins")),
+          directions(upload<kinds::RayDirections>(on, rays.directions, "ray directions")),
+          answers(allocate<Answers>(on, rays.size(), "answers")),
+          count(rays.size()) {}
 
     Timing run() const {
-        const Stopwatch watch;
-        shared::Params params{};
-        params.slots = static_cast<std::uint32_t>(slots);
-        const std::array<Buffer*, 3> buffers{first.get(), second.get(), answers.get()};
-        executor.run({kernel, params, &scene, buffers, items, 0}, {});
-        const double ms = executor.take_milliseconds();
-        Timing timing = watch.elapsed();
-        timing.ms = ms;
-        return timing;
+        return timed(executor, Kernel{scene, origins, directions, answers}, count);
     }
+    /// The answers as `As`, of the same size.
+    template <class As>
+    std::vector<As> read() const {
+        return read_buffer<As>(executor, *answers, count);
+    }
+
+    Executor& executor;
+    const TracedScene& scene;
+    DeviceBuffer<kinds::RayOrigins> origins;
+    DeviceBuffer<kinds::RayDirections> directions;
+    DeviceBuffer<Answers> answers;
+    std::size_t count;
 };
+
+/// Packets of shadow rays on the device.
+struct PacketQuery {
+    PacketQuery(Executor& on, const TracedScene& in, const PacketSet& packets)
+        : executor(on),
+          scene(in),
+          origins(upload<kinds::BlockOrigins>(on, packets.block_origins, "packet origins")),
+          rays(upload<kinds::PacketRays>(on, packets.planes, "packet directions")),
+          blocked(allocate<kinds::PacketBlocked>(on, packets.slots(), "answers")),
+          slots(static_cast<std::uint32_t>(packets.slots())) {}
+
+    Timing run() const {
+        return timed(executor,
+                     kernels::query_packet{.scene = scene,
+                                           .slots = slots,
+                                           .block_origin = origins,
+                                           .rays = rays,
+                                           .blocked = blocked},
+                     slots / executor.lanes());
+    }
+
+    Executor& executor;
+    const TracedScene& scene;
+    DeviceBuffer<kinds::BlockOrigins> origins;
+    DeviceBuffer<kinds::PacketRays> rays;
+    DeviceBuffer<kinds::PacketBlocked> blocked;
+    std::uint32_t slots;
+};
+
+using ClosestQuery = RayQuery<kernels::query_closest, kinds::RayHits>;
+using AnyQuery = RayQuery<kernels::query_any, kinds::RaysBlocked>;
+
+}  // namespace
 
 OwnQueries::OwnQueries(std::string name, Executor& executor, const TracedScene& scene)
     : name_(std::move(name)), executor_(executor), scene_(scene) {
@@ -41,45 +94,27 @@ OwnQueries::OwnQueries(std::string name, Executor& executor, const TracedScene& 
     executor_.build(kernels, 0);
 }
 
-std::shared_ptr<OwnQueries::Query> OwnQueries::single(KernelId kernel, const RaySet& rays,
-                                                      std::size_t answer_bytes) const {
-    return std::make_shared<Query>(Query{
-        executor_, scene_, kernel, upload<shared::float4>(executor_, rays.origins, "ray origins"),
-        upload<shared::float4>(executor_, rays.directions, "ray directions"),
-        executor_.allocate(rays.size() * answer_bytes, "answers"), rays.size(),
-        static_cast<std::uint32_t>(rays.size())});
-}
-
 Contender OwnQueries::closest(const RaySet& rays) const {
-    const auto query = single(KernelId::query_closest, rays, sizeof(QueryHit));
+    const auto query = std::make_shared<ClosestQuery>(executor_, scene_, rays);
     const auto answers = [query] {
         std::vector<std::uint32_t> ids;
-        for (const QueryHit& hit :
-             read_buffer<QueryHit>(query->executor, *query->answers, query->slots))
-            ids.push_back(hit.triangle);
+        for (const QueryHit& hit : query->read<QueryHit>()) ids.push_back(hit.triangle);
         return ids;
     };
     return {name_, false, {}, [query] { return query->run(); }, answers};
 }
 
 Contender OwnQueries::any(const RaySet& rays) const {
-    const auto query = single(KernelId::query_any, rays, sizeof(int));
-    const auto answers = [query] {
-        return read_buffer<std::uint32_t>(query->executor, *query->answers, query->slots);
-    };
+    const auto query = std::make_shared<AnyQuery>(executor_, scene_, rays);
+    const auto answers = [query] { return query->read<std::uint32_t>(); };
     return {name_, false, {}, [query] { return query->run(); }, answers};
 }
 
 Contender OwnQueries::packets(const PacketSet& packets) const {
-    const auto query = std::make_shared<Query>(
-        Query{executor_, scene_, KernelId::query_packet,
-              upload<shared::float4>(executor_, packets.block_origins, "packet origins"),
-              upload<float>(executor_, packets.planes, "packet directions"),
-              executor_.allocate(packets.slots() * sizeof(float), "answers"), packets.slots(),
-              static_cast<std::uint32_t>(packets.slots() / executor_.lanes())});
+    const auto query = std::make_shared<PacketQuery>(executor_, scene_, packets);
     const auto answers = [query] {
         std::vector<std::uint32_t> blocked;
-        for (const float x : read_buffer<float>(query->executor, *query->answers, query->slots))
+        for (const float x : read_buffer(query->executor, query->blocked, query->slots))
             blocked.push_back(x > 0.0F ? 1 : 0);
         return blocked;
     };
@@ -87,9 +122,9 @@ Contender OwnQueries::packets(const PacketSet& packets) const {
 }
 
 std::vector<QueryHit> OwnQueries::trace(const RaySet& rays) const {
-    const auto query = single(KernelId::query_closest, rays, sizeof(QueryHit));
-    (void)query->run();
-    return read_buffer<QueryHit>(executor_, *query->answers, rays.size());
+    const ClosestQuery query(executor_, scene_, rays);
+    (void)query.run();
+    return query.read<QueryHit>();
 }
 
 #if WEFT_HAS_OPENCL

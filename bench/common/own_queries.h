@@ -30,10 +30,6 @@ class OwnQueries {
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
   private:
-    struct Query;
-    [[nodiscard]] std::shared_ptr<Query> single(KernelId kernel, const RaySet& rays,
-                                                std::size_t answer_bytes) const;
-
     std::string name_;
     Executor& executor_;
     const TracedScene& scene_;

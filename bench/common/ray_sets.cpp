@@ -53,8 +53,8 @@ class Receivers {
   public:
     explicit Receivers(const RecordedFrame& frame)
         : planes_(frame.receivers),
-          slots_(frame.gather.slots),
-          smooth_((frame.gather.features & FEATURE_SMOOTH_NORMALS) != 0) {}
+          slots_(frame.slots),
+          smooth_((frame.params.features & FEATURE_SMOOTH_NORMALS) != 0) {}
 
     [[nodiscard]] bool valid(std::size_t slot) const { return at(RECEIVER_VALID, slot) > 0.0F; }
     [[nodiscard]] glm::vec3 position(std::size_t slot) const { return three(RECEIVER_X, slot); }
@@ -95,7 +95,7 @@ SurfacePoint point_of(const FlatScene& scene, const QueryHit& hit, const glm::ve
 RaySet first_bounces(const RecordedFrame& frame, std::size_t count, Random& random) {
     const Receivers receivers(frame);
     std::vector<std::size_t> valid;
-    for (std::size_t slot = 0; slot < frame.gather.slots; ++slot)
+    for (std::size_t slot = 0; slot < frame.slots; ++slot)
         if (receivers.valid(slot)) valid.push_back(slot);
     if (valid.empty()) throw Error(ExitCode::bad_input, "the camera sees no surface");
     RaySet rays;
@@ -136,7 +136,7 @@ std::size_t add_block(const Receivers& receivers, std::size_t first_slot, const 
 
 RaySet primary_rays(const RecordedFrame& frame) {
     constexpr std::uint32_t tile = 8;
-    const shared::Params& p = frame.primary;
+    const shared::CameraParams& p = frame.params.camera;
     RaySet rays;
     for (std::uint32_t top = 0; top < p.height; top += tile)
         for (std::uint32_t left = 0; left < p.width; left += tile)
@@ -148,9 +148,8 @@ RaySet primary_rays(const RecordedFrame& frame) {
                     2.0F * (static_cast<float>(x) + 0.5F) / static_cast<float>(p.width) - 1.0F;
                 const float t =
                     1.0F - 2.0F * (static_cast<float>(y) + 0.5F) / static_cast<float>(p.height);
-                rays.origins.push_back(pack(vec(p.camera_origin), ray_infinity));
-                rays.directions.push_back(
-                    pack(vec(p.camera_forward) + vec(p.camera_right) * s + vec(p.camera_up) * t));
+                rays.origins.push_back(pack(vec(p.origin), ray_infinity));
+                rays.directions.push_back(pack(vec(p.forward) + vec(p.right) * s + vec(p.up) * t));
             }
     return rays;
 }
@@ -197,17 +196,19 @@ RaySet segments(const std::vector<SurfacePoint>& points) {
 PacketSet shadow_packets(const RecordedFrame& frame, std::size_t slots) {
     constexpr std::size_t run = 16;  // neighbouring blocks that are taken together
     const Receivers receivers(frame);
-    const shared::Params& p = frame.gather;
+    const shared::SamplingParams& sampling = frame.params.sampling;
+    const shared::SetList& list = frame.list;
     const std::size_t runs = frame.block_sets.size() / run;
     const std::size_t wanted =
-        std::clamp<std::size_t>(slots / (run * PACKET_BLOCK * p.list_length), 1, runs);
+        std::clamp<std::size_t>(slots / (run * PACKET_BLOCK * list.length), 1, runs);
     PacketSet packets;
     std::array<std::vector<float>, 4> planes;
     for (std::size_t i = 0; i < wanted; ++i)
         for (std::size_t block = i * runs / wanted * run, k = 0; k < run; ++k, ++block) {
-            const std::uint32_t set = (frame.block_sets[block] + p.set_rotation) % p.gather_sets;
-            const std::size_t first = p.list_first + std::size_t{set} * p.list_stride;
-            for (std::size_t v = first; v < first + p.list_length; ++v) {
+            const std::uint32_t set =
+                (frame.block_sets[block] + sampling.set_rotation) % sampling.gather_sets;
+            const std::size_t first = list.first + std::size_t{set} * list.stride;
+            for (std::size_t v = first; v < first + list.length; ++v) {
                 const shared::Vpl& vpl = frame.vpls[v];
                 if (!(vpl.flux.x > 0.0F || vpl.flux.y > 0.0F || vpl.flux.z > 0.0F)) continue;
                 packets.rays += add_block(receivers, block * PACKET_BLOCK, vpl, packets, planes);

@@ -43,8 +43,8 @@ class AmbientOcclusion : public Component {
   public:
     explicit AmbientOcclusion(const ComponentInputs& inputs)
         : reach_(occlusion_reach * static_cast<double>(inputs.scene.radius)),
-          directions_(inputs.executor.allocate(
-              std::size_t{inputs.plan.sets} * occlusion_directions_per_set * sizeof(shared::float4),
+          directions_(allocate<kinds::OcclusionDirections>(
+              inputs.executor, std::size_t{inputs.plan.sets} * occlusion_directions_per_set,
               "occlusion directions")),
           irradiance_(inputs, name, inputs.buffers.gbuffer, inputs.buffers.tiles.get()),
           sums_(inputs.pixels(), 0.0) {}
@@ -61,16 +61,17 @@ class AmbientOcclusion : public Component {
     void add_frame(Executor& executor);
 
     double reach_;  ///< kernel units
-    std::unique_ptr<Buffer> directions_;
+    DeviceBuffer<kinds::OcclusionDirections> directions_;
     InterleavedIrradiance irradiance_;
     std::vector<double> sums_;  ///< of openness, by pixel, over the frames of the picture
     std::uint32_t frames_ = 0;
 };
 
 void AmbientOcclusion::sample(FrameContext& frame) {
+    const shared::SamplingParams& sampling = frame.params.sampling;
     const std::vector<shared::float4> directions =
-        occlusion_directions(frame.plan.sets, frame.params.frame, frame.params.seed, reach_);
-    write_buffer<shared::float4>(frame.executor, *directions_, directions);
+        occlusion_directions(frame.plan.sets, sampling.sample, sampling.seed, reach_);
+    write_buffer(frame.executor, directions_, directions);
     irradiance_.sample(
         frame, [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); },
         [&] { return levels_at_creases(frame.buffers.tiles->records()); });
@@ -78,19 +79,26 @@ void AmbientOcclusion::sample(FrameContext& frame) {
 
 void AmbientOcclusion::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
     const bool all = frame.plan.gather_sets == 1;
-    frame.params.list_first = 0;
-    frame.params.list_stride = occlusion_directions_per_set;
-    frame.params.list_length = occlusion_directions_per_set * (all ? frame.plan.sets : 1);
-    frame.run(KernelId::ambient_occlusion, Stage::occlusion_rays, name, true,
-              {&slots.receivers, &slots.block_set, directions_.get(), &slots.irradiance,
-               frame.buffers.counters.get()},
-              slots.count, 0, slots.first);
+    const shared::SetList list{
+        .first = 0,
+        .stride = occlusion_directions_per_set,
+        .length = occlusion_directions_per_set * (all ? frame.plan.sets : 1)};
+    frame.run(Stage::occlusion_rays, name,
+              kernels::ambient_occlusion{.scene = *frame.scene_buffers.traced,
+                                         .list = list,
+                                         .slots = slots.stride,
+                                         .receiver_planes = slots.receivers,
+                                         .block_set = slots.block_set,
+                                         .directions = directions_,
+                                         .irradiance = slots.irradiance,
+                                         .counters = frame.buffers.counters},
+              {.count = slots.count, .first = slots.first});
 }
 
 void AmbientOcclusion::reconstruct(FrameContext& frame) {
     irradiance_.reconstruct(frame);
     const Stopwatch watch;
-    if (frame.params.film_starts != 0) {
+    if (frame.params.sampling.sample == 0) {
         std::fill(sums_.begin(), sums_.end(), 0.0);
         frames_ = 0;
     }
@@ -102,7 +110,7 @@ void AmbientOcclusion::add_frame(Executor& executor) {
     constexpr auto over_pi = static_cast<float>(std::numbers::inv_pi);
     ++frames_;
     executor.with_mapped(
-        irradiance_.filtered(), Access::read, [&](std::span<const std::byte> bytes) {
+        *irradiance_.filtered(), Access::read, [&](std::span<const std::byte> bytes) {
             const auto* const filtered = reinterpret_cast<const shared::float4*>(bytes.data());
             for (std::size_t pixel = 0; pixel < sums_.size(); ++pixel) {
                 const shared::float4& value = filtered[pixel];

@@ -57,9 +57,10 @@ std::vector<ActiveComponent> make_components(std::span<const ComponentKind> kind
     return made;
 }
 
-std::unique_ptr<Buffer> dark_irradiance(Executor& executor, std::uint32_t slots, const char* what) {
+DeviceBuffer<kinds::SlotLight> dark_irradiance(Executor& executor, std::uint32_t slots,
+                                               const char* what) {
     const std::vector<float> zero(std::size_t{3} * slots, 0.0F);
-    return upload<float>(executor, zero, what);
+    return upload<kinds::SlotLight>(executor, zero, what);
 }
 
 std::uint32_t gather_items_per_launch(const Executor& executor, std::uint32_t list_length) {

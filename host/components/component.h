@@ -25,9 +25,9 @@ enum class LightPart : std::uint8_t { direct, indirect };
 /// own one reconstructs it.
 struct SlotIrradiance {
     LightPart part;
-    Buffer* irradiance;
-    Buffer* receivers;
-    Buffer* slot_pixel;
+    BufferRef<kinds::SlotLight> irradiance;
+    BufferRef<kinds::ReceiverPlanes> receivers;
+    BufferRef<kinds::SlotPixels> slot_pixel;
     std::uint32_t slots;  ///< in use
     std::uint32_t stride;
     bool undersampled;  ///< what is added to a slot may be spread over pixels without samples
@@ -133,8 +133,8 @@ struct ComponentKind {
                                                            ComponentInputs inputs);
 
 /// Irradiance by slot, all dark: what an interrupted frame leaves out is not undefined.
-[[nodiscard]] std::unique_ptr<Buffer> dark_irradiance(Executor& executor, std::uint32_t slots,
-                                                      const char* what);
+[[nodiscard]] DeviceBuffer<kinds::SlotLight> dark_irradiance(Executor& executor,
+                                                             std::uint32_t slots, const char* what);
 
 /// Work-items of a gather launch that keeps it short whatever the list's length: about a million
 /// rays.

@@ -14,10 +14,14 @@ bool called_for(const FramePlan& plan) {
     return plan.has_sampled_direct() || plan.has_exact_direct();
 }
 
-/// Looks at every sample on area lights: near ones are known in closed form where each light has
-/// samples of its own.
+/// Whether area lights near a receiver are known in closed form: where each has samples of its own.
+bool knows_near_lights(const FramePlan& plan) {
+    return plan.samples_per_light > 0;
+}
+
+/// Looks at every sample on area lights.
 KernelId area_light_kernel(const FramePlan& plan) {
-    return plan.samples_per_light > 0 ? KernelId::area_lights : KernelId::vpl_gather;
+    return knows_near_lights(plan) ? KernelId::area_lights : KernelId::vpl_gather;
 }
 
 ComponentNeeds needs(const FramePlan& plan) {
@@ -43,13 +47,6 @@ ComponentNeeds needs(const FramePlan& plan) {
     return needs;
 }
 
-/// A list of lights that all receivers gather: of set k, `length` samples from first + k stride on.
-struct GatheredLights {
-    KernelId kernel;
-    Stage stage;
-    std::uint32_t first, stride, length;
-};
-
 /// Light that comes straight from area, point, spot and distant lights.
 class Direct : public Component {
   public:
@@ -59,25 +56,28 @@ class Direct : public Component {
     void reconstruct(FrameContext& frame) override;
 
     void hand_over(ComposedIrradiance& composed) const override {
-        composed.direct = filtered_.get();
-        composed.exact_direct = exact_irradiance_.get();
+        composed.direct = filtered_;
+        composed.exact_direct = exact_irradiance_;
     }
     [[nodiscard]] std::optional<SlotIrradiance> slot_irradiance() const override {
         if (!irradiance_) return {};
-        return all_slots(LightPart::direct, *irradiance_, shared_);
+        return all_slots(LightPart::direct, irradiance_, shared_);
     }
     [[nodiscard]] const SamplingDecision* decision() const override { return soft_shadows_.get(); }
 
   private:
-    void gather(FrameContext& frame, const GatheredLights& lights, Buffer* irradiance);
+    void sample_area_lights(FrameContext& frame);
+    /// Gathers a list of light samples into `irradiance`.
+    void gather(FrameContext& frame, Stage stage, const shared::SetList& list,
+                BufferRef<kinds::SlotLight> irradiance);
     void sample_distant(FrameContext& frame);
-    void clear(FrameContext& frame, Buffer& irradiance);
+    void clear(FrameContext& frame, const DeviceBuffer<kinds::SlotLight>& irradiance);
 
     const FrameBuffers& shared_;
-    std::unique_ptr<Buffer> irradiance_;         ///< by slot, and
-    std::unique_ptr<Buffer> filtered_;           ///< by pixel; null without light that is filtered
-    std::unique_ptr<Buffer> exact_irradiance_;   ///< by slot; null without such lights
-    std::unique_ptr<SoftShadows> soft_shadows_;  ///< where area lights adapt
+    DeviceBuffer<kinds::SlotLight> irradiance_;         ///< and
+    DeviceBuffer<kinds::ReconstructedLight> filtered_;  ///< null without light that is filtered
+    DeviceBuffer<kinds::SlotLight> exact_irradiance_;   ///< null without such lights
+    std::unique_ptr<SoftShadows> soft_shadows_;         ///< where area lights adapt
 };
 
 Direct::Direct(const ComponentInputs& inputs) : shared_(inputs.buffers) {
@@ -86,69 +86,97 @@ Direct::Direct(const ComponentInputs& inputs) : shared_(inputs.buffers) {
     if (plan.adapts_direct()) soft_shadows_ = std::make_unique<SoftShadows>(inputs);
     if (plan.has_sampled_direct()) {
         irradiance_ = dark_irradiance(executor, shared_.slots, "direct irradiance");
-        filtered_ = executor.allocate(inputs.pixels() * sizeof(shared::float4),
-                                      "filtered direct irradiance");
+        filtered_ = allocate<kinds::ReconstructedLight>(executor, inputs.pixels(),
+                                                        "filtered direct irradiance");
     }
     if (plan.has_exact_direct())
         exact_irradiance_ = dark_irradiance(executor, shared_.slots, "exact direct irradiance");
 }
 
-void Direct::gather(FrameContext& frame, const GatheredLights& lights, Buffer* irradiance) {
-    frame.params.list_first = lights.first;
-    frame.params.list_stride = lights.stride;
-    frame.params.list_length = lights.length;
-    const std::vector<Buffer*> buffers{shared_.receivers.get(), shared_.block_set.get(),
-                                       shared_.light_samples.get(), irradiance,
-                                       shared_.counters.get()};
-    const bool lamps = lights.kernel == KernelId::area_lights;
-    frame.run(lights.kernel, lights.stage, name, true,
-              lamps ? with_lamps(frame, buffers) : with_media(shared_, buffers),
-              shared_.slots / frame.executor.lanes(),
-              gather_items_per_launch(frame.executor, lights.length));
+void Direct::sample_area_lights(FrameContext& frame) {
+    const FramePlan& plan = frame.plan;
+    const std::uint32_t length = plan.gather_sets == 1 ? plan.area_samples() : plan.samples_per_set;
+    if (!knows_near_lights(plan)) {
+        gather(frame, Stage::area_lights,
+               {.first = 0, .stride = plan.samples_per_set, .length = length}, irradiance_);
+        return;
+    }
+    frame.run(Stage::area_lights, name,
+              kernels::area_lights{.scene = *frame.scene_buffers.traced,
+                                   .media_tables = shared_.media(),
+                                   .area_lights = frame.scene_buffers.area_lights(),
+                                   .slots = shared_.slots,
+                                   .receiver_planes = shared_.receivers,
+                                   .block_set = shared_.block_set,
+                                   .samples = shared_.light_samples,
+                                   .irradiance = irradiance_,
+                                   .counters = shared_.counters},
+              {.count = shared_.slots / frame.executor.lanes(),
+               .per_launch = gather_items_per_launch(frame.executor, length)});
+}
+
+void Direct::gather(FrameContext& frame, Stage stage, const shared::SetList& list,
+                    BufferRef<kinds::SlotLight> irradiance) {
+    frame.run(stage, name,
+              kernels::vpl_gather{.scene = *frame.scene_buffers.traced,
+                                  .media_tables = shared_.media(),
+                                  .list = list,
+                                  .roulette = 0.0F,
+                                  .slots = shared_.slots,
+                                  .receiver_planes = shared_.receivers,
+                                  .block_set = shared_.block_set,
+                                  .vpls = shared_.light_samples,
+                                  .irradiance = irradiance,
+                                  .counters = shared_.counters},
+              {.count = shared_.slots / frame.executor.lanes(),
+               .per_launch = gather_items_per_launch(frame.executor, list.length)});
 }
 
 void Direct::sample_distant(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
-    frame.params.list_first = plan.area_samples() + plan.punctual_lights;
-    frame.params.list_stride = plan.environment_samples;
-    frame.run(KernelId::distant_light, Stage::distant_light, name, true,
-              with_media(shared_, {shared_.receivers.get(), shared_.block_set.get(),
-                                   frame.scene_buffers.lights.get(),
-                                   shared_.or_nothing(shared_.light_samples),
-                                   shared_.or_nothing(irradiance_),
-                                   shared_.or_nothing(exact_irradiance_), shared_.counters.get()}),
-              shared_.slots);
+    const shared::SetList list{.first = plan.area_samples() + plan.punctual_lights,
+                               .stride = plan.environment_samples,
+                               .length = plan.environment_samples};
+    frame.run(Stage::distant_light, name,
+              kernels::distant_light{.scene = *frame.scene_buffers.traced,
+                                     .media_tables = shared_.media(),
+                                     .list = list,
+                                     .slots = shared_.slots,
+                                     .receiver_planes = shared_.receivers,
+                                     .block_set = shared_.block_set,
+                                     .lights = frame.scene_buffers.light_table.lights,
+                                     .samples = shared_.light_samples,
+                                     .sampled_irradiance = irradiance_,
+                                     .exact_irradiance = exact_irradiance_,
+                                     .counters = shared_.counters},
+              {shared_.slots});
 }
 
-void Direct::clear(FrameContext& frame, Buffer& irradiance) {
+void Direct::clear(FrameContext& frame, const DeviceBuffer<kinds::SlotLight>& irradiance) {
     const std::vector<float> zero(std::size_t{3} * shared_.slots, 0.0F);
-    write_buffer<float>(frame.executor, irradiance, zero);
+    write_buffer(frame.executor, irradiance, zero);
 }
 
 void Direct::sample(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
     make_light_samples(frame, name);
     // What no gather writes, the distant lights add to.
-    if (irradiance_ && plan.samples_per_set == 0) clear(frame, *irradiance_);
-    if (exact_irradiance_ && plan.punctual_lights == 0) clear(frame, *exact_irradiance_);
+    if (irradiance_ && plan.samples_per_set == 0) clear(frame, irradiance_);
+    if (exact_irradiance_ && plan.punctual_lights == 0) clear(frame, exact_irradiance_);
     if (soft_shadows_) {
-        soft_shadows_->sample(frame, *shared_.light_samples, *irradiance_);
+        soft_shadows_->sample(frame, shared_.light_samples, irradiance_);
     } else if (plan.samples_per_set > 0) {
-        gather(frame,
-               {area_light_kernel(plan), Stage::area_lights, 0, plan.samples_per_set,
-                plan.gather_sets == 1 ? plan.area_samples() : plan.samples_per_set},
-               irradiance_.get());
+        sample_area_lights(frame);
     }
     if (plan.punctual_lights > 0)
-        gather(frame,
-               {KernelId::vpl_gather, Stage::punctual_lights, plan.area_samples(), 0,
-                plan.punctual_lights},
-               exact_irradiance_.get());
+        gather(frame, Stage::punctual_lights,
+               {.first = plan.area_samples(), .stride = 0, .length = plan.punctual_lights},
+               exact_irradiance_);
     if (plan.has_distant()) sample_distant(frame);
 }
 
 void Direct::reconstruct(FrameContext& frame) {
-    if (irradiance_) reconstruct_all(frame, name, shared_.gbuffer, *irradiance_, *filtered_);
+    if (irradiance_) reconstruct_all(frame, name, shared_.gbuffer, irradiance_, filtered_);
 }
 
 std::unique_ptr<Component> make(const ComponentInputs& inputs) {

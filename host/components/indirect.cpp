@@ -33,7 +33,7 @@ class Indirect : public Component {
     void reconstruct(FrameContext& frame) override { irradiance_.reconstruct(frame); }
 
     void hand_over(ComposedIrradiance& composed) const override {
-        composed.indirect = &irradiance_.filtered();
+        composed.indirect = irradiance_.filtered();
     }
     [[nodiscard]] std::optional<SlotIrradiance> slot_irradiance() const override {
         return irradiance_.slots_of(LightPart::indirect);
@@ -51,18 +51,23 @@ class Indirect : public Component {
 void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
     const FramePlan& plan = frame.plan;
     const std::uint32_t lanes = frame.executor.lanes();
-    frame.params.list_first = 0;
-    frame.params.list_stride = plan.vpls_per_set;
-    frame.params.list_length = plan.vpls_per_set * (plan.gather_sets == 1 ? plan.sets : 1);
-    const float roulette_before =
-        std::exchange(frame.params.roulette, static_cast<float>(plan.roulette));
+    const std::uint32_t length = plan.vpls_per_set * (plan.gather_sets == 1 ? plan.sets : 1);
     frame.run(
-        KernelId::vpl_gather, Stage::vpl_gather, name, true,
-        with_media(frame.buffers, {&slots.receivers, &slots.block_set, frame.buffers.vpls.get(),
-                                   &slots.irradiance, frame.buffers.counters.get()}),
-        slots.count / lanes, gather_items_per_launch(frame.executor, frame.params.list_length),
-        slots.first / lanes);
-    frame.params.roulette = roulette_before;
+        Stage::vpl_gather, name,
+        kernels::vpl_gather{
+            .scene = *frame.scene_buffers.traced,
+            .media_tables = frame.buffers.media(),
+            .list = shared::SetList{.first = 0, .stride = plan.vpls_per_set, .length = length},
+            .roulette = static_cast<float>(plan.roulette),
+            .slots = slots.stride,
+            .receiver_planes = slots.receivers,
+            .block_set = slots.block_set,
+            .vpls = frame.buffers.vpls,
+            .irradiance = slots.irradiance,
+            .counters = frame.buffers.counters},
+        {.count = slots.count / lanes,
+         .per_launch = gather_items_per_launch(frame.executor, length),
+         .first = slots.first / lanes});
 }
 
 void Indirect::sample(FrameContext& frame) {

@@ -46,7 +46,7 @@ class InstantCache : public Component {
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext&) override {}
     void hand_over(ComposedIrradiance& composed) const override {
-        composed.indirect = &pixels_.irradiance();
+        composed.indirect = pixels_.irradiance();
     }
     [[nodiscard]] std::optional<CacheStats> cache() const override {
         if (kept_ == nullptr) return {};
@@ -61,7 +61,7 @@ class InstantCache : public Component {
     RecordPool pool_;
     RecordStore store_;                  ///< those of a round
     std::unique_ptr<KeptRecords> kept_;  ///< where records outlast their frame
-    std::unique_ptr<Buffer> pixel_slot_;
+    DeviceBuffer<kinds::PixelSlots> pixel_slot_;
 };
 
 RecordPool::Settings pool_settings(const ComponentInputs& inputs) {
@@ -74,8 +74,8 @@ InstantCache::InstantCache(const ComponentInputs& inputs)
     : pixels_(inputs.executor, inputs.width, inputs.height),
       pool_(inputs.executor, pool_settings(inputs)),
       store_(inputs.executor),
-      pixel_slot_(inputs.executor.allocate(inputs.pixels() * sizeof(std::uint32_t),
-                                           "pixel slots of records")) {
+      pixel_slot_(
+          allocate<kinds::PixelSlots>(inputs.executor, inputs.pixels(), "pixel slots of records")) {
     if (inputs.plan.temporal)
         kept_ = std::make_unique<KeptRecords>(inputs.executor, inputs.plan, pool_);
 }
@@ -85,7 +85,7 @@ void InstantCache::make_records(FrameContext& frame, const std::vector<std::uint
     const std::vector<std::uint32_t> ordered = record_order(frame, pixels);
     const std::uint32_t first = pool_.append(ordered);
     frame.add_host_stage(Stage::record_places, name, watch.lap());
-    place_records(frame, name, pool_, first, *pixel_slot_);
+    place_records(frame, name, pool_, first, pixel_slot_);
     pool_.set_states(CACHE_FRESH);
     gather_records(frame, name, Stage::irradiance_records, pool_, first, nullptr);
     if (frame.ended_early()) return;

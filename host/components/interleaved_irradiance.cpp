@@ -11,8 +11,8 @@ InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, cons
       shared_(inputs.buffers),
       gbuffer_(gbuffer),
       tiles_(tiles),
-      filtered_(inputs.executor.allocate(inputs.pixels() * sizeof(shared::float4),
-                                         "filtered irradiance")) {
+      filtered_(allocate<kinds::ReconstructedLight>(inputs.executor, inputs.pixels(),
+                                                    "filtered irradiance")) {
     if (inputs.plan.adaptive) {
         LevelSettings levels = inputs.levels();
         levels.threshold *= threshold_share;
@@ -26,28 +26,29 @@ InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, cons
 void InterleavedIrradiance::sample(FrameContext& frame, const Gather& gather,
                                    const std::function<std::vector<Level>()>& least_levels) {
     if (!adaptive_) {
-        gather({*shared_.receivers, *shared_.slot_pixel, *shared_.block_set, *irradiance_, 0,
-                shared_.slots});
+        gather({shared_.receivers, shared_.slot_pixel, shared_.block_set, irradiance_,
+                shared_.slots, 0, shared_.slots});
         return;
     }
-    adaptive_->sample(frame, component_, gbuffer_, *tiles_, *irradiance_,
-                      {[&](std::uint32_t first, std::uint32_t count) {
-                           gather({adaptive_->receivers(), adaptive_->slot_pixel(),
-                                   adaptive_->block_set(), *irradiance_, first, count});
-                       },
-                       least_levels});
+    adaptive_->sample(
+        frame, component_, gbuffer_, *tiles_, irradiance_,
+        {[&](std::uint32_t first, std::uint32_t count) {
+             gather({adaptive_->receivers(), adaptive_->slot_pixel(), adaptive_->block_set(),
+                     irradiance_, adaptive_->slots(), first, count});
+         },
+         least_levels});
 }
 
 void InterleavedIrradiance::reconstruct(FrameContext& frame) {
     if (adaptive_)
-        adaptive_->reconstruct(frame, component_, gbuffer_, *tiles_, *irradiance_, *filtered_);
+        adaptive_->reconstruct(frame, component_, gbuffer_, *tiles_, irradiance_, filtered_);
     else
-        reconstruct_all(frame, component_, gbuffer_, *irradiance_, *filtered_);
+        reconstruct_all(frame, component_, gbuffer_, irradiance_, filtered_);
 }
 
 SlotIrradiance InterleavedIrradiance::slots_of(LightPart part) const {
-    return adaptive_ ? adaptive_slots(part, *irradiance_, *adaptive_)
-                     : all_slots(part, *irradiance_, shared_);
+    return adaptive_ ? adaptive_slots(part, irradiance_, *adaptive_)
+                     : all_slots(part, irradiance_, shared_);
 }
 
 ComponentNeeds needs_of_interleaved(bool adapts) {
@@ -62,24 +63,30 @@ ComponentNeeds needs_of_interleaved(bool adapts) {
 }
 
 void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,
-                     Buffer& irradiance, Buffer& filtered) {
-    frame.run(KernelId::reconstruct, Stage::reconstruction, component, false,
-              with_gbuffer(gbuffer, {frame.buffers.pixel_slot.get(), &irradiance, &filtered}),
-              TileGrid{frame.params.width, frame.params.height}.tiles());
+                     BufferRef<kinds::SlotLight> irradiance,
+                     BufferRef<kinds::ReconstructedLight> filtered) {
+    const shared::CameraParams& camera = frame.params.camera;
+    frame.run(Stage::reconstruction, component,
+              kernels::reconstruct{.surfaces = view(gbuffer),
+                                   .slots = frame.buffers.slots,
+                                   .pixel_slot = frame.buffers.pixel_slot,
+                                   .irradiance = irradiance,
+                                   .filtered = filtered},
+              {TileGrid{camera.width, camera.height}.tiles()});
 }
 
-SlotIrradiance all_slots(LightPart part, Buffer& irradiance, const FrameBuffers& shared) {
-    return {
-        part,         &irradiance, shared.receivers.get(), shared.slot_pixel.get(), shared.slots,
-        shared.slots, false};
+SlotIrradiance all_slots(LightPart part, BufferRef<kinds::SlotLight> irradiance,
+                         const FrameBuffers& shared) {
+    return {part,         irradiance, shared.receivers, shared.slot_pixel, shared.slots,
+            shared.slots, false};
 }
 
-SlotIrradiance adaptive_slots(LightPart part, Buffer& irradiance,
+SlotIrradiance adaptive_slots(LightPart part, BufferRef<kinds::SlotLight> irradiance,
                               const AdaptiveSampling& sampling) {
     return {part,
-            &irradiance,
-            &sampling.receivers(),
-            &sampling.slot_pixel(),
+            irradiance,
+            sampling.receivers(),
+            sampling.slot_pixel(),
             sampling.slots_used(),
             sampling.slots(),
             sampling.undersamples()};

@@ -20,10 +20,11 @@ class InterleavedIrradiance {
     /// Slots whose irradiance a component is to make: [first, first + count), both multiples of
     /// PACKET_BLOCK.
     struct Slots {
-        Buffer& receivers;
-        Buffer& slot_pixel;
-        Buffer& block_set;
-        Buffer& irradiance;
+        BufferRef<kinds::ReceiverPlanes> receivers;
+        BufferRef<kinds::SlotPixels> slot_pixel;
+        BufferRef<kinds::BlockSets> block_set;
+        BufferRef<kinds::SlotLight> irradiance;
+        std::uint32_t stride;  ///< of the planes by slot
         std::uint32_t first;
         std::uint32_t count;
     };
@@ -44,7 +45,7 @@ class InterleavedIrradiance {
     void reconstruct(FrameContext& frame);
 
     /// Four floats a pixel: red, green, blue, and the weight of samples, 0 where there are none.
-    [[nodiscard]] Buffer& filtered() const { return *filtered_; }
+    [[nodiscard]] BufferRef<kinds::ReconstructedLight> filtered() const { return filtered_; }
     [[nodiscard]] SlotIrradiance slots_of(LightPart part) const;
     /// Null where every pixel is sampled.
     [[nodiscard]] const AdaptiveSampling* adaptive() const { return adaptive_.get(); }
@@ -55,7 +56,8 @@ class InterleavedIrradiance {
     const GBuffer& gbuffer_;
     TileGeometry* tiles_;
     std::unique_ptr<AdaptiveSampling> adaptive_;
-    std::unique_ptr<Buffer> irradiance_, filtered_;
+    DeviceBuffer<kinds::SlotLight> irradiance_;
+    DeviceBuffer<kinds::ReconstructedLight> filtered_;
 };
 
 /// What such irradiance needs of the frames, besides what gathers it.
@@ -63,13 +65,14 @@ class InterleavedIrradiance {
 
 /// The discontinuity buffer of irradiance that every pixel has: reconstruct.cl as a stage.
 void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,
-                     Buffer& irradiance, Buffer& filtered);
+                     BufferRef<kinds::SlotLight> irradiance,
+                     BufferRef<kinds::ReconstructedLight> filtered);
 
 /// Of irradiance that every pixel has.
-[[nodiscard]] SlotIrradiance all_slots(LightPart part, Buffer& irradiance,
+[[nodiscard]] SlotIrradiance all_slots(LightPart part, BufferRef<kinds::SlotLight> irradiance,
                                        const FrameBuffers& shared);
 /// Of irradiance that `sampling` has samples of.
-[[nodiscard]] SlotIrradiance adaptive_slots(LightPart part, Buffer& irradiance,
+[[nodiscard]] SlotIrradiance adaptive_slots(LightPart part, BufferRef<kinds::SlotLight> irradiance,
                                             const AdaptiveSampling& sampling);
 
 }  // namespace weft

@@ -52,7 +52,7 @@ class IrradianceCache : public Component {
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext&) override {}
     void hand_over(ComposedIrradiance& composed) const override {
-        composed.indirect = &pixels_.irradiance();
+        composed.indirect = pixels_.irradiance();
     }
 
   private:
@@ -67,7 +67,8 @@ class IrradianceCache : public Component {
     RecordPool pool_;
     RecordStore store_;
     std::uint32_t batch_;  ///< slots
-    std::unique_ptr<Buffer> pixel_slot_, cells_;
+    DeviceBuffer<kinds::PixelSlots> pixel_slot_;
+    DeviceBuffer<kinds::HemisphereCells> cells_;
 };
 
 /// Slots of a batch: no more than a round can fill.
@@ -83,30 +84,38 @@ IrradianceCache::IrradianceCache(const ComponentInputs& inputs)
       pool_(inputs.executor, {inputs.features, false, 0}),
       store_(inputs.executor),
       batch_(batch_of(inputs)),
-      pixel_slot_(inputs.executor.allocate(inputs.pixels() * sizeof(std::uint32_t),
-                                           "pixel slots of records")),
-      cells_(inputs.executor.allocate(
-          std::size_t{batch_} * cells_of(inputs.plan) * sizeof(shared::float4),
-          "hemispheres of records")) {}
+      pixel_slot_(
+          allocate<kinds::PixelSlots>(inputs.executor, inputs.pixels(), "pixel slots of records")),
+      cells_(allocate<kinds::HemisphereCells>(
+          inputs.executor, std::size_t{batch_} * cells_of(inputs.plan), "hemispheres of records")) {
+}
 
 void IrradianceCache::trace_batch(FrameContext& frame, std::uint32_t first, std::uint32_t count) {
-    const shared::Params before = frame.params;
-    frame.params.slots = pool_.room();
-    frame.params.list_first = first;
-    frame.params.list_stride = frame.plan.cache_elevations;
-    frame.params.list_length = frame.plan.cache_azimuths;
     const FrameBuffers& buffers = frame.buffers;
-    frame.run(KernelId::hemisphere_rays, Stage::hemisphere_rays, name, true,
-              with_geometry(frame.scene_buffers,
-                            {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             &pool_.receivers(), &pool_.slot_pixel(), cells_.get(),
-                             buffers.counters.get(), buffers.nonfinite.get()}),
-              count * cells_of(frame.plan));
-    frame.run(KernelId::hemisphere_records, Stage::irradiance_records, name, false,
-              with_gbuffer(buffers.gbuffer, {&pool_.receivers(), &pool_.slot_pixel(), cells_.get(),
-                                             &pool_.planes()}),
-              count);
-    frame.params = before;
+    const shared::HemisphereGrid grid{.first = first,
+                                      .elevations = frame.plan.cache_elevations,
+                                      .azimuths = frame.plan.cache_azimuths};
+    frame.run(Stage::hemisphere_rays, name,
+              kernels::hemisphere_rays{.scene = *frame.scene_buffers.traced,
+                                       .geometry = view(frame.scene_buffers.geometry),
+                                       .light_table = view(frame.scene_buffers.light_table),
+                                       .grid = grid,
+                                       .slots = pool_.room(),
+                                       .receiver_planes = pool_.receivers(),
+                                       .slot_pixel = pool_.slot_pixel(),
+                                       .cells = cells_,
+                                       .counters = buffers.counters,
+                                       .nonfinite = buffers.nonfinite},
+              {count * cells_of(frame.plan)});
+    frame.run(Stage::irradiance_records, name,
+              kernels::hemisphere_records{.surfaces = view(buffers.gbuffer),
+                                          .grid = grid,
+                                          .slots = pool_.room(),
+                                          .receiver_planes = pool_.receivers(),
+                                          .slot_pixel = pool_.slot_pixel(),
+                                          .cells = cells_,
+                                          .records = pool_.planes()},
+              {count});
 }
 
 std::uint32_t IrradianceCache::make_records(FrameContext& frame,
@@ -114,7 +123,7 @@ std::uint32_t IrradianceCache::make_records(FrameContext& frame,
     Stopwatch watch;
     const std::uint32_t first = pool_.append(record_order(frame, pixels));
     frame.add_host_stage(Stage::record_places, name, watch.lap());
-    place_records(frame, name, pool_, first, *pixel_slot_);
+    place_records(frame, name, pool_, first, pixel_slot_);
     for (std::uint32_t slot = first; slot < pool_.slots(); slot += batch_)
         trace_batch(frame, slot, std::min(batch_, pool_.slots() - slot));
     return first;

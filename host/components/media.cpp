@@ -34,6 +34,10 @@ ComponentNeeds needs(const FramePlan& plan) {
     return needs;
 }
 
+shared::SetList list_of(std::uint32_t first, std::uint32_t stride, std::uint32_t length) {
+    return {.first = first, .stride = stride, .length = length};
+}
+
 /// Light that participating media scatter to the camera: of lights, and of VPLs. It is sampled and
 /// filtered as irradiance is, on surfaces that are the ends of view rays.
 class Media : public Component {
@@ -44,27 +48,28 @@ class Media : public Component {
     void reconstruct(FrameContext& frame) override { radiance_.reconstruct(frame); }
 
     void hand_over(ComposedIrradiance& composed) const override {
-        composed.media = &radiance_.filtered();
+        composed.media = radiance_.filtered();
     }
     [[nodiscard]] const SamplingDecision* decision() const override { return radiance_.adaptive(); }
 
   private:
-    /// A list of virtual lights; see Params.
+    /// A list of virtual lights that slots gather; see media_gather.cl.
     struct Lights {
         Stage stage;
-        Buffer* buffer;
-        std::uint32_t first, stride, length;
+        BufferRef<kinds::VirtualLights> buffer;
+        shared::SetList list;
         std::uint32_t steps;
         double roulette;
     };
 
     void gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
     void gather_lights(FrameContext& frame, const InterleavedIrradiance::Slots& slots,
-                       const Lights& lights);
+                       const Lights& lights, bool adds);
     void gather_distant(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
 
     std::unique_ptr<TileGeometry> tiles_;
-    std::unique_ptr<Buffer> samples_;  ///< on area lights, of all sets; null without such lights
+    DeviceBuffer<kinds::VirtualLights>
+        samples_;  ///< on area lights, of all sets; null without such lights
     InterleavedIrradiance radiance_;
 };
 
@@ -75,40 +80,51 @@ Media::Media(const ComponentInputs& inputs)
       radiance_(inputs, name, inputs.buffers.view_media->ends(), tiles_.get(), threshold_share) {
     const FramePlan& plan = inputs.plan;
     if (plan.media_samples_per_set > 0)
-        samples_ = inputs.executor.allocate(
-            std::size_t{plan.sets} * plan.media_samples_per_set * sizeof(shared::Vpl),
+        samples_ = allocate<kinds::VirtualLights>(
+            inputs.executor, std::size_t{plan.sets} * plan.media_samples_per_set,
             "light samples of media");
 }
 
 void Media::gather_lights(FrameContext& frame, const InterleavedIrradiance::Slots& slots,
-                          const Lights& lights) {
+                          const Lights& lights, bool adds) {
     const std::uint32_t lanes = frame.executor.lanes();
     const GBuffer& ends = frame.buffers.view_media->ends();
-    frame.params.list_first = lights.first;
-    frame.params.list_stride = lights.stride;
-    frame.params.list_length = lights.length;
-    frame.params.media_steps = lights.steps;
-    const float roulette_before =
-        std::exchange(frame.params.roulette, static_cast<float>(lights.roulette));
-    frame.run(KernelId::media_gather, lights.stage, name, true,
-              with_media(frame.buffers, {ends[gbuffer_position].get(), ends[gbuffer_albedo].get(),
-                                         &slots.slot_pixel, &slots.block_set, lights.buffer,
-                                         &slots.irradiance, frame.buffers.counters.get()}),
-              slots.count / lanes,
-              gather_items_per_launch(frame.executor, lights.length * lights.steps),
-              slots.first / lanes);
-    frame.params.roulette = roulette_before;
+    frame.run(
+        lights.stage, name,
+        kernels::media_gather{.scene = *frame.scene_buffers.traced,
+                              .media_tables = frame.buffers.media(),
+                              .list = lights.list,
+                              .roulette = static_cast<float>(lights.roulette),
+                              .steps = lights.steps,
+                              .adds = adds ? 1U : 0U,
+                              .slots = slots.stride,
+                              .end_position = ends.gb_position,
+                              .end_albedo = ends.gb_albedo,
+                              .slot_pixel = slots.slot_pixel,
+                              .block_set = slots.block_set,
+                              .vpls = lights.buffer,
+                              .radiance = slots.irradiance,
+                              .counters = frame.buffers.counters},
+        {.count = slots.count / lanes,
+         .per_launch = gather_items_per_launch(frame.executor, lights.list.length * lights.steps),
+         .first = slots.first / lanes});
 }
 
 void Media::gather_distant(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
     const GBuffer& ends = frame.buffers.view_media->ends();
-    frame.params.media_steps = frame.plan.media_steps;
-    frame.run(
-        KernelId::media_distant, Stage::media_distant_light, name, true,
-        with_media(frame.buffers, {frame.scene_buffers.lights.get(), ends[gbuffer_position].get(),
-                                   ends[gbuffer_albedo].get(), &slots.slot_pixel, &slots.block_set,
-                                   &slots.irradiance, frame.buffers.counters.get()}),
-        slots.count, 0, slots.first);
+    frame.run(Stage::media_distant_light, name,
+              kernels::media_distant{.scene = *frame.scene_buffers.traced,
+                                     .media_tables = frame.buffers.media(),
+                                     .steps = frame.plan.media_steps,
+                                     .slots = slots.stride,
+                                     .lights = frame.scene_buffers.light_table.lights,
+                                     .end_position = ends.gb_position,
+                                     .end_albedo = ends.gb_albedo,
+                                     .slot_pixel = slots.slot_pixel,
+                                     .block_set = slots.block_set,
+                                     .radiance = slots.irradiance,
+                                     .counters = frame.buffers.counters},
+              {.count = slots.count, .first = slots.first});
 }
 
 void Media::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
@@ -117,29 +133,29 @@ void Media::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slot
     const std::uint32_t sets = plan.gather_sets == 1 ? plan.sets : 1;
     std::vector<Lights> lists;
     if (samples_)
-        lists.push_back({Stage::media_area_lights, samples_.get(), 0, plan.media_samples_per_set,
-                         plan.media_samples_per_set * sets, 1, 0.0});
+        lists.push_back({Stage::media_area_lights, samples_,
+                         list_of(0, plan.media_samples_per_set, plan.media_samples_per_set * sets),
+                         1, 0.0});
     if (plan.punctual_lights > 0)
-        lists.push_back({Stage::media_punctual_lights, buffers.light_samples.get(),
-                         plan.area_samples(), 0, plan.punctual_lights, plan.media_steps, 0.0});
+        lists.push_back({Stage::media_punctual_lights, buffers.light_samples,
+                         list_of(plan.area_samples(), 0, plan.punctual_lights), plan.media_steps,
+                         0.0});
     if (plan.has_vpls())
-        lists.push_back({Stage::media_vpls, buffers.vpls.get(), 0, plan.vpls_per_set,
-                         plan.vpls_per_set * sets, 1, plan.roulette});
+        lists.push_back({Stage::media_vpls, buffers.vpls,
+                         list_of(0, plan.vpls_per_set, plan.vpls_per_set * sets), 1,
+                         plan.roulette});
     // An empty list leaves all dark.
-    if (lists.empty())
-        lists.push_back({Stage::media_clear, buffers.nothing.get(), 0, 0, 0, 1, 0.0});
-    frame.params.media_adds = 0;
-    for (const Lights& lights : lists) {
-        gather_lights(frame, slots, lights);
-        frame.params.media_adds = 1;
-    }
+    if (lists.empty()) lists.push_back({Stage::media_clear, {}, list_of(0, 0, 0), 1, 0.0});
+    bool adds = false;
+    for (const Lights& lights : lists)
+        gather_lights(frame, slots, lights, std::exchange(adds, true));
     if (plan.has_distant()) gather_distant(frame, slots);
 }
 
 void Media::sample(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
     if (!plan.has_direct()) make_light_samples(frame, name);
-    if (samples_) make_media_samples(frame, name, *samples_);
+    if (samples_) make_media_samples(frame, name, samples_);
     if (!plan.gathers_vpls() && plan.has_vpls()) walk_vpls(frame, name);
     if (tiles_) frame.run_whole([&] { tiles_->examine(frame, frame.buffers.view_media->ends()); });
     radiance_.sample(frame,

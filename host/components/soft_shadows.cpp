@@ -28,14 +28,15 @@ SoftShadows::SoftShadows(const ComponentInputs& inputs)
       words_(shared::shadow_words(inputs.scene.area_lights)) {
     const std::size_t plane = shared::shadow_plane(grid_.width, grid_.height);
     const std::vector<std::uint32_t> nothing(2 * words_ * plane, 0);
-    pixel_shadows_ = upload<std::uint32_t>(executor_, nothing, "shadows of pixels");
-    slopes_ = upload<float>(executor_, BrightnessSlope(inputs.plan.luminance_scale).table(),
-                            "brightness slopes");
+    pixel_shadows_ = upload<kinds::PixelShadows>(executor_, nothing, "shadows of pixels");
+    slopes_ = upload<kinds::BrightnessSlopes>(
+        executor_, BrightnessSlope(inputs.plan.luminance_scale).table(), "brightness slopes");
     const std::vector<std::uint32_t> none(words_ * inputs.pixels(), 0);
-    shadow_edges_ = upload<std::uint32_t>(executor_, none, "shadow edges");
+    shadow_edges_ = upload<kinds::ShadowEdges>(executor_, none, "shadow edges");
 }
 
-void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
+void SoftShadows::sample(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                         BufferRef<kinds::SlotLight> irradiance) {
     look(frame, samples, irradiance);
     edges_ = {};
     if (frame.ended_early()) return;
@@ -43,17 +44,27 @@ void SoftShadows::sample(FrameContext& frame, Buffer& samples, Buffer& irradianc
     look_again(frame, samples, irradiance);
 }
 
-void SoftShadows::look(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
-    frame.run(KernelId::shadow_probes, Stage::shadow_probes, name, true,
-              with_lamps(frame, {shared_.receivers.get(), shared_.block_set.get(),
-                                 shared_.slot_pixel.get(), &samples, &irradiance,
-                                 pixel_shadows_.get(), shared_.counters.get()}),
-              shared_.slots / executor_.lanes(),
-              gather_items_per_launch(executor_, frame.plan.samples_per_set));
+void SoftShadows::look(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                       BufferRef<kinds::SlotLight> irradiance) {
     const std::uint32_t lanes = executor_.lanes();
+    frame.run(Stage::shadow_probes, name,
+              kernels::shadow_probes{.scene = *frame.scene_buffers.traced,
+                                     .media_tables = shared_.media(),
+                                     .area_lights = frame.scene_buffers.area_lights(),
+                                     .slots = shared_.slots,
+                                     .receiver_planes = shared_.receivers,
+                                     .block_set = shared_.block_set,
+                                     .slot_pixel = shared_.slot_pixel,
+                                     .samples = samples,
+                                     .irradiance = irradiance,
+                                     .pixel_shadows = pixel_shadows_,
+                                     .counters = shared_.counters},
+              {.count = shared_.slots / lanes,
+               .per_launch = gather_items_per_launch(executor_, frame.plan.samples_per_set)});
     const std::uint32_t runs = (grid_.width + lanes - 1) / lanes * grid_.height;
-    frame.run(KernelId::shadow_edges, Stage::shadow_edges, name, false,
-              {pixel_shadows_.get(), shadow_edges_.get()}, runs * words_);
+    frame.run(Stage::shadow_edges, name,
+              kernels::shadow_edges{.pixel_shadows = pixel_shadows_, .shadow_edges = shadow_edges_},
+              {runs * words_});
 }
 
 double SoftShadows::find_edges() {
@@ -67,22 +78,33 @@ double SoftShadows::find_edges() {
     return milliseconds;
 }
 
-void SoftShadows::look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance) {
+void SoftShadows::look_again(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                             BufferRef<kinds::SlotLight> irradiance) {
     const double gain = frame.budget != nullptr ? frame.budget->gain(name) : 1.0;
     step_ = std::min(largest_step, step_share * gain * frame.plan.threshold);
-    frame.params.shadow_step = static_cast<float>(step_);
     const std::uint32_t edge = shared::shadow_cell(executor_.lanes(), frame.plan.interleave);
     const std::uint32_t cells =
         ((grid_.width + edge - 1) / edge) * ((grid_.height + edge - 1) / edge);
     // A full cell has as many packets as a packet has lanes; edges are usually of a quarter.
     const std::uint32_t packets = std::max(1U, executor_.lanes() / 4);
-    frame.run(KernelId::soft_shadows, Stage::area_lights, name, true,
-              with_lamps(frame, {shared_.receivers.get(), shared_.pixel_slot.get(), &samples,
-                                 pixel_shadows_.get(), shadow_edges_.get(), slopes_.get(),
-                                 shared_.gbuffer[gbuffer_albedo].get(), &irradiance,
-                                 shared_.counters.get()}),
-              cells * frame.plan.interleave * frame.plan.interleave,
-              gather_items_per_launch(executor_, frame.plan.samples_per_set * packets));
+    frame.run(
+        Stage::area_lights, name,
+        kernels::soft_shadows{.scene = *frame.scene_buffers.traced,
+                              .media_tables = shared_.media(),
+                              .area_lights = frame.scene_buffers.area_lights(),
+                              .shadow_step = static_cast<float>(step_),
+                              .slots = shared_.slots,
+                              .receiver_planes = shared_.receivers,
+                              .pixel_slot = shared_.pixel_slot,
+                              .samples = samples,
+                              .pixel_shadows = pixel_shadows_,
+                              .shadow_edges = shadow_edges_,
+                              .slopes = slopes_,
+                              .gb_albedo = shared_.gbuffer.gb_albedo,
+                              .irradiance = irradiance,
+                              .counters = shared_.counters},
+        {.count = cells * frame.plan.interleave * frame.plan.interleave,
+         .per_launch = gather_items_per_launch(executor_, frame.plan.samples_per_set * packets)});
 }
 
 bool SoftShadows::can_save() const {
@@ -98,7 +120,7 @@ LevelCounts SoftShadows::counts() const {
 
 void SoftShadows::add_layers(const std::string& component, Image& image) const {
     const std::size_t pixels = std::size_t{grid_.width} * grid_.height;
-    const auto words = read_buffer<std::uint32_t>(executor_, *shadow_edges_, words_ * pixels);
+    const auto words = read_buffer(executor_, shadow_edges_, words_ * pixels);
     Layer level{component + ".level", "Y", std::vector<float>(pixels)};
     Layer samples{component + ".samples", "Y", std::vector<float>(pixels)};
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {

@@ -20,7 +20,8 @@ class SoftShadows : public SamplingDecision {
     explicit SoftShadows(const ComponentInputs& inputs);
 
     /// Fills `irradiance`, by slot of all receivers, from the lights' `samples`.
-    void sample(FrameContext& frame, Buffer& samples, Buffer& irradiance);
+    void sample(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                BufferRef<kinds::SlotLight> irradiance);
 
     [[nodiscard]] LevelCounts counts() const override;
     [[nodiscard]] bool can_save() const override;
@@ -28,17 +29,21 @@ class SoftShadows : public SamplingDecision {
     void add_layers(const std::string& component, Image& image) const override;
 
   private:
-    void look(FrameContext& frame, Buffer& samples, Buffer& irradiance);
+    void look(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+              BufferRef<kinds::SlotLight> irradiance);
     /// Sets edges_; returns the milliseconds that the search took.
     [[nodiscard]] double find_edges();
-    void look_again(FrameContext& frame, Buffer& samples, Buffer& irradiance);
+    void look_again(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                    BufferRef<kinds::SlotLight> irradiance);
 
     Executor& executor_;
     const FrameBuffers& shared_;
     TileGrid grid_;
-    double step_ = 0.0;    ///< of the last frame; Params::shadow_step
+    double step_ = 0.0;    ///< of the last frame: see soft_shadows.cl
     std::uint32_t words_;  ///< of a pixel, for a bit a light
-    std::unique_ptr<Buffer> pixel_shadows_, shadow_edges_, slopes_;
+    DeviceBuffer<kinds::PixelShadows> pixel_shadows_;
+    DeviceBuffer<kinds::ShadowEdges> shadow_edges_;
+    DeviceBuffer<kinds::BrightnessSlopes> slopes_;
     ShadowEdges edges_;
 };
 

@@ -1,7 +1,6 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <utility>
 
 #include "components/interleaved_irradiance.h"
 
@@ -31,8 +30,8 @@ std::uint32_t bit_of(LightPart part) {
 struct Receivers {
     std::uint32_t parts = 0;
     SlotIrradiance slots;
-    Buffer* direct;
-    Buffer* indirect;
+    BufferRef<kinds::SlotLight> direct;
+    BufferRef<kinds::SlotLight> indirect;
 };
 
 /// What virtual lights and light samples leave out, one path a pixel. Where a component samples
@@ -50,7 +49,7 @@ class VplResidual : public Component {
     /// By slot of all pixels: for a part whose own samples are fewer.
     struct Apart {
         LightPart part;
-        std::unique_ptr<Buffer> irradiance;
+        DeviceBuffer<kinds::SlotLight> irradiance;
     };
 
     [[nodiscard]] SlotIrradiance target(const SlotIrradiance& slots) const;
@@ -76,11 +75,10 @@ SlotIrradiance VplResidual::target(const SlotIrradiance& slots) const {
     if (!slots.undersampled) return slots;
     const auto own = std::find_if(apart_.begin(), apart_.end(),
                                   [&](const Apart& apart) { return apart.part == slots.part; });
-    return all_slots(slots.part, *own->irradiance, shared_);
+    return all_slots(slots.part, own->irradiance, shared_);
 }
 
 std::vector<Receivers> VplResidual::receivers() const {
-    Buffer* const nothing = shared_.nothing.get();
     std::vector<Receivers> all;
     for (const Component* other : others_) {
         const std::optional<SlotIrradiance> samples = other->slot_irradiance();
@@ -89,7 +87,7 @@ std::vector<Receivers> VplResidual::receivers() const {
         auto same = std::find_if(all.begin(), all.end(), [&](const Receivers& known) {
             return known.slots.receivers == slots.receivers;
         });
-        if (same == all.end()) same = all.insert(all.end(), {0, slots, nothing, nothing});
+        if (same == all.end()) same = all.insert(all.end(), {0, slots, {}, {}});
         same->parts |= bit_of(slots.part);
         (slots.part == LightPart::direct ? same->direct : same->indirect) = slots.irradiance;
     }
@@ -98,30 +96,35 @@ std::vector<Receivers> VplResidual::receivers() const {
 
 void VplResidual::sample(FrameContext& frame) {
     const std::vector<float> zero(std::size_t{3} * shared_.slots, 0.0F);
-    for (const Apart& apart : apart_) write_buffer<float>(frame.executor, *apart.irradiance, zero);
+    for (const Apart& apart : apart_) write_buffer(frame.executor, apart.irradiance, zero);
     for (const Receivers& to : receivers()) {
-        const std::uint32_t slots_before = std::exchange(frame.params.slots, to.slots.stride);
-        frame.params.list_length = to.parts;
-        frame.run(
-            KernelId::vpl_residual, Stage::vpl_residual, "", true,
-            with_geometry(frame.scene_buffers,
-                          {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                           to.slots.receivers, to.slots.slot_pixel, to.direct, to.indirect,
-                           frame.buffers.counters.get()}),
-            to.slots.slots);
-        frame.params.slots = slots_before;
+        frame.run(Stage::vpl_residual, "",
+                  kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
+                                        .geometry = view(frame.scene_buffers.geometry),
+                                        .light_table = view(frame.scene_buffers.light_table),
+                                        .slots = to.slots.stride,
+                                        .receiver_planes = to.slots.receivers,
+                                        .slot_pixel = to.slots.slot_pixel,
+                                        .parts = to.parts,
+                                        .direct = to.direct,
+                                        .indirect = to.indirect,
+                                        .counters = frame.buffers.counters},
+                  {to.slots.slots});
     }
 }
 
 void VplResidual::reconstruct(FrameContext& frame) {
     const ComposedIrradiance& composed = shared_.irradiance;
     for (const Apart& apart : apart_) {
-        Buffer* const filtered =
-            apart.part == LightPart::direct ? composed.direct : composed.indirect;
         frame.run(
-            KernelId::filter_residual, Stage::reconstruction, "", false,
-            with_gbuffer(shared_, {shared_.pixel_slot.get(), apart.irradiance.get(), filtered}),
-            frame.params.width * frame.params.height);
+            Stage::reconstruction, "",
+            kernels::filter_residual{
+                .surfaces = view(shared_.gbuffer),
+                .slots = shared_.slots,
+                .pixel_slot = shared_.pixel_slot,
+                .irradiance = apart.irradiance,
+                .filtered = apart.part == LightPart::direct ? composed.direct : composed.indirect},
+            {frame.pixels()});
     }
 }
 

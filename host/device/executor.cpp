@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/executor.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -39,6 +40,13 @@ void check_update(const TracedGeometry& made_of, const TracedGeometry& given) {
         made_of.first_moving != given.first_moving)
         throw Error(ExitCode::device,
                     "a scene cannot be brought up to date with geometry it was not made of");
+}
+
+std::unique_ptr<Buffer> upload_bytes(Executor& executor, std::span<const std::byte> bytes,
+                                     std::string_view what) {
+    auto buffer = executor.allocate(std::max<std::size_t>(bytes.size(), 16), what);
+    write_buffer(executor, *buffer, bytes);
+    return buffer;
 }
 
 std::uint32_t lanes_from_environment() {

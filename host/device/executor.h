@@ -74,19 +74,33 @@ struct TracedGeometry {
     bool passing = false;  ///< built quickly, and not what Executor::bvh and scene_ms tell of
 };
 
-/// One kernel over [first_item, first_item + items). The executor cuts it into short launches and
-/// fills in Params::first and Params::count of each.
-struct Launch {
-    KernelId kernel;
-    const shared::Params& params;
-    const TracedScene* scene;  ///< null for kernels that trace nothing
-    std::span<Buffer* const> buffers;
-    std::uint32_t items = 0;
+/// One argument of a launch: a buffer, a value, or neither for a buffer that the launch has no use
+/// for. Launches are made of typed arguments: see device/launch.h.
+struct LaunchArgument {
+    Buffer* buffer = nullptr;
+    const void* value = nullptr;
+    std::size_t bytes = 0;  ///< of the value
+};
+
+/// How a kernel is run.
+struct LaunchOptions {
     std::uint32_t items_per_launch = 0;  ///< 0: the kernel's own chunk
     std::uint32_t first_item = 0;
+    std::uint32_t counter = 0;  ///< which shared::RayCounter counts its rays
     /// Where given, what it takes on the device is added here, by take_milliseconds at the latest,
     /// which must be called while it is there.
     double* milliseconds = nullptr;
+};
+
+/// One kernel over [first_item, first_item + items). The executor cuts it into short launches, each
+/// with a shared::LaunchRange of its own.
+struct Launch {
+    KernelId kernel;
+    const shared::RenderParams& params;
+    const TracedScene* scene;                   ///< null for kernels that trace nothing
+    std::span<const LaunchArgument> arguments;  ///< the others, in the order of the signature
+    std::uint32_t items = 0;
+    LaunchOptions options = {};
 };
 
 /// A kernel and the features of the frames that it is for.
@@ -135,7 +149,8 @@ class Executor {
     /// does not compile is left for `build` to complain about.
     virtual void compile(std::span<const KernelUse> uses) { (void)uses; }
 
-    /// Makes kernels ready for frames with these features (Params::features of their launches).
+    /// Makes kernels ready for frames with these features (RenderParams::features of their
+    /// launches).
     virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;
 
     /// Runs all launches of `launch`, in order, after all earlier ones. `keep_going`, where given,
@@ -183,14 +198,10 @@ template <class T>
 /// Throws Error (exit code 1) for anything but 1, 4, 8 or 16.
 [[nodiscard]] std::uint32_t lanes_from_environment();
 
-/// A buffer that holds `values`, or 16 bytes where there are none.
-template <class T>
-[[nodiscard]] std::unique_ptr<Buffer> upload(Executor& executor, std::span<const T> values,
-                                             std::string_view what) {
-    auto buffer = executor.allocate(std::max<std::size_t>(values.size_bytes(), 16), what);
-    write_buffer(executor, *buffer, values);
-    return buffer;
-}
+/// A buffer that holds `bytes`, or 16 where there are none.
+[[nodiscard]] std::unique_ptr<Buffer> upload_bytes(Executor& executor,
+                                                   std::span<const std::byte> bytes,
+                                                   std::string_view what);
 
 }  // namespace weft
 

@@ -32,7 +32,17 @@ static_assert(sizeof(CacheRecord) == 192);
 static_assert(sizeof(TileRecord) == 32);
 static_assert(sizeof(RayCounter) == 16);
 static_assert(sizeof(NonfiniteCounter) == 48);
-static_assert(sizeof(Params) % 16 == 0 && sizeof(Params) <= 1024);
+static_assert(sizeof(CameraParams) == 96);
+static_assert(sizeof(SceneParams) == 80);
+static_assert(sizeof(LightSampling) == 16);
+static_assert(sizeof(SamplingParams) == 144);
+static_assert(sizeof(FilterParams) == 16);
+static_assert(sizeof(RenderParams) == 352);
+static_assert(sizeof(LaunchRange) == 12);
+static_assert(sizeof(SetList) == 12);
+static_assert(sizeof(HemisphereGrid) == 12);
+static_assert(sizeof(RecordUpdate) == 16);
+static_assert(sizeof(PathParams) == 12);
 
 }  // namespace weft::shared
 

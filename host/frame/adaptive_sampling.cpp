@@ -30,13 +30,12 @@ std::uint32_t lattice_points(const TileGrid& grid, Level level) {
 }  // namespace
 
 TileGeometry::TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height)
-    : grid_{width, height},
-      buffer_(executor.allocate(grid_.tiles() * sizeof(shared::TileRecord), "tiles")) {}
+    : grid_{width, height}, buffer_(allocate<kinds::Tiles>(executor, grid_.tiles(), "tiles")) {}
 
 void TileGeometry::examine(FrameContext& frame, const GBuffer& gbuffer) {
-    frame.run(KernelId::tile_geometry, Stage::tile_geometry, "", false,
-              with_gbuffer(gbuffer, {buffer_.get()}), grid_.tiles());
-    records_ = read_buffer<shared::TileRecord>(frame.executor, *buffer_, grid_.tiles());
+    frame.run(Stage::tile_geometry, "",
+              kernels::tile_geometry{.surfaces = view(gbuffer), .tiles = buffer_}, {grid_.tiles()});
+    records_ = read_buffer(frame.executor, buffer_, grid_.tiles());
     ordered_masks_.clear();
 }
 
@@ -52,10 +51,10 @@ const WorkList& TileGeometry::ordered(FrameContext& frame, std::span<const TileM
 WorkList ordered_round(FrameContext& frame, const WorkList& round) {
     WorkList ordered;
     frame.executor.with_mapped(
-        *frame.buffers.gbuffer[gbuffer_position], Access::read, [&](std::span<std::byte> bytes) {
+        *frame.buffers.gbuffer.gb_position, Access::read, [&](std::span<std::byte> bytes) {
             const std::span positions(reinterpret_cast<const shared::float4*>(bytes.data()),
-                                      std::size_t{frame.params.width} * frame.params.height);
-            ordered = ordered_by_place(round, positions, frame.params.extent);
+                                      frame.pixels());
+            ordered = ordered_by_place(round, positions, frame.params.scene.extent);
         });
     return ordered;
 }
@@ -68,22 +67,20 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
       memory_(grid.tiles()),
       slots_(most_slots(grid, settings.interleave)),
       no_slots_(std::size_t{grid.width} * grid.height, NO_TRIANGLE) {
-    const auto words = [&](std::size_t count, const char* what) {
-        return executor.allocate(count * sizeof(std::uint32_t), what);
-    };
     const std::size_t planes = receiver_planes(features);
-    slot_pixel_ = words(slots_, "adaptive work list");
-    pixel_slot_ = words(no_slots_.size(), "adaptive pixel slots");
-    block_set_ = words(slots_ / PACKET_BLOCK, "adaptive sample sets");
-    receivers_ = words(planes * slots_, "adaptive receivers");
-    tile_height_ = words(grid.tiles(), "tile levels");
-    signal_ = executor.allocate(lattice_points(grid, Level::middle) * sizeof(shared::float4),
-                                "lattice signal");
+    slot_pixel_ = allocate<kinds::SlotPixels>(executor, slots_, "adaptive work list");
+    pixel_slot_ = allocate<kinds::PixelSlots>(executor, no_slots_.size(), "adaptive pixel slots");
+    block_set_ =
+        allocate<kinds::BlockSets>(executor, slots_ / PACKET_BLOCK, "adaptive sample sets");
+    receivers_ = allocate<kinds::ReceiverPlanes>(executor, planes * slots_, "adaptive receivers");
+    tile_height_ = allocate<kinds::TileLevels>(executor, grid.tiles(), "tile levels");
+    signal_ = allocate<kinds::LatticeSignals>(executor, lattice_points(grid, Level::middle),
+                                              "lattice signal");
 }
 
 void AdaptiveSampling::sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
-                              TileGeometry& tiles, Buffer& irradiance, const Steps& steps) {
-    const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
+                              TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance,
+                              const Steps& steps) {
     double host_ms = 0.0;
     const auto round = [&](const auto& decide) {
         const Stopwatch watch;
@@ -92,7 +89,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
         if (any) run_round(frame, component, gbuffer, steps);
     };
     begin(frame);
-    write_buffer<std::uint32_t>(frame.executor, *pixel_slot_, no_slots_);
+    write_buffer(frame.executor, pixel_slot_, no_slots_);
     work_ = {};
     LevelSettings settings = settings_;
     if (frame.budget != nullptr) settings.threshold *= frame.budget->gain(component);
@@ -119,7 +116,6 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
         }
     }
     frame.add_host_stage(Stage::scheduling, component, host_ms);
-    frame.params.slots = slots_before;
 }
 
 void AdaptiveSampling::begin(const FrameContext& frame) {
@@ -140,8 +136,8 @@ bool AdaptiveSampling::take_round(FrameContext& frame, TileGeometry& tiles, cons
     work_.pixels.insert(work_.pixels.end(), round_.pixels.begin(), round_.pixels.end());
     work_.block_sets.insert(work_.block_sets.end(), round_.block_sets.begin(),
                             round_.block_sets.end());
-    write_buffer<std::uint32_t>(frame.executor, *slot_pixel_, work_.pixels);
-    write_buffer<std::uint32_t>(frame.executor, *block_set_, work_.block_sets);
+    write_buffer(frame.executor, slot_pixel_, work_.pixels);
+    write_buffer(frame.executor, block_set_, work_.block_sets);
     return true;
 }
 
@@ -151,34 +147,47 @@ void AdaptiveSampling::run_round(FrameContext& frame, const char* component, con
     const auto first = static_cast<std::uint32_t>(work_.pixels.size()) - count;
     // Also in a frame that ends early: reconstruction finds the samples by their pixels.
     frame.run_whole([&] {
-        frame.run(KernelId::receivers, Stage::receivers, component, false,
-                  with_gbuffer(gbuffer, {slot_pixel_.get(), view_inside(frame.buffers),
-                                         receivers_.get(), pixel_slot_.get()}),
-                  count, 0, first);
+        frame.run(Stage::receivers, component,
+                  kernels::receivers{.surfaces = view(gbuffer),
+                                     .slots = slots_,
+                                     .slot_pixel = slot_pixel_,
+                                     .view_inside = frame.buffers.view_inside(),
+                                     .receiver_planes = receivers_,
+                                     .pixel_slot = pixel_slot_},
+                  {.count = count, .first = first});
     });
     steps.gather(first, count);
 }
 
 std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const char* component,
                                                      const GBuffer& gbuffer, Level level,
-                                                     Buffer& irradiance) {
+                                                     BufferRef<kinds::SlotLight> irradiance) {
     const std::uint32_t points = lattice_points(grid_, level);
-    frame.params.list_stride = stride_of(level);
-    frame.run(KernelId::lattice_signal, Stage::heuristic, component, false,
-              with_gbuffer(gbuffer, {pixel_slot_.get(), &irradiance, signal_.get()}), points);
-    return read_buffer<shared::float4>(frame.executor, *signal_, points);
+    frame.run(Stage::heuristic, component,
+              kernels::lattice_signal{.surfaces = view(gbuffer),
+                                      .lattice_stride = stride_of(level),
+                                      .slots = slots_,
+                                      .pixel_slot = pixel_slot_,
+                                      .irradiance = irradiance,
+                                      .signal = signal_},
+              {points});
+    return read_buffer(frame.executor, signal_, points);
 }
 
 void AdaptiveSampling::reconstruct(FrameContext& frame, const char* component,
                                    const GBuffer& gbuffer, const TileGeometry& tiles,
-                                   Buffer& irradiance, Buffer& filtered) {
-    write_buffer<float>(frame.executor, *tile_height_, scheduler_->heights());
-    const std::uint32_t slots_before = std::exchange(frame.params.slots, slots_);
-    frame.run(KernelId::reconstruct_tiles, Stage::reconstruction, component, false,
-              with_gbuffer(gbuffer, {&tiles.buffer(), tile_height_.get(), pixel_slot_.get(),
-                                     &irradiance, &filtered}),
-              grid_.tiles());
-    frame.params.slots = slots_before;
+                                   BufferRef<kinds::SlotLight> irradiance,
+                                   BufferRef<kinds::ReconstructedLight> filtered) {
+    write_buffer(frame.executor, tile_height_, scheduler_->heights());
+    frame.run(Stage::reconstruction, component,
+              kernels::reconstruct_tiles{.surfaces = view(gbuffer),
+                                         .slots = slots_,
+                                         .tiles = tiles.buffer(),
+                                         .tile_height = tile_height_,
+                                         .pixel_slot = pixel_slot_,
+                                         .irradiance = irradiance,
+                                         .filtered = filtered},
+              {grid_.tiles()});
 }
 
 void AdaptiveSampling::add_layers(const std::string& component, Image& image) const {

@@ -26,7 +26,7 @@ class TileGeometry {
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
     [[nodiscard]] std::span<const shared::TileRecord> records() const { return records_; }
-    [[nodiscard]] Buffer& buffer() const { return *buffer_; }
+    [[nodiscard]] BufferRef<kinds::Tiles> buffer() const { return buffer_; }
 
     /// Pixels in the order of ordered_by_place. Components of a frame mostly begin with the same
     /// pixels: `masks`, those of `round`, are compared with what was ordered last.
@@ -35,7 +35,7 @@ class TileGeometry {
 
   private:
     TileGrid grid_;
-    std::unique_ptr<Buffer> buffer_;
+    DeviceBuffer<kinds::Tiles> buffer_;
     std::vector<shared::TileRecord> records_;
     std::vector<TileMask> ordered_masks_;
     WorkList ordered_;
@@ -63,19 +63,20 @@ class AdaptiveSampling : public SamplingDecision {
     [[nodiscard]] std::uint32_t slots() const { return slots_; }
     /// Whether pixels may go without samples.
     [[nodiscard]] bool undersamples() const { return settings_.threshold > 0.0; }
-    [[nodiscard]] Buffer& receivers() const { return *receivers_; }
-    [[nodiscard]] Buffer& block_set() const { return *block_set_; }
-    [[nodiscard]] Buffer& slot_pixel() const { return *slot_pixel_; }
-    [[nodiscard]] Buffer& pixel_slot() const { return *pixel_slot_; }
+    [[nodiscard]] BufferRef<kinds::ReceiverPlanes> receivers() const { return receivers_; }
+    [[nodiscard]] BufferRef<kinds::BlockSets> block_set() const { return block_set_; }
+    [[nodiscard]] BufferRef<kinds::SlotPixels> slot_pixel() const { return slot_pixel_; }
+    [[nodiscard]] BufferRef<kinds::PixelSlots> pixel_slot() const { return pixel_slot_; }
 
     /// All rounds of a frame: `irradiance` by slot of the surfaces of a G-buffer, whose tiles are
     /// `tiles`, made by `steps`.
     void sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
-                TileGeometry& tiles, Buffer& irradiance, const Steps& steps);
+                TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance, const Steps& steps);
 
     /// Irradiance by slot to irradiance of every pixel.
     void reconstruct(FrameContext& frame, const char* component, const GBuffer& gbuffer,
-                     const TileGeometry& tiles, Buffer& irradiance, Buffer& filtered);
+                     const TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance,
+                     BufferRef<kinds::ReconstructedLight> filtered);
 
     [[nodiscard]] LevelCounts counts() const override {
         return {scheduler_->tiles_by_level(), scheduler_->samples()};
@@ -96,7 +97,7 @@ class AdaptiveSampling : public SamplingDecision {
                    const Steps& steps);
     [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
                                                      const GBuffer& gbuffer, Level level,
-                                                     Buffer& irradiance);
+                                                     BufferRef<kinds::SlotLight> irradiance);
 
     TileGrid grid_;
     LevelSettings settings_;
@@ -104,8 +105,12 @@ class AdaptiveSampling : public SamplingDecision {
     LevelHysteresis memory_;
     LevelFade fade_;
     std::uint32_t slots_;
-    std::unique_ptr<Buffer> slot_pixel_, pixel_slot_, block_set_, receivers_;
-    std::unique_ptr<Buffer> tile_height_, signal_;
+    DeviceBuffer<kinds::SlotPixels> slot_pixel_;
+    DeviceBuffer<kinds::PixelSlots> pixel_slot_;
+    DeviceBuffer<kinds::BlockSets> block_set_;
+    DeviceBuffer<kinds::ReceiverPlanes> receivers_;
+    DeviceBuffer<kinds::TileLevels> tile_height_;
+    DeviceBuffer<kinds::LatticeSignals> signal_;
     std::vector<std::uint32_t> no_slots_;
     std::optional<LevelScheduler> scheduler_;
     WorkList round_;

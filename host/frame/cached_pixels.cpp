@@ -9,28 +9,35 @@ namespace weft {
 
 CachedPixels::CachedPixels(Executor& executor, std::uint32_t width, std::uint32_t height)
     : grid_{width, height},
-      irradiance_(executor.allocate(std::size_t{width} * height * sizeof(shared::float4),
-                                    "cached irradiance")),
-      missing_(executor.allocate(grid_.tiles() * sizeof(TileMask), "missing pixels")),
-      tile_boxes_(
-          executor.allocate(grid_.tiles() * 2 * sizeof(shared::float4), "bounds of tiles")) {}
+      irradiance_(allocate<kinds::ReconstructedLight>(executor, std::size_t{width} * height,
+                                                      "cached irradiance")),
+      missing_(allocate<kinds::MissingPixels>(executor, 2 * grid_.tiles(), "missing pixels")),
+      tile_boxes_(allocate<kinds::TileBounds>(executor, 2 * grid_.tiles(), "bounds of tiles")) {}
 
 void CachedPixels::begin(FrameContext& frame, const char* component) {
     frame.run_whole([&] {
-        frame.run(KernelId::cache_tiles, Stage::tile_bounds, component, false,
-                  with_gbuffer(frame.buffers.gbuffer,
-                               {tile_boxes_.get(), irradiance_.get(), missing_.get()}),
-                  grid_.tiles());
+        frame.run(Stage::tile_bounds, component,
+                  kernels::cache_tiles{.surfaces = view(frame.buffers.gbuffer),
+                                       .tile_boxes = tile_boxes_,
+                                       .filtered = irradiance_,
+                                       .missing = missing_},
+                  {grid_.tiles()});
     });
 }
 
 void CachedPixels::look_up(FrameContext& frame, const char* component, const RecordStore& store) {
-    frame.params.cache_records = store.count();
-    frame.run(KernelId::cache_lookup, Stage::cache_lookup, component, true,
-              with_gbuffer(frame.buffers.gbuffer,
-                           {tile_boxes_.get(), &store.records(), &store.boxes(), &store.used(),
-                            irradiance_.get(), missing_.get(), frame.buffers.counters.get()}),
-              grid_.tiles());
+    frame.run(Stage::cache_lookup, component,
+              kernels::cache_lookup{.scene = *frame.scene_buffers.traced,
+                                    .surfaces = view(frame.buffers.gbuffer),
+                                    .record_count = store.count(),
+                                    .tile_boxes = tile_boxes_,
+                                    .records = store.records(),
+                                    .boxes = store.boxes(),
+                                    .used = store.used(),
+                                    .filtered = irradiance_,
+                                    .missing = missing_,
+                                    .counters = frame.buffers.counters},
+              {grid_.tiles()});
 }
 
 std::vector<std::uint32_t> CachedPixels::picks(Executor& executor, std::uint32_t edge) const {

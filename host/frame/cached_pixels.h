@@ -4,7 +4,6 @@
 #define WEFT_FRAME_CACHED_PIXELS_H
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "frame/frame_context.h"
@@ -27,11 +26,13 @@ class CachedPixels {
     [[nodiscard]] std::vector<std::uint32_t> picks(Executor& executor, std::uint32_t edge) const;
 
     /// By pixel, float4: mean irradiance, and the weight of the records that gave it.
-    [[nodiscard]] Buffer& irradiance() const { return *irradiance_; }
+    [[nodiscard]] BufferRef<kinds::ReconstructedLight> irradiance() const { return irradiance_; }
 
   private:
     TileGrid grid_;
-    std::unique_ptr<Buffer> irradiance_, missing_, tile_boxes_;
+    DeviceBuffer<kinds::ReconstructedLight> irradiance_;
+    DeviceBuffer<kinds::MissingPixels> missing_;
+    DeviceBuffer<kinds::TileBounds> tile_boxes_;
 };
 
 /// Pixels in the order in which records of them are made fastest, in whole blocks.

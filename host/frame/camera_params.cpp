@@ -22,55 +22,58 @@ shared::float4 to_float4(const glm::dvec3& v) {
 
 }  // namespace
 
-shared::Params scene_params(const FlatScene& scene, const Camera& camera, std::uint32_t width,
-                            std::uint32_t height) {
-    shared::Params params{};
-    params.width = width;
-    params.height = height;
+shared::RenderParams scene_params(const FlatScene& scene, const Camera& camera, std::uint32_t width,
+                                  std::uint32_t height) {
+    shared::RenderParams params{};
+    params.camera.width = width;
+    params.camera.height = height;
     set_camera(camera, scene.units, params);
     set_scene(scene, params);
     return params;
 }
 
-void set_scene(const FlatScene& scene, shared::Params& params) {
-    params.environment = {scene.environment.r, scene.environment.g, scene.environment.b, 0.0F};
-    params.scene_centre = {0.0F, 0.0F, 0.0F, scene.radius};
-    params.extent = scene.extent;
-    params.lights = static_cast<std::uint32_t>(scene.lights.size());
-    params.sampled_lights = scene.area_lights;
-    params.delta_lights_first = scene.area_lights;
-    params.delta_lights = scene.punctual_lights;
-    params.directional_lights_first = scene.area_lights + scene.punctual_lights;
-    params.directional_lights = scene.directional_lights;
-    params.choice_lights = scene.area_lights + scene.punctual_lights + scene.directional_lights;
+void set_scene(const FlatScene& scene, shared::RenderParams& params) {
+    params.scene.environment = {scene.environment.r, scene.environment.g, scene.environment.b,
+                                0.0F};
+    params.scene.bounding_sphere = {0.0F, 0.0F, 0.0F, scene.radius};
+    params.scene.extent = scene.extent;
+    params.scene.lights = static_cast<std::uint32_t>(scene.lights.size());
+    params.scene.area_lights = scene.area_lights;
+    params.scene.delta_lights_first = scene.area_lights;
+    params.scene.delta_lights = scene.punctual_lights;
+    params.scene.directional_lights_first = scene.area_lights + scene.punctual_lights;
+    params.scene.directional_lights = scene.directional_lights;
+    params.scene.choice_lights =
+        scene.area_lights + scene.punctual_lights + scene.directional_lights;
 }
 
-void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params) {
+void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params) {
     const glm::dmat3 axes(camera.to_world);
     const glm::dvec3 forward = glm::normalize(-axes[2]);
     const glm::dvec3 right = glm::normalize(axes[0] - glm::dot(axes[0], forward) * forward);
     const glm::dvec3 up = glm::normalize(axes[1] - glm::dot(axes[1], forward) * forward -
                                          glm::dot(axes[1], right) * right);
-    const double aspect = static_cast<double>(params.width) / params.height;
+    const double aspect = static_cast<double>(params.camera.width) / params.camera.height;
     const double tangent = vertical_tangent(camera, aspect);
-    params.camera_origin = to_float4(units.point(glm::dvec3(camera.to_world[3])));
-    params.camera_forward = to_float4(forward);
-    params.camera_right = to_float4(right * tangent * aspect * (camera.mirror_x ? -1.0 : 1.0));
-    params.camera_up = to_float4(up * tangent);
-    params.pixel_angle = static_cast<float>(2.0 * tangent / params.height);
-    params.unit = static_cast<float>(units.scale);
+    params.camera.origin = to_float4(units.point(glm::dvec3(camera.to_world[3])));
+    params.camera.forward = to_float4(forward);
+    params.camera.right = to_float4(right * tangent * aspect * (camera.mirror_x ? -1.0 : 1.0));
+    params.camera.up = to_float4(up * tangent);
+    params.camera.pixel_angle = static_cast<float>(2.0 * tangent / params.camera.height);
+    params.scene.unit = static_cast<float>(units.scale);
 }
 
-void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::Params& params) {
-    params.jitter_x = 0.5F;
-    params.jitter_y = 0.5F;
+void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed,
+                shared::RenderParams& params) {
+    params.camera.jitter_x = 0.5F;
+    params.camera.jitter_y = 0.5F;
     if (single) return;
     const auto shifted = [&](std::uint32_t base, std::uint32_t axis) {
         const double x = shifted_halton(base, frame, shift_of(seed, axis));
         return std::min(static_cast<float>(x), 0.99999994F);
     };
-    params.jitter_x = shifted(2, 0);
-    params.jitter_y = shifted(3, 1);
+    params.camera.jitter_x = shifted(2, 0);
+    params.camera.jitter_y = shifted(3, 1);
 }
 
 Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::string& name,

@@ -14,18 +14,19 @@
 namespace weft {
 
 /// What every kernel is told of the scene and the camera, for a picture of that size.
-[[nodiscard]] shared::Params scene_params(const FlatScene& scene, const Camera& camera,
-                                          std::uint32_t width, std::uint32_t height);
+[[nodiscard]] shared::RenderParams scene_params(const FlatScene& scene, const Camera& camera,
+                                                std::uint32_t width, std::uint32_t height);
 
 /// Sets the fields of `params` that come from the scene alone.
-void set_scene(const FlatScene& scene, shared::Params& params);
+void set_scene(const FlatScene& scene, shared::RenderParams& params);
 
-/// Sets the camera fields of `params` for a picture of params.width x params.height square pixels.
-void set_camera(const Camera& camera, const KernelUnits& units, shared::Params& params);
+/// Sets the camera fields of `params` for a picture of params.camera.width x params.camera.height
+/// square pixels.
+void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params);
 
 /// Position of frame `frame` inside the pixel, in [0, 1)^2: the centre where only one frame is
 /// made, else points of a Halton sequence shifted by the seed, the same for all pixels.
-void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::Params& params);
+void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::RenderParams& params);
 
 /// The camera of that name; the first where `name` is empty. A scene without cameras gets one that
 /// frames its geometry, and a warning says so. Throws Error (exit code 1) that lists the names.

@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cmath>
-#include <utility>
 
 namespace weft {
 
@@ -23,45 +22,48 @@ std::vector<std::uint32_t> pixels_of(const TileGrid& grid, std::span<const TileM
 
 EdgeSamples::EdgeSamples(Executor& executor, std::uint32_t width, std::uint32_t height)
     : grid_{width, height},
-      masks_(executor.allocate(grid_.tiles() * sizeof(TileMask), "edge masks")),
-      list_(executor.allocate(std::size_t{width} * height * sizeof(std::uint32_t), "edge pixels")) {
-}
+      masks_(allocate<kinds::EdgeMasks>(executor, 2 * grid_.tiles(), "edge masks")),
+      list_(allocate<kinds::EdgePixels>(executor, std::size_t{width} * height, "edge pixels")) {}
 
 void EdgeSamples::find(FrameContext& frame) {
-    // The third buffer of the geometry is that of instances.
-    Buffer* const instances = frame.scene_buffers.geometry.at(2).get();
-    frame.run(KernelId::edge_masks, Stage::edge_detection, "", false,
-              with_gbuffer(frame.buffers, {instances, masks_.get()}), grid_.tiles());
-    const auto words =
-        read_buffer<std::uint32_t>(frame.executor, *masks_, std::size_t{2} * grid_.tiles());
+    frame.run(Stage::edge_detection, "",
+              kernels::edge_masks{.surfaces = view(frame.buffers.gbuffer),
+                                  .instances = frame.scene_buffers.geometry.instances,
+                                  .masks = masks_},
+              {grid_.tiles()});
+    const std::vector<std::uint32_t> words =
+        read_buffer(frame.executor, masks_, std::size_t{2} * grid_.tiles());
     std::vector<TileMask> masks;
     masks.reserve(grid_.tiles());
     for (std::size_t i = 0; i < words.size(); i += 2)
         masks.push_back(TileMask{words[i + 1]} << 32 | words[i]);
     const std::vector<std::uint32_t> pixels = pixels_of(grid_, masks);
     pixels_ = static_cast<std::uint32_t>(pixels.size());
-    write_buffer<std::uint32_t>(frame.executor, *list_, pixels);
+    write_buffer(frame.executor, list_, pixels);
 }
 
 void EdgeSamples::sample(FrameContext& frame) {
     const FrameBuffers& buffers = frame.buffers;
+    const shared::RenderParams& params = frame.params;
     // Rays that share a pixel share what a texture lookup covers.
-    const float share = std::sqrt(static_cast<float>(frame.params.edge_samples) + 1.0F);
-    const float whole_pixel =
-        std::exchange(frame.params.texture_angle, frame.params.texture_angle / share);
-    frame.params.list_length = pixels_;
+    const std::uint32_t samples = params.sampling.edge_samples;
+    const float share = std::sqrt(static_cast<float>(samples) + 1.0F);
     const std::uint32_t pixels_per_item =
-        shared::edge_pixels_of_item(frame.executor.lanes(), frame.params.edge_samples);
-    frame.run(
-        KernelId::edge_samples, Stage::edge_samples, "", true,
-        with_geometry(
-            frame.scene_buffers,
-            with_gbuffer(buffers,
-                         with_irradiance(
-                             buffers, {list_.get(), buffers.film_high.get(), buffers.film_low.get(),
-                                       buffers.nonfinite.get(), buffers.counters.get()}))),
-        (pixels_ + pixels_per_item - 1) / pixels_per_item);
-    frame.params.texture_angle = whole_pixel;
+        shared::edge_pixels_of_item(frame.executor.lanes(), samples);
+    frame.run(Stage::edge_samples, "",
+              kernels::edge_samples{.scene = *frame.scene_buffers.traced,
+                                    .geometry = view(frame.scene_buffers.geometry),
+                                    .surfaces = view(buffers.gbuffer),
+                                    .composed = buffers.composed(),
+                                    .edge_pixel_count = pixels_,
+                                    .texture_angle = params.camera.texture_angle / share,
+                                    .slots = buffers.slots,
+                                    .edge_pixels = list_,
+                                    .film_high = buffers.film_high,
+                                    .film_low = buffers.film_low,
+                                    .nonfinite = buffers.nonfinite,
+                                    .counters = buffers.counters},
+              {(pixels_ + pixels_per_item - 1) / pixels_per_item});
 }
 
 }  // namespace weft

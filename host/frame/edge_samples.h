@@ -29,13 +29,14 @@ class EdgeSamples {
     void sample(FrameContext& frame);
 
     /// Bits of the edge pixels by tile, for compose.cl.
-    [[nodiscard]] Buffer& masks() const { return *masks_; }
+    [[nodiscard]] BufferRef<kinds::EdgeMasks> masks() const { return masks_; }
     /// Edge pixels of the last frame.
     [[nodiscard]] std::uint32_t pixels() const { return pixels_; }
 
   private:
     TileGrid grid_;
-    std::unique_ptr<Buffer> masks_, list_;
+    DeviceBuffer<kinds::EdgeMasks> masks_;
+    DeviceBuffer<kinds::EdgePixels> list_;
     std::uint32_t pixels_ = 0;
 };
 

@@ -26,44 +26,43 @@ TracedGeometry traced_geometry(const FlatScene& flat) {
 }
 
 void upload_lights(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
-    scene.lights = upload<shared::LightRecord>(executor, flat.lights, "lights");
-    scene.emissive = upload<shared::EmissiveTriangle>(executor, flat.emissive, "emitters");
+    scene.light_table.lights = upload<kinds::Lights>(executor, flat.lights, "lights");
+    scene.light_table.emissive =
+        upload<kinds::EmissiveTriangles>(executor, flat.emissive, "emitters");
 }
 
 }  // namespace
 
 SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
     SceneBuffers scene;
-    const auto add = [&]<class T>(const std::vector<T>& values, const char* what) {
-        scene.geometry.push_back(upload<T>(executor, values, what));
-    };
-    add(flat.positions, "vertex positions");
-    add(flat.triangles, "triangles");
-    add(flat.instances, "instances");
-    add(flat.materials, "materials");
-    add(flat.normals, "vertex normals");
-    add(flat.texture_coordinates, "texture coordinates");
-    add(flat.vertex_colours, "vertex colours");
-    add(flat.textures, "texture table");
-    add(flat.texels, "texels");
-    add(srgb_table(), "sRGB table");
+    owned::Geometry& to = scene.geometry;
+    to.positions = upload<kinds::VertexPositions>(executor, flat.positions, "vertex positions");
+    to.triangle_list = upload<kinds::Triangles>(executor, flat.triangles, "triangles");
+    to.instances = upload<kinds::Instances>(executor, flat.instances, "instances");
+    to.materials = upload<kinds::Materials>(executor, flat.materials, "materials");
+    to.normals = upload<kinds::VertexNormals>(executor, flat.normals, "vertex normals");
+    to.texture_coordinates = upload<kinds::TextureCoordinates>(executor, flat.texture_coordinates,
+                                                               "texture coordinates");
+    to.vertex_colours =
+        upload<kinds::VertexColours>(executor, flat.vertex_colours, "vertex colours");
+    to.textures = upload<kinds::Textures>(executor, flat.textures, "texture table");
+    to.texels = upload<kinds::Texels>(executor, flat.texels, "texels");
+    to.srgb_table = upload<kinds::SrgbTable>(executor, srgb_table(), "sRGB table");
     upload_lights(executor, flat, scene);
     scene.traced = executor.make_scene(traced_geometry(flat));
     return scene;
 }
 
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
-    const auto write = [&]<class T>(std::size_t buffer, const std::vector<T>& values) {
-        write_buffer<T>(executor, *scene.geometry[buffer], values);
-    };
+    const owned::Geometry& to = scene.geometry;
     if (flat.first_moving_triangle < flat.triangles.size()) {
-        write(0, flat.positions);
-        write(1, flat.triangles);
-        write(4, flat.normals);
+        write_buffer(executor, to.positions, flat.positions);
+        write_buffer(executor, to.triangle_list, flat.triangles);
+        write_buffer(executor, to.normals, flat.normals);
         executor.update_scene(*scene.traced, traced_geometry(flat));
     }
-    write(2, flat.instances);
-    write(3, flat.materials);
+    write_buffer(executor, to.instances, flat.instances);
+    write_buffer(executor, to.materials, flat.materials);
     upload_lights(executor, flat, scene);
 }
 
@@ -79,9 +78,12 @@ std::size_t receiver_planes(std::uint32_t features) {
 
 GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of) {
     GBuffer gbuffer;
-    gbuffer.push_back(executor.allocate(2 * pixels * sizeof(std::uint32_t), of));
-    while (gbuffer.size() < gbuffer_buffers)
-        gbuffer.push_back(executor.allocate(pixels * sizeof(shared::float4), of));
+    gbuffer.gb_ids = allocate<kinds::SurfaceIds>(executor, 2 * pixels, of);
+    gbuffer.gb_position = allocate<kinds::SurfacePositions>(executor, pixels, of);
+    gbuffer.gb_normal = allocate<kinds::SurfaceNormals>(executor, pixels, of);
+    gbuffer.gb_shading = allocate<kinds::SurfaceShadingNormals>(executor, pixels, of);
+    gbuffer.gb_albedo = allocate<kinds::SurfaceAlbedo>(executor, pixels, of);
+    gbuffer.gb_emission = allocate<kinds::SurfaceEmission>(executor, pixels, of);
     return gbuffer;
 }
 
@@ -90,65 +92,86 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
                             bool tiles) {
     FrameBuffers frame = allocate_counters(executor);
     const std::size_t pixels = std::size_t{width} * height;
+    const std::size_t film_values = film_planes(features) * FILM_STRIDE(pixels);
     frame.slots = static_cast<std::uint32_t>(work.pixels.size());
-    const auto floats = [&](std::size_t count, const char* what) {
-        return executor.allocate(count * sizeof(float), what);
-    };
     frame.gbuffer = allocate_gbuffer(executor, pixels, "G-buffer");
-    frame.nothing = floats(4, "a dummy buffer");
-    frame.slot_pixel = upload<std::uint32_t>(executor, work.pixels, "work list");
-    frame.block_set = upload<std::uint32_t>(executor, work.block_sets, "sample sets");
-    frame.pixel_slot = floats(pixels, "pixel slots");
-    frame.receivers = floats(receiver_planes(features) * frame.slots, "receivers");
+    frame.slot_pixel = upload<kinds::SlotPixels>(executor, work.pixels, "work list");
+    frame.block_set = upload<kinds::BlockSets>(executor, work.block_sets, "sample sets");
+    frame.pixel_slot = allocate<kinds::PixelSlots>(executor, pixels, "pixel slots");
+    frame.receivers = allocate<kinds::ReceiverPlanes>(
+        executor, receiver_planes(features) * frame.slots, "receivers");
     if (tiles) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
     if (plan.edge_samples > 0) frame.edges = std::make_unique<EdgeSamples>(executor, width, height);
-    frame.film_high = floats(film_planes(features) * FILM_STRIDE(pixels), "film");
-    frame.film_low = floats(film_planes(features) * FILM_STRIDE(pixels), "film");
+    frame.film_high = allocate<kinds::FilmHigh>(executor, film_values, "film");
+    frame.film_low = allocate<kinds::FilmLow>(executor, film_values, "film");
     if (plan.light_sample_count() > 0)
         frame.light_samples =
-            executor.allocate(plan.light_sample_count() * sizeof(shared::Vpl), "light samples");
+            allocate<kinds::VirtualLights>(executor, plan.light_sample_count(), "light samples");
     if (plan.has_vpls())
-        frame.vpls = executor.allocate(
-            std::size_t{plan.sets} * plan.vpls_per_set * sizeof(shared::Vpl), "VPLs");
+        frame.vpls = allocate<kinds::VirtualLights>(
+            executor, std::size_t{plan.sets} * plan.vpls_per_set, "VPLs");
     return frame;
 }
 
 FrameBuffers allocate_counters(Executor& executor) {
     FrameBuffers frame;
-    frame.counters = executor.allocate(counter_slots * sizeof(shared::RayCounter), "counters");
-    frame.nonfinite = executor.allocate(sizeof(shared::NonfiniteCounter), "counters");
-    clear_nonfinite(executor, *frame.nonfinite);
+    frame.counters = allocate<kinds::RayCounters>(executor, counter_slots, "counters");
+    frame.nonfinite = allocate<kinds::NonfiniteCounters>(executor, 1, "counters");
+    clear_nonfinite(executor, frame.nonfinite);
     return frame;
 }
 
-void clear_nonfinite(Executor& executor, Buffer& counter) {
+groups::MediaTables FrameBuffers::media() const {
+    static const owned::MediaTables none;
+    return view(view_media ? view_media->media() : none);
+}
+
+BufferRef<kinds::EnclosingMedia> FrameBuffers::view_inside() const {
+    if (!view_media) return {};
+    return view_media->inside();
+}
+
+groups::ComposedLight FrameBuffers::composed() const {
+    BufferRef<kinds::Transmittances> left;
+    BufferRef<kinds::MediaEmission> glow;
+    if (view_media) {
+        left = view_media->left();
+        glow = view_media->glow();
+    }
+    return {.pixel_slot = pixel_slot,
+            .direct = irradiance.direct,
+            .exact_irradiance = irradiance.exact_direct,
+            .indirect = irradiance.indirect,
+            .view_left = left,
+            .view_glow = glow,
+            .media_light = irradiance.media};
+}
+
+void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter) {
     shared::NonfiniteCounter clear{};
     for (auto& first : clear.first_pixel) first = NO_TRIANGLE;
     write_buffer(executor, counter, std::span<const shared::NonfiniteCounter>(&clear, 1));
 }
 
-void FrameContext::run(KernelId kernel, Stage stage, const char* component, bool traces,
-                       const std::vector<Buffer*>& arguments, std::uint32_t items,
-                       std::uint32_t items_per_launch, std::uint32_t first_item) {
-    if (items == 0 || (ended_early_ && !finishing_)) return;
+void FrameContext::run_bound(KernelId kernel, Stage stage, const char* component,
+                             const ArgumentBinder& arguments, const Items& items) {
     if (uncounted_.size() == counter_slots) count();
     if (uncounted_.empty()) {
         const std::vector<shared::RayCounter> zero(counter_slots);
-        write_buffer<shared::RayCounter>(executor, *buffers.counters, zero);
+        write_buffer(executor, buffers.counters, zero);
     }
-    params.counter = static_cast<std::uint32_t>(uncounted_.size());
+    const auto counter = static_cast<std::uint32_t>(uncounted_.size());
     uncounted_.push_back(stages_.size());
     stages_.push_back({stage, component, 0.0, 0, 0});
-    const TracedScene* const scene_of_stage =
-        other_scene != nullptr ? other_scene : scene_buffers.traced.get();
     const Launch launch{kernel,
                         params,
-                        traces ? scene_of_stage : nullptr,
-                        arguments,
-                        items,
-                        items_per_launch,
-                        first_item,
-                        &stages_.back().ms};
+                        arguments.scene(),
+                        arguments.arguments(),
+                        items.count,
+                        {.items_per_launch = items.per_launch,
+                         .first_item = items.first,
+                         .counter = counter,
+                         .milliseconds = &stages_.back().ms}};
     const bool complete = executor.run(launch, [&](double done) {
         return finishing_ || !keep_going_ || keep_going_(stage, done);
     });
@@ -176,47 +199,13 @@ const std::deque<StageStats>& FrameContext::stages() {
 
 void FrameContext::count() {
     if (uncounted_.empty()) return;
-    const auto counters =
-        read_buffer<shared::RayCounter>(executor, *buffers.counters, uncounted_.size());
+    const auto counters = read_buffer(executor, buffers.counters, uncounted_.size());
     for (std::size_t slot = 0; slot < uncounted_.size(); ++slot) {
         StageStats& stage = stages_[uncounted_[slot]];
         stage.rays = std::uint64_t{counters[slot].rays_high} << 32 | counters[slot].rays_low;
         stage.misses = counters[slot].misses;
     }
     uncounted_.clear();
-}
-
-std::vector<Buffer*> with_geometry(const SceneBuffers& scene, const std::vector<Buffer*>& others) {
-    std::vector<Buffer*> all;
-    for (const auto& buffer : scene.geometry) all.push_back(buffer.get());
-    all.insert(all.end(), others.begin(), others.end());
-    return all;
-}
-
-std::vector<Buffer*> with_gbuffer(const GBuffer& gbuffer, const std::vector<Buffer*>& others) {
-    std::vector<Buffer*> all;
-    for (const auto& buffer : gbuffer) all.push_back(buffer.get());
-    all.insert(all.end(), others.begin(), others.end());
-    return all;
-}
-
-std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame, const std::vector<Buffer*>& others) {
-    return with_gbuffer(frame.gbuffer, others);
-}
-
-std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
-                                     const std::vector<Buffer*>& others) {
-    const ComposedIrradiance& irradiance = frame.irradiance;
-    const ViewMedia* const media = frame.view_media.get();
-    std::vector<Buffer*> all{frame.pixel_slot.get(),
-                             frame.or_nothing(irradiance.direct),
-                             frame.or_nothing(irradiance.exact_direct),
-                             frame.or_nothing(irradiance.indirect),
-                             frame.or_nothing(media != nullptr ? &media->left() : nullptr),
-                             frame.or_nothing(media != nullptr ? media->glow() : nullptr),
-                             frame.or_nothing(irradiance.media)};
-    all.insert(all.end(), others.begin(), others.end());
-    return all;
 }
 
 }  // namespace weft

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "device/executor.h"
+#include "device/launch.h"
 #include "frame/stage.h"
 #include "scene/flat_scene.h"
 #include "schedule/frame_budget.h"
@@ -19,12 +20,19 @@
 
 namespace weft {
 
-/// The scene on the device; the order of `geometry` is that of GEOMETRY_ARGS.
+/// The scene on the device.
 struct SceneBuffers {
-    std::vector<std::unique_ptr<Buffer>> geometry;
-    std::unique_ptr<Buffer> lights;
-    std::unique_ptr<Buffer> emissive;
+    owned::Geometry geometry;
+    owned::LightTable light_table;
     std::unique_ptr<TracedScene> traced;
+
+    /// What kernels know of area lights, whose points lie on triangles of the geometry.
+    [[nodiscard]] groups::AreaLights area_lights() const {
+        return {.lights = light_table.lights,
+                .emissive = light_table.emissive,
+                .positions = geometry.positions,
+                .triangle_list = geometry.triangle_list};
+    }
 };
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
@@ -36,31 +44,35 @@ class EdgeSamples;
 class TileGeometry;
 class ViewMedia;
 
-/// Buffers in the order of GBUFFER_ARGS.
-using GBuffer = std::vector<std::unique_ptr<Buffer>>;
+/// What primary rays, or view rays through media, have found (kernels/gbuffer.h).
+using GBuffer = owned::SeenSurfaces;
 
 /// The irradiance that composition adds up: buffers of the components, null where there is none.
 struct ComposedIrradiance {
-    Buffer* direct = nullptr;        ///< by pixel, float4
-    Buffer* exact_direct = nullptr;  ///< by slot of all pixels, three planes
-    Buffer* indirect = nullptr;      ///< by pixel, float4
-    Buffer* media = nullptr;         ///< by pixel, float4: radiance that media scatter to it
+    BufferRef<kinds::ReconstructedLight> direct;
+    BufferRef<kinds::SlotLight> exact_direct;  ///< of the slots of all pixels
+    BufferRef<kinds::ReconstructedLight> indirect;
+    BufferRef<kinds::ReconstructedLight> media;  ///< radiance that media scatter to each pixel
 };
 
-/// What all stages and components of a frame share; the order of `gbuffer` is that of GBUFFER_ARGS.
-/// Buffers that the plan does not call for are null.
+/// What all stages and components of a frame share. Buffers that the plan does not call for are
+/// null.
 struct FrameBuffers {
     GBuffer gbuffer;
-    std::unique_ptr<Buffer> slot_pixel, pixel_slot, block_set, receivers;
-    std::unique_ptr<Buffer> film_high, film_low;
-    std::unique_ptr<TileGeometry> tiles;    ///< where a component adapts
-    std::unique_ptr<EdgeSamples> edges;     ///< where the plan has edge samples
-    std::unique_ptr<ViewMedia> view_media;  ///< where light goes through media
-    std::unique_ptr<Buffer> light_samples;  ///< points on lights, of all sets
-    std::unique_ptr<Buffer> vpls;           ///< of indirect light, of all sets
+    DeviceBuffer<kinds::SlotPixels> slot_pixel;
+    DeviceBuffer<kinds::PixelSlots> pixel_slot;
+    DeviceBuffer<kinds::BlockSets> block_set;
+    DeviceBuffer<kinds::ReceiverPlanes> receivers;
+    DeviceBuffer<kinds::FilmHigh> film_high;
+    DeviceBuffer<kinds::FilmLow> film_low;
+    std::unique_ptr<TileGeometry> tiles;               ///< where a component adapts
+    std::unique_ptr<EdgeSamples> edges;                ///< where the plan has edge samples
+    std::unique_ptr<ViewMedia> view_media;             ///< where light goes through media
+    DeviceBuffer<kinds::VirtualLights> light_samples;  ///< points on lights, of all sets
+    DeviceBuffer<kinds::VirtualLights> vpls;           ///< of indirect light, of all sets
     ComposedIrradiance irradiance;
-    std::unique_ptr<Buffer> counters, nonfinite;
-    std::unique_ptr<Buffer> nothing;  ///< stands in for buffers that the plan does not call for
+    DeviceBuffer<kinds::RayCounters> counters;
+    DeviceBuffer<kinds::NonfiniteCounters> nonfinite;
     std::uint32_t slots = 0;
 
     FrameBuffers();
@@ -68,22 +80,13 @@ struct FrameBuffers {
     FrameBuffers& operator=(FrameBuffers&&) noexcept;
     ~FrameBuffers();
 
-    /// The buffer, or `nothing`.
-    [[nodiscard]] Buffer* or_nothing(Buffer* buffer) const {
-        return buffer != nullptr ? buffer : nothing.get();
-    }
-    [[nodiscard]] Buffer* or_nothing(const std::unique_ptr<Buffer>& buffer) const {
-        return or_nothing(buffer.get());
-    }
+    /// The media of the scene; none of the buffers where it has none.
+    [[nodiscard]] groups::MediaTables media() const;
+    /// Boundaries of media around what each pixel shows; null where there are none.
+    [[nodiscard]] BufferRef<kinds::EnclosingMedia> view_inside() const;
+    /// What composition adds up.
+    [[nodiscard]] groups::ComposedLight composed() const;
 };
-
-/// Places in a GBuffer, and how many there are.
-inline constexpr std::size_t gbuffer_ids = 0;
-inline constexpr std::size_t gbuffer_position = 1;
-inline constexpr std::size_t gbuffer_shading = 3;
-inline constexpr std::size_t gbuffer_albedo = 4;
-inline constexpr std::size_t gbuffer_emission = 5;
-inline constexpr std::size_t gbuffer_buffers = 6;
 
 /// A G-buffer of that many pixels; `of` says of what.
 [[nodiscard]] GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of);
@@ -101,7 +104,7 @@ inline constexpr std::size_t gbuffer_buffers = 6;
 [[nodiscard]] FrameBuffers allocate_counters(Executor& executor);
 
 /// Sets the counters of values that were not finite to none.
-void clear_nonfinite(Executor& executor, Buffer& counter);
+void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter);
 
 /// What one stage of a frame took.
 struct StageStats {
@@ -127,7 +130,7 @@ struct FrameInputs {
 /// One frame under way: where components find what they need and launch their stages.
 class FrameContext : public FrameInputs {
   public:
-    FrameContext(const FrameInputs& inputs, const shared::Params& frame_params,
+    FrameContext(const FrameInputs& inputs, const shared::RenderParams& frame_params,
                  const KeepGoing& keep_going)
         : FrameInputs(inputs), params(frame_params), keep_going_(keep_going) {}
     FrameContext(const FrameContext&) = delete;
@@ -135,11 +138,22 @@ class FrameContext : public FrameInputs {
     /// Waits for what still runs.
     ~FrameContext();
 
-    /// Runs one kernel as a stage and records its time and rays. After an early end nothing heavy
-    /// runs any more. `arguments` follow Params (and the scene where `traces`).
-    void run(KernelId kernel, Stage stage, const char* component, bool traces,
-             const std::vector<Buffer*>& arguments, std::uint32_t items,
-             std::uint32_t items_per_launch = 0, std::uint32_t first_item = 0);
+    /// How a stage's work-items are divided.
+    struct Items {
+        std::uint32_t count;
+        std::uint32_t per_launch = 0;  ///< 0: the kernel's own chunk
+        std::uint32_t first = 0;
+    };
+
+    /// Runs one kernel as a stage of a component and records its time and rays. After an early end
+    /// nothing heavy runs any more. `arguments` is a struct of weft::kernels.
+    template <class Kernel>
+    void run(Stage stage, const char* component, const Kernel& arguments, const Items& items) {
+        if (items.count == 0 || (ended_early_ && !finishing_)) return;
+        ArgumentBinder binder(Kernel::id);
+        arguments.bind_to(binder);
+        run_bound(Kernel::id, stage, component, binder, items);
+    }
 
     /// Runs `stages` to their end whatever keep_going says: what later stages must find defined.
     template <class Stages>
@@ -155,19 +169,24 @@ class FrameContext : public FrameInputs {
     /// Records work of the host between stages.
     void add_host_stage(Stage stage, const char* component, double ms);
 
-    shared::Params params;
+    /// Pixels of the image.
+    [[nodiscard]] std::uint32_t pixels() const noexcept {
+        return params.camera.width * params.camera.height;
+    }
+
+    const shared::RenderParams params;
 
     /// What a frame is the first of.
     enum class Begins : std::uint8_t { nothing, picture, sequence };
     /// A sequence's first frame remembers nothing; a picture's first takes over what the pictures
     /// before it said.
     Begins begins = Begins::sequence;
-    /// Where given, stages trace in this and not in the scene.
-    const TracedScene* other_scene = nullptr;
     /// Where given, its gains scale the thresholds of adaptive components.
     const FrameBudget* budget = nullptr;
 
   private:
+    void run_bound(KernelId kernel, Stage stage, const char* component,
+                   const ArgumentBinder& arguments, const Items& items);
     /// Reads the counters of the stages that have not been read.
     void count();
 
@@ -177,20 +196,6 @@ class FrameContext : public FrameInputs {
     bool ended_early_ = false;
     bool finishing_ = false;
 };
-
-/// The buffers of GEOMETRY_ARGS, followed by others.
-[[nodiscard]] std::vector<Buffer*> with_geometry(const SceneBuffers& scene,
-                                                 const std::vector<Buffer*>& others);
-
-/// The buffers of a G-buffer, by default the frame's own, followed by others.
-[[nodiscard]] std::vector<Buffer*> with_gbuffer(const GBuffer& gbuffer,
-                                                const std::vector<Buffer*>& others);
-[[nodiscard]] std::vector<Buffer*> with_gbuffer(const FrameBuffers& frame,
-                                                const std::vector<Buffer*>& others);
-
-/// The buffers of IRRADIANCE_ARGS, followed by others.
-[[nodiscard]] std::vector<Buffer*> with_irradiance(const FrameBuffers& frame,
-                                                   const std::vector<Buffer*>& others);
 
 }  // namespace weft
 

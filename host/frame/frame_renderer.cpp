@@ -10,11 +10,10 @@ FrameStats frame_stats(FrameContext& frame, const Stopwatch& watch) {
     stats.ms = watch.total();
     stats.stages.assign(stages.begin(), stages.end());
     for (const StageStats& stage : stats.stages) stats.rays += stage.rays;
-    const auto counters =
-        read_buffer<shared::NonfiniteCounter>(frame.executor, *frame.buffers.nonfinite, 1).front();
+    const auto counters = read_buffer(frame.executor, frame.buffers.nonfinite, 1).front();
     for (std::size_t c = 0; c < stats.nonfinite.size(); ++c)
         stats.nonfinite[c] = {counters.count[c], counters.first_pixel[c]};
-    clear_nonfinite(frame.executor, *frame.buffers.nonfinite);
+    clear_nonfinite(frame.executor, frame.buffers.nonfinite);
     return stats;
 }
 

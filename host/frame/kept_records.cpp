@@ -27,6 +27,15 @@ std::uint32_t vpls_of(const FramePlan& plan) {
     return plan.sets * plan.vpls_per_set;
 }
 
+/// How the records of a pool gather the VPLs of a frame after that motion, or for the first time.
+shared::RecordUpdate update_of(const FramePlan& plan, const RecordPool& pool,
+                               const SceneMotion* motion) {
+    return {.vpls = vpls_of(plan),
+            .roulette = static_cast<float>(plan.cache_roulette),
+            .mask_words = pool.words(),
+            .moved_boxes = motion != nullptr ? motion->box_count() : 0};
+}
+
 template <class T>
 bool same_bits(const T& a, const T& b) {
     return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -35,37 +44,41 @@ bool same_bits(const T& a, const T& b) {
 }  // namespace
 
 void place_records(FrameContext& frame, const char* component, const RecordPool& pool,
-                   std::uint32_t first, Buffer& pixel_slot) {
-    const std::uint32_t slots_before = std::exchange(frame.params.slots, pool.room());
-    frame.run(KernelId::receivers, Stage::receivers, component, false,
-              with_gbuffer(frame.buffers.gbuffer, {&pool.slot_pixel(), view_inside(frame.buffers),
-                                                   &pool.receivers(), &pixel_slot}),
-              pool.slots() - first, 0, first);
-    frame.params.slots = slots_before;
+                   std::uint32_t first, BufferRef<kinds::PixelSlots> pixel_slot) {
+    frame.run(Stage::receivers, component,
+              kernels::receivers{.surfaces = view(frame.buffers.gbuffer),
+                                 .slots = pool.room(),
+                                 .slot_pixel = pool.slot_pixel(),
+                                 .view_inside = frame.buffers.view_inside(),
+                                 .receiver_planes = pool.receivers(),
+                                 .pixel_slot = pixel_slot},
+              {.count = pool.slots() - first, .first = first});
 }
 
 void gather_records(FrameContext& frame, const char* component, Stage stage, const RecordPool& pool,
                     std::uint32_t first, const SceneMotion* motion) {
-    const shared::Params before = frame.params;
-    frame.params.slots = pool.room();
-    frame.params.list_first = 0;
-    frame.params.list_length = vpls_of(frame.plan);
-    frame.params.roulette = static_cast<float>(frame.plan.cache_roulette);
-    frame.params.cache_words = pool.words();
-    frame.params.moved_boxes = motion != nullptr ? motion->box_count() : 0;
-    std::vector<Buffer*> arguments = with_media(frame.buffers, {});
-    for (Buffer* const buffer :
-         with_gbuffer(frame.buffers.gbuffer,
-                      {&pool.receivers(), &pool.slot_pixel(), frame.buffers.vpls.get(),
-                       motion != nullptr ? &motion->boxes() : frame.buffers.nothing.get(),
-                       &pool.packet_states(), &pool.doubts(), &pool.seen(), &pool.planes(),
-                       frame.buffers.counters.get()}))
-        arguments.push_back(buffer);
     const std::uint32_t lanes = frame.executor.lanes();
-    frame.run(KernelId::cache_records, stage, component, true, arguments,
-              (pool.slots() - first) / lanes,
-              gather_items_per_launch(frame.executor, frame.params.list_length), first / lanes);
-    frame.params = before;
+    const shared::RecordUpdate update = update_of(frame.plan, pool, motion);
+    frame.run(
+        stage, component,
+        kernels::cache_records{
+            .scene = *frame.scene_buffers.traced,
+            .media_tables = frame.buffers.media(),
+            .surfaces = view(frame.buffers.gbuffer),
+            .update = update,
+            .slots = pool.room(),
+            .receiver_planes = pool.receivers(),
+            .slot_pixel = pool.slot_pixel(),
+            .vpls = frame.buffers.vpls,
+            .moved_boxes = motion != nullptr ? motion->boxes() : BufferRef<kinds::MovedBounds>(),
+            .states = pool.packet_states(),
+            .doubts = pool.doubts(),
+            .seen = pool.seen(),
+            .records = pool.planes(),
+            .counters = frame.buffers.counters},
+        {.count = (pool.slots() - first) / lanes,
+         .per_launch = gather_items_per_launch(frame.executor, update.vpls),
+         .first = first / lanes});
 }
 
 KeptRecords::KeptRecords(Executor& executor, const FramePlan& plan, RecordPool& pool)
@@ -114,20 +127,22 @@ void KeptRecords::follow_changes(FrameContext& frame, const char* component) {
 
 void KeptRecords::update_records(FrameContext& frame, const char* component) {
     if (pool_.slots() == 0) return;
-    const shared::Params before = frame.params;
-    frame.params.slots = pool_.room();
-    frame.params.list_length = vpls_of(plan_);
-    frame.params.cache_words = pool_.words();
-    frame.params.moved_boxes = motion_.box_count();
-    frame.other_scene = &motion_.traced();
     const std::uint32_t lanes = frame.executor.lanes();
-    frame.run(
-        KernelId::cache_doubts, Stage::record_invalidation, component, true,
-        {&pool_.receivers(), &pool_.planes(), frame.buffers.vpls.get(), &paths_.changes(),
-         &motion_.boxes(), &pool_.doubts(), &pool_.packet_states(), frame.buffers.counters.get()},
-        pool_.slots() / lanes, gather_items_per_launch(frame.executor, frame.params.list_length));
-    frame.other_scene = nullptr;
-    frame.params = before;
+    const shared::RecordUpdate update = update_of(plan_, pool_, &motion_);
+    frame.run(Stage::record_invalidation, component,
+              kernels::cache_doubts{.scene = motion_.traced(),
+                                    .update = update,
+                                    .slots = pool_.room(),
+                                    .receiver_planes = pool_.receivers(),
+                                    .records = pool_.planes(),
+                                    .vpls = frame.buffers.vpls,
+                                    .vpl_changes = paths_.changes(),
+                                    .moved_boxes = motion_.boxes(),
+                                    .doubts = pool_.doubts(),
+                                    .states = pool_.packet_states(),
+                                    .counters = frame.buffers.counters},
+              {.count = pool_.slots() / lanes,
+               .per_launch = gather_items_per_launch(frame.executor, update.vpls)});
     gather_records(frame, component, Stage::record_updates, pool_, 0, &motion_);
     if (frame.ended_early()) return;
     store_is_old_ = true;
@@ -207,7 +222,7 @@ void KeptRecords::add(FrameContext& frame, const RecordPool::Contents& made,
                       std::span<const std::uint32_t> pixels, std::uint32_t first) {
     slots_.resize(pool_.slots());
     frame.executor.with_mapped(
-        *frame.buffers.gbuffer[gbuffer_ids], Access::read, [&](std::span<std::byte> bytes) {
+        *frame.buffers.gbuffer.gb_ids, Access::read, [&](std::span<std::byte> bytes) {
             const std::span ids(reinterpret_cast<const std::uint32_t*>(bytes.data()),
                                 bytes.size() / sizeof(std::uint32_t));
             for (const std::uint32_t slot : made.slots)
@@ -244,9 +259,8 @@ void KeptRecords::audit(FrameContext& frame, const char* component) {
     const std::uint32_t updated = stats_.updated;
     stats_.traced = pool_.count_doubts();
     const RecordPool::Contents followed = pool_.read(0);
-    const auto vpls = read_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, vpls_of(plan_));
-    const auto changes =
-        read_buffer<std::uint32_t>(frame.executor, paths_.changes(), vpls_of(plan_));
+    const auto vpls = read_buffer(frame.executor, frame.buffers.vpls, vpls_of(plan_));
+    const auto changes = read_buffer(frame.executor, paths_.changes(), vpls_of(plan_));
     stats_.affected = affected_connections(followed.records, vpls, changes, motion_.triangles());
     motion_.doubt_everything(frame.executor);
     paths_.walk(frame, component, motion_, false);
@@ -254,8 +268,7 @@ void KeptRecords::audit(FrameContext& frame, const char* component) {
     update_records(frame, component);
     if (frame.ended_early()) return;
     const RecordPool::Contents anew = pool_.read(0);
-    const auto vpls_anew =
-        read_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, vpls_of(plan_));
+    const auto vpls_anew = read_buffer(frame.executor, frame.buffers.vpls, vpls_of(plan_));
     for (std::size_t i = 0; i < vpls.size(); ++i)
         stats_.differing += same_bits(vpls[i], vpls_anew[i]) ? 0 : 1;
     for (std::size_t i = 0; i < anew.records.size(); ++i)

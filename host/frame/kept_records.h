@@ -18,12 +18,12 @@ namespace weft {
 
 /// Fills the receivers of a pool's slots from `first` on with the surfaces of their pixels.
 void place_records(FrameContext& frame, const char* component, const RecordPool& pool,
-                   std::uint32_t first, Buffer& pixel_slot);
+                   std::uint32_t first, BufferRef<kinds::PixelSlots> pixel_slot);
 
 /// Gathers VPLs into the records of the slots from `first` on, as their states have it. `motion`:
 /// what has moved, where any of them may have been computed before.
-void gather_records(FrameContext& frame, const char* component, Stage stage,
-                    const RecordPool& pool, std::uint32_t first, const SceneMotion* motion);
+void gather_records(FrameContext& frame, const char* component, Stage stage, const RecordPool& pool,
+                    std::uint32_t first, const SceneMotion* motion);
 
 /// Temporal Instant Caching (Debattista et al. 2009): records and VPLs outlast their frame, and
 /// only light paths that a change has invalidated are computed again. Those are the segments of

@@ -3,24 +3,15 @@
 #ifndef WEFT_FRAME_MEDIA_BUFFERS_H
 #define WEFT_FRAME_MEDIA_BUFFERS_H
 
-#include <memory>
-#include <vector>
-
-#include "device/executor.h"
+#include "device/launch.h"
 #include "scene/flat_media.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
 
-/// Participating media on the device; the order of `all`, and of `grids` behind it, is that of
-/// MEDIA_ARGS. Empty for scenes without any, and `grids` for scenes without density grids.
-struct MediaBuffers {
-    std::vector<std::unique_ptr<Buffer>> all;
-    std::vector<std::unique_ptr<Buffer>> grids;
-
-    /// The buffers, followed by others.
-    [[nodiscard]] std::vector<Buffer*> followed_by(const std::vector<Buffer*>& others) const;
-};
+/// Participating media on the device: none of the buffers for scenes without any, and none of the
+/// last three for scenes without density grids.
+using MediaBuffers = owned::MediaTables;
 
 /// Uploads the media, with a tree of their boundaries. The camera is in none until
 /// set_media_camera.

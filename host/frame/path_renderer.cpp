@@ -73,7 +73,8 @@ std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
 
-std::string picture_identity(const FlatScene& scene, const shared::Params& params) {
+std::string picture_identity(const FlatScene& scene, const shared::RenderParams& params,
+                             const shared::PathParams& path_params) {
     Digest digest;
     const auto add = [&]<class T>(const std::vector<T>& values) {
         digest.add(std::span<const T>(values));
@@ -97,10 +98,12 @@ std::string picture_identity(const FlatScene& scene, const shared::Params& param
         add(scene.media.grids.densities);
         digest.add(std::span<const shared::MediaRecord>(&scene.media.space, 1));
     }
-    shared::Params constant = params;
-    constant.frame = 0;
-    constant.samples = 0;
-    digest.add(std::span<const shared::Params>(&constant, 1));
+    shared::RenderParams constant = params;
+    constant.sampling.sample = 0;
+    digest.add(std::span<const shared::RenderParams>(&constant, 1));
+    shared::PathParams of_all_launches = path_params;
+    of_all_launches.samples = 0;
+    digest.add(std::span<const shared::PathParams>(&of_all_launches, 1));
     return fmt::format("{:016x}", digest.value());
 }
 
@@ -110,8 +113,8 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     const std::uint32_t features = path_features(scene, settings);
     params_ = scene_params(scene, camera, settings.width, settings.height);
     params_.features = features;
-    params_.seed = settings.seed;
-    params_.through_centres = settings.through_centres ? 1 : 0;
+    params_.sampling.seed = settings.seed;
+    path_params_.through_centres = settings.through_centres ? 1 : 0;
     film_.width = settings.width;
     film_.height = settings.height;
     film_.depth_unit = scene.units.scale;
@@ -136,7 +139,7 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     scene_buffers_ = upload_scene(executor_, scene);
     media_ = upload_media(executor_, scene.media);
     set_media_camera(executor_, scene, camera, media_);
-    sums_ = upload<std::uint32_t>(executor_, sums.words, "film");
+    sums_ = upload<kinds::FilmSums>(executor_, sums.words, "film");
     buffers_ = allocate_counters(executor_);
 }
 
@@ -146,13 +149,13 @@ KernelId PathRenderer::kernel() const noexcept {
 
 void PathRenderer::identify() {
     // Previews average textures over a pixel; here the samples do, unless all are at the centre.
-    params_.texture_angle = settings_.through_centres ? params_.pixel_angle : 0.0F;
-    film_.picture = picture_identity(scene_, params_);
+    params_.camera.texture_angle = settings_.through_centres ? params_.camera.pixel_angle : 0.0F;
+    film_.picture = picture_identity(scene_, params_, path_params_);
 }
 
 void PathRenderer::scale_light() {
     film_.light_exponent = light_exponent(scene_);
-    params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
+    path_params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
 }
 
 void PathRenderer::update_scene() {
@@ -170,7 +173,7 @@ void PathRenderer::set_camera(const Camera& camera) {
     ++picture_;
     const std::vector<std::uint32_t> zeros(
         std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height, 0);
-    write_buffer<std::uint32_t>(executor_, *sums_, zeros);
+    write_buffer(executor_, sums_, zeros);
 }
 
 std::uint32_t PathRenderer::frame_samples() const noexcept {
@@ -185,8 +188,8 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
     if (count == 0) return false;
     const Stopwatch watch;
     const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
-    params_.frame = next_;
-    params_.samples = count;
+    params_.sampling.sample = next_;
+    path_params_.samples = count;
     bool wanted = true;
     // Asked all the same, so that progress is seen.
     const KeepGoing listen = [&](Stage stage, double done) {
@@ -196,13 +199,29 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
     FrameContext frame(inputs, params_, listen);
     // Launches of few samples at a time: a work-item of many would hold up everything else.
     constexpr std::uint32_t items = 1U << 14;
-    std::vector<Buffer*> arguments =
-        with_geometry(scene_buffers_, {scene_buffers_.lights.get(), scene_buffers_.emissive.get()});
-    for (Buffer* const buffer :
-         media_.followed_by({sums_.get(), buffers_.counters.get(), buffers_.nonfinite.get()}))
-        arguments.push_back(buffer);
-    frame.run(kernel(), Stage::paths, "", true, arguments, settings_.width * settings_.height,
-              std::max(64U, items / count));
+    const FrameContext::Items all{.count = frame.pixels(),
+                                  .per_launch = std::max(64U, items / count)};
+    if (scene_.media.present())
+        frame.run(Stage::paths, "",
+                  kernels::path_media{.scene = *scene_buffers_.traced,
+                                      .geometry = view(scene_buffers_.geometry),
+                                      .light_table = view(scene_buffers_.light_table),
+                                      .media_tables = view(media_),
+                                      .path_params = path_params_,
+                                      .film_sums = sums_,
+                                      .counters = buffers_.counters,
+                                      .nonfinite = buffers_.nonfinite},
+                  all);
+    else
+        frame.run(Stage::paths, "",
+                  kernels::path{.scene = *scene_buffers_.traced,
+                                .geometry = view(scene_buffers_.geometry),
+                                .light_table = view(scene_buffers_.light_table),
+                                .path_params = path_params_,
+                                .film_sums = sums_,
+                                .counters = buffers_.counters,
+                                .nonfinite = buffers_.nonfinite},
+                  all);
     stats_.push_back(frame_stats(frame, watch));
     stats_.back().picture = picture_;
     std::vector<SampleRange> ranges = film_.ranges;
@@ -215,8 +234,8 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
 
 FilmSums PathRenderer::sums() {
     FilmSums sums = film_;
-    sums.words = read_buffer<std::uint32_t>(
-        executor_, *sums_, std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height);
+    sums.words =
+        read_buffer(executor_, sums_, std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height);
     return sums;
 }
 

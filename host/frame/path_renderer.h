@@ -73,8 +73,9 @@ class PathRenderer : public FrameRenderer {
     SceneBuffers scene_buffers_;
     MediaBuffers media_;
     FrameBuffers buffers_;
-    std::unique_ptr<Buffer> sums_;
-    shared::Params params_{};
+    DeviceBuffer<kinds::FilmSums> sums_;
+    shared::RenderParams params_{};
+    shared::PathParams path_params_{};
     FilmSums film_;  ///< without words: they are on the device
     std::vector<FrameStats> stats_;
     std::uint32_t next_;
@@ -83,7 +84,9 @@ class PathRenderer : public FrameRenderer {
 };
 
 /// What identifies the picture that samples belong to: a text of everything that changes them.
-[[nodiscard]] std::string picture_identity(const FlatScene& scene, const shared::Params& params);
+[[nodiscard]] std::string picture_identity(const FlatScene& scene,
+                                           const shared::RenderParams& params,
+                                           const shared::PathParams& path_params);
 
 /// FEATURE_* of path tracing.
 [[nodiscard]] std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings);

@@ -56,25 +56,28 @@ std::size_t RecordPool::bytes_per_record() const {
 
 void RecordPool::allocate(std::uint32_t room) {
     room_ = room;
-    const auto words = [&](std::size_t count, const char* what) {
-        return executor_.allocate(std::max<std::size_t>(count, 4) * sizeof(std::uint32_t), what);
-    };
-    receivers_ = words(std::size_t{room} * receiver_planes_, "receivers of records");
-    slot_pixel_ = words(room, "places of records");
-    planes_ = words(std::size_t{room} * RECORD_PLANES, "new records");
-    states_ = words(settings_.temporal ? packets(room) : 0, "states of records");
-    doubts_ = words(std::size_t{packets(room)} * words_, "doubts of records");
-    seen_ = words(std::size_t{packets(room)} * words_, "what records see");
+    // Buffers without a use are small, not empty.
+    constexpr std::size_t least = 4;
+    const std::size_t slots = room;
+    const std::size_t states = settings_.temporal ? packets(room) : 0;
+    const std::size_t mask_words = std::max(least, std::size_t{packets(room)} * words_);
+    receivers_ = weft::allocate<kinds::ReceiverPlanes>(executor_, slots * receiver_planes_,
+                                                       "receivers of records");
+    slot_pixel_ = weft::allocate<kinds::SlotPixels>(executor_, slots, "places of records");
+    planes_ = weft::allocate<kinds::RecordPlanes>(executor_, slots * RECORD_PLANES, "new records");
+    states_ = weft::allocate<kinds::PacketStates>(executor_, std::max(least, states),
+                                                  "states of records");
+    doubts_ = weft::allocate<kinds::InvalidConnections>(executor_, mask_words, "doubts of records");
+    seen_ = weft::allocate<kinds::VisibleConnections>(executor_, mask_words, "what records see");
 }
 
 void RecordPool::make_room(std::uint32_t slots) {
     if (slots <= room_) return;
     const std::uint32_t before = room_;
     const auto receivers =
-        read_buffer<float>(executor_, *receivers_, std::size_t{before} * receiver_planes_);
+        read_buffer(executor_, receivers_, std::size_t{before} * receiver_planes_);
     const auto planes = read_planes();
-    const auto seen =
-        read_buffer<std::uint32_t>(executor_, *seen_, std::size_t{packets(slots_)} * words_);
+    const auto seen = read_buffer(executor_, seen_, std::size_t{packets(slots_)} * words_);
     allocate(std::max(slots, 2 * before));
     const auto spread = [&](const std::vector<float>& values, std::uint32_t count) {
         std::vector<float> wider(std::size_t{room_} * count);
@@ -83,9 +86,9 @@ void RecordPool::make_room(std::uint32_t slots) {
                         wider.begin() + static_cast<std::ptrdiff_t>(plane * room_));
         return wider;
     };
-    write_buffer<float>(executor_, *receivers_, spread(receivers, receiver_planes_));
-    write_buffer<float>(executor_, *planes_, spread(planes, RECORD_PLANES));
-    write_buffer<std::uint32_t>(executor_, *seen_, seen);
+    write_buffer(executor_, receivers_, spread(receivers, receiver_planes_));
+    write_buffer(executor_, planes_, spread(planes, RECORD_PLANES));
+    write_buffer(executor_, seen_, seen);
 }
 
 std::uint32_t RecordPool::append(std::span<const std::uint32_t> pixels) {
@@ -95,23 +98,22 @@ std::uint32_t RecordPool::append(std::span<const std::uint32_t> pixels) {
     pixels_.insert(pixels_.end(), pixels.begin(), pixels.end());
     pixels_.resize(first + whole_blocks(pixels.size()), NO_TRIANGLE);
     slots_ = static_cast<std::uint32_t>(pixels_.size());
-    write_buffer<std::uint32_t>(executor_, *slot_pixel_, pixels_);
+    write_buffer(executor_, slot_pixel_, pixels_);
     return first;
 }
 
 void RecordPool::set_states(std::uint32_t state) {
     if (!settings_.temporal) return;
     const std::vector<std::uint32_t> all(packets(slots_), state);
-    write_buffer<std::uint32_t>(executor_, *states_, all);
+    write_buffer(executor_, states_, all);
 }
 
 std::vector<std::uint32_t> RecordPool::states() {
-    return read_buffer<std::uint32_t>(executor_, *states_, packets(slots_));
+    return read_buffer(executor_, states_, packets(slots_));
 }
 
 std::uint64_t RecordPool::count_doubts() {
-    const auto words =
-        read_buffer<std::uint32_t>(executor_, *doubts_, std::size_t{packets(slots_)} * words_);
+    const auto words = read_buffer(executor_, doubts_, std::size_t{packets(slots_)} * words_);
     const std::vector<std::uint32_t> of_packets = states();
     std::uint64_t count = 0;
     for (std::size_t packet = 0; packet < of_packets.size(); ++packet) {
@@ -123,13 +125,12 @@ std::uint64_t RecordPool::count_doubts() {
 }
 
 std::vector<float> RecordPool::read_planes() {
-    return read_buffer<float>(executor_, *planes_, std::size_t{room_} * RECORD_PLANES);
+    return read_buffer(executor_, planes_, std::size_t{room_} * RECORD_PLANES);
 }
 
 RecordPool::Contents RecordPool::read(std::uint32_t first) {
     const auto values = read_planes();
-    const auto places =
-        read_buffer<float>(executor_, *receivers_, std::size_t{room_} * receiver_planes_);
+    const auto places = read_buffer(executor_, receivers_, std::size_t{room_} * receiver_planes_);
     Contents contents;
     for (std::uint32_t slot = first; slot < slots_; ++slot) {
         const auto plane = [&](std::size_t i) { return values[i * room_ + slot]; };
@@ -170,35 +171,34 @@ RecordPool::Contents RecordPool::read(std::uint32_t first) {
 
 void RecordPool::invalidate(std::span<const std::uint32_t> slots) {
     if (slots.empty()) return;
-    auto receivers =
-        read_buffer<float>(executor_, *receivers_, std::size_t{room_} * receiver_planes_);
+    auto receivers = read_buffer(executor_, receivers_, std::size_t{room_} * receiver_planes_);
     for (const std::uint32_t slot : slots)
         receivers[std::size_t{RECEIVER_VALID} * room_ + slot] = 0.0F;
-    write_buffer<float>(executor_, *receivers_, receivers);
+    write_buffer(executor_, receivers_, receivers);
 }
 
 void RecordPool::keep(std::span<const std::uint32_t> slots) {
-    const auto pick = [&](Buffer& buffer, std::uint32_t count) {
-        const auto values = read_buffer<float>(executor_, buffer, std::size_t{room_} * count);
+    const auto pick = [&](const auto& buffer, std::uint32_t count) {
+        const auto values = read_buffer(executor_, buffer, std::size_t{room_} * count);
         std::vector<float> kept(values.size(), 0.0F);
         for (std::size_t plane = 0; plane < count; ++plane)
             for (std::size_t i = 0; i < slots.size(); ++i)
                 kept[plane * room_ + i] = values[plane * room_ + slots[i]];
-        write_buffer<float>(executor_, buffer, kept);
+        write_buffer(executor_, buffer, kept);
     };
-    pick(*receivers_, receiver_planes_);
-    pick(*planes_, RECORD_PLANES);
+    pick(receivers_, receiver_planes_);
+    pick(planes_, RECORD_PLANES);
     if (words_ > 0) {
         const MaskLayout layout{lanes_, words_, settings_.mask_vpls};
         const std::size_t count = std::size_t{packets(slots_)} * words_;
-        const auto seen = read_buffer<std::uint32_t>(executor_, *seen_, count);
+        const auto seen = read_buffer(executor_, seen_, count);
         std::vector<std::uint32_t> kept(count, 0);
         for (std::uint32_t i = 0; i < slots.size(); ++i)
             for (std::uint32_t vpl = 0; vpl < settings_.mask_vpls; ++vpl)
                 kept[layout.word(i, vpl)] |=
                     (seen[layout.word(slots[i], vpl)] >> layout.bit(slots[i], vpl) & 1U)
                     << layout.bit(i, vpl);
-        write_buffer<std::uint32_t>(executor_, *seen_, kept);
+        write_buffer(executor_, seen_, kept);
     }
     slots_ = whole_blocks(slots.size());
     pixels_.assign(slots_, NO_TRIANGLE);

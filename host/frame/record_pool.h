@@ -4,11 +4,10 @@
 #define WEFT_FRAME_RECORD_POOL_H
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "device/executor.h"
+#include "device/device_buffer.h"
 
 namespace weft {
 
@@ -57,12 +56,12 @@ class RecordPool {
     /// Keeps the records in these slots alone, in this order.
     void keep(std::span<const std::uint32_t> slots);
 
-    [[nodiscard]] Buffer& receivers() const { return *receivers_; }
-    [[nodiscard]] Buffer& slot_pixel() const { return *slot_pixel_; }
-    [[nodiscard]] Buffer& planes() const { return *planes_; }
-    [[nodiscard]] Buffer& packet_states() const { return *states_; }
-    [[nodiscard]] Buffer& doubts() const { return *doubts_; }
-    [[nodiscard]] Buffer& seen() const { return *seen_; }
+    [[nodiscard]] BufferRef<kinds::ReceiverPlanes> receivers() const { return receivers_; }
+    [[nodiscard]] BufferRef<kinds::SlotPixels> slot_pixel() const { return slot_pixel_; }
+    [[nodiscard]] BufferRef<kinds::RecordPlanes> planes() const { return planes_; }
+    [[nodiscard]] BufferRef<kinds::PacketStates> packet_states() const { return states_; }
+    [[nodiscard]] BufferRef<kinds::InvalidConnections> doubts() const { return doubts_; }
+    [[nodiscard]] BufferRef<kinds::VisibleConnections> seen() const { return seen_; }
 
   private:
     void make_room(std::uint32_t slots);
@@ -75,7 +74,12 @@ class RecordPool {
     std::uint32_t slots_ = 0;
     std::uint32_t room_ = 0;
     std::vector<std::uint32_t> pixels_;
-    std::unique_ptr<Buffer> receivers_, slot_pixel_, planes_, states_, doubts_, seen_;
+    DeviceBuffer<kinds::ReceiverPlanes> receivers_;
+    DeviceBuffer<kinds::SlotPixels> slot_pixel_;
+    DeviceBuffer<kinds::RecordPlanes> planes_;
+    DeviceBuffer<kinds::PacketStates> states_;
+    DeviceBuffer<kinds::InvalidConnections> doubts_;
+    DeviceBuffer<kinds::VisibleConnections> seen_;
 };
 
 }  // namespace weft

@@ -64,23 +64,23 @@ RecordStore::RecordStore(Executor& executor) {
 }
 
 void RecordStore::set(Executor& executor, std::span<const shared::CacheRecord> records) {
-    if (records_ == nullptr || records.size() > room_) {
+    if (!records_ || records.size() > room_) {
         room_ = std::max({least_room, records.size(), 2 * room_});
-        records_ = executor.allocate(room_ * sizeof(shared::CacheRecord), "irradiance records");
-        used_ = executor.allocate(room_ * sizeof(std::uint32_t), "used irradiance records");
+        records_ = allocate<kinds::Records>(executor, room_, "irradiance records");
+        used_ = allocate<kinds::RecordsUsed>(executor, room_, "used irradiance records");
         const std::size_t groups = room_ / CACHE_GROUP + room_ / (CACHE_GROUP * CACHE_GROUP) + 2;
         boxes_ =
-            executor.allocate(groups * 2 * sizeof(shared::float4), "bounds of irradiance records");
+            allocate<kinds::RecordBounds>(executor, groups * 2, "bounds of irradiance records");
     }
     const std::vector<std::uint32_t> unused(records.size(), 0);
-    write_buffer<std::uint32_t>(executor, *used_, unused);
+    write_buffer(executor, used_, unused);
     count_ = static_cast<std::uint32_t>(records.size());
-    write_buffer<shared::CacheRecord>(executor, *records_, records);
-    write_buffer<shared::float4>(executor, *boxes_, record_boxes(records));
+    write_buffer(executor, records_, records);
+    write_buffer(executor, boxes_, record_boxes(records));
 }
 
 std::vector<std::uint32_t> RecordStore::read_used(Executor& executor) const {
-    return read_buffer<std::uint32_t>(executor, *used_, count_);
+    return read_buffer(executor, used_, count_);
 }
 
 }  // namespace weft

@@ -4,11 +4,10 @@
 #define WEFT_FRAME_RECORD_STORE_H
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "device/executor.h"
+#include "device/device_buffer.h"
 
 namespace weft {
 
@@ -23,15 +22,17 @@ class RecordStore {
     void set(Executor& executor, std::span<const shared::CacheRecord> records);
 
     [[nodiscard]] std::uint32_t count() const { return count_; }
-    [[nodiscard]] Buffer& records() const { return *records_; }
+    [[nodiscard]] BufferRef<kinds::Records> records() const { return records_; }
     /// By record, 1 where a lookup has used it since the records were set.
-    [[nodiscard]] Buffer& used() const { return *used_; }
+    [[nodiscard]] BufferRef<kinds::RecordsUsed> used() const { return used_; }
     [[nodiscard]] std::vector<std::uint32_t> read_used(Executor& executor) const;
     /// Pairs of float4: of the groups of groups, then of the groups.
-    [[nodiscard]] Buffer& boxes() const { return *boxes_; }
+    [[nodiscard]] BufferRef<kinds::RecordBounds> boxes() const { return boxes_; }
 
   private:
-    std::unique_ptr<Buffer> records_, boxes_, used_;
+    DeviceBuffer<kinds::Records> records_;
+    DeviceBuffer<kinds::RecordBounds> boxes_;
+    DeviceBuffer<kinds::RecordsUsed> used_;
     std::size_t room_ = 0;  ///< records that the buffers hold
     std::uint32_t count_ = 0;
 };

@@ -13,7 +13,7 @@ namespace weft {
 
 /// The weight with which a record serves the place of another, as kernels/cache_lookup.cl has it
 /// for surfaces with their shading normals; 0 where it would ask by a ray whether it sees it.
-/// `error` is Params::cache_error.
+/// `error` is SamplingParams::record_error.
 [[nodiscard]] double certain_weight(const shared::CacheRecord& record,
                                     const shared::CacheRecord& place, double error);
 

@@ -30,8 +30,8 @@ std::uint32_t pixel_runs(std::uint32_t width, std::uint32_t height, std::uint32_
 }
 
 /// Angle that a texture lookup covers: that of a pixel, less where samples share it.
-float texture_angle(const shared::Params& params, const RenderSettings& settings) {
-    return static_cast<float>(static_cast<double>(params.pixel_angle) /
+float texture_angle(const shared::RenderParams& params, const RenderSettings& settings) {
+    return static_cast<float>(static_cast<double>(params.camera.pixel_angle) /
                               std::sqrt(std::max(1U, settings.samples)));
 }
 
@@ -142,31 +142,31 @@ void Renderer::set_up() {
 
 void Renderer::set_params(std::uint32_t features) {
     base_params_ = scene_params(scene_, camera_, settings_.width, settings_.height);
-    shared::Params& params = base_params_;
-    params.texture_angle = texture_angle(params, settings_);
-    params.gather_scale = static_cast<float>(plan_.gather_sets);
-    params.filter_cosine = static_cast<float>(settings_.sampling.filter_cosine);
-    params.filter_planes = static_cast<float>(settings_.sampling.filter_planes);
-    params.enough_support = static_cast<float>(settings_.sampling.enough_support);
+    shared::RenderParams& params = base_params_;
     params.features = features;
-    params.interleave = plan_.interleave;
-    params.seed = settings_.seed;
-    params.slots = buffers_.slots;
-    params.sets = plan_.sets;
-    params.gather_sets = plan_.gather_sets;
-    params.samples_per_light = plan_.samples_per_light;
-    params.samples_per_set = plan_.samples_per_set;
-    params.environment_samples = plan_.environment_samples;
-    params.paths_per_set = plan_.paths_per_set;
-    params.vpls_per_set = plan_.vpls_per_set;
-    params.bounces = plan_.bounces;
-    std::copy(plan_.survivors.begin(), plan_.survivors.end(), params.survivors);
-    std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), params.first_vpl);
-    params.filter_radius = plan_.filter_radius;
-    params.cache_error = static_cast<float>(plan_.cache_error);
-    params.edge_samples = plan_.edge_samples;
-    params.delta_lights = plan_.punctual_lights;
-    params.directional_lights = plan_.directional_lights;
+    params.camera.texture_angle = texture_angle(params, settings_);
+    params.scene.delta_lights = plan_.punctual_lights;
+    params.scene.directional_lights = plan_.directional_lights;
+    params.filter = {.radius = plan_.filter_radius,
+                     .cosine = static_cast<float>(settings_.sampling.filter_cosine),
+                     .planes = static_cast<float>(settings_.sampling.filter_planes),
+                     .enough_support = static_cast<float>(settings_.sampling.enough_support)};
+    shared::SamplingParams& sampling = params.sampling;
+    sampling.lights.per_light = plan_.samples_per_light;
+    sampling.lights.per_set = plan_.samples_per_set;
+    sampling.seed = settings_.seed;
+    sampling.sets = plan_.sets;
+    sampling.gather_sets = plan_.gather_sets;
+    sampling.interleave = plan_.interleave;
+    sampling.gather_scale = static_cast<float>(plan_.gather_sets);
+    sampling.environment_samples = plan_.environment_samples;
+    sampling.paths_per_set = plan_.paths_per_set;
+    sampling.vpls_per_set = plan_.vpls_per_set;
+    sampling.bounces = plan_.bounces;
+    std::copy(plan_.survivors.begin(), plan_.survivors.end(), sampling.survivors);
+    std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), sampling.first_vpl);
+    sampling.edge_samples = plan_.edge_samples;
+    sampling.record_error = static_cast<float>(plan_.cache_error);
 }
 
 void Renderer::set_camera(const Camera& camera) {
@@ -188,45 +188,61 @@ void Renderer::move_camera(const Camera& camera) {
     camera_ = camera;
     weft::set_camera(camera, scene_.units, base_params_);
     if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
-    base_params_.texture_angle = texture_angle(base_params_, settings_);
+    base_params_.camera.texture_angle = texture_angle(base_params_, settings_);
     frames_in_film_ = 0;
     ++picture_;
 }
 
-shared::Params Renderer::params_of_frame(std::uint32_t frame) const {
-    shared::Params params = base_params_;
-    params.frame = frame;
-    params.film_starts = frame == 0 ? 1 : 0;
+shared::RenderParams Renderer::params_of_frame(std::uint32_t frame) const {
+    shared::RenderParams params = base_params_;
+    shared::SamplingParams& sampling = params.sampling;
+    sampling.sample = frame;
     // 4 and n^2 are coprime for odd n: in n^2 frames a pixel meets every set.
-    params.set_rotation = frame * 4 % plan_.gather_sets;
+    sampling.set_rotation = frame * 4 % plan_.gather_sets;
     const double growth = bound_growth(frame);
-    params.vpl_bound = static_cast<float>(plan_.vpl_bound * growth);
-    params.light_bound_scale = static_cast<float>(plan_.light_bound_scale * growth);
+    sampling.vpl_bound = static_cast<float>(plan_.vpl_bound * growth);
+    sampling.lights.bound_scale = static_cast<float>(plan_.light_bound_scale * growth);
     set_jitter(frame, settings_.samples <= 1, settings_.seed, params);
     return params;
 }
 
 void Renderer::trace_primary(FrameContext& frame) {
-    frame.run(KernelId::gbuffer, Stage::primary_rays, "", true,
-              with_geometry(scene_buffers_, with_gbuffer(buffers_, {})),
-              pixel_blocks(settings_.width, settings_.height, executor_.lanes()));
+    const GBuffer& gbuffer = buffers_.gbuffer;
+    frame.run(Stage::primary_rays, "",
+              kernels::gbuffer{.scene = *scene_buffers_.traced,
+                               .geometry = view(scene_buffers_.geometry),
+                               .gb_ids = gbuffer.gb_ids,
+                               .gb_position = gbuffer.gb_position,
+                               .gb_normal = gbuffer.gb_normal,
+                               .gb_shading = gbuffer.gb_shading,
+                               .gb_albedo = gbuffer.gb_albedo,
+                               .gb_emission = gbuffer.gb_emission},
+              {pixel_blocks(settings_.width, settings_.height, executor_.lanes())});
     if (buffers_.view_media) buffers_.view_media->find(frame);
     if (all_receivers_)
-        frame.run(KernelId::receivers, Stage::receivers, "", false,
-                  with_gbuffer(buffers_, {buffers_.slot_pixel.get(), view_inside(buffers_),
-                                          buffers_.receivers.get(), buffers_.pixel_slot.get()}),
-                  buffers_.slots);
+        frame.run(Stage::receivers, "",
+                  kernels::receivers{.surfaces = view(gbuffer),
+                                     .slots = buffers_.slots,
+                                     .slot_pixel = buffers_.slot_pixel,
+                                     .view_inside = buffers_.view_inside(),
+                                     .receiver_planes = buffers_.receivers,
+                                     .pixel_slot = buffers_.pixel_slot},
+                  {buffers_.slots});
     if (buffers_.tiles) buffers_.tiles->examine(frame, buffers_.gbuffer);
 }
 
 void Renderer::compose(FrameContext& frame) {
     if (buffers_.edges) buffers_.edges->find(frame);
-    Buffer* const masks = buffers_.edges ? &buffers_.edges->masks() : buffers_.nothing.get();
-    frame.run(KernelId::compose, Stage::composition, "", false,
-              with_gbuffer(buffers_, with_irradiance(buffers_, {buffers_.film_high.get(),
-                                                                buffers_.film_low.get(),
-                                                                buffers_.nonfinite.get(), masks})),
-              pixel_runs(settings_.width, settings_.height, executor_.lanes()));
+    frame.run(Stage::composition, "",
+              kernels::compose{.surfaces = view(buffers_.gbuffer),
+                               .composed = buffers_.composed(),
+                               .slots = buffers_.slots,
+                               .film_high = buffers_.film_high,
+                               .film_low = buffers_.film_low,
+                               .nonfinite = buffers_.nonfinite,
+                               .edge_masks = buffers_.edges ? buffers_.edges->masks()
+                                                            : BufferRef<kinds::EdgeMasks>()},
+              {pixel_runs(settings_.width, settings_.height, executor_.lanes())});
     if (buffers_.edges) buffers_.edges->sample(frame);
 }
 
@@ -281,9 +297,8 @@ void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
 Image Renderer::image() {
     const std::size_t values = film_planes(base_params_.features) *
                                FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
-    const auto high = read_buffer<float>(executor_, *buffers_.film_high, values);
-    const auto low =
-        read_buffer<float>(executor_, *buffers_.film_low, frames_in_film_ > 1 ? values : 0);
+    const auto high = read_buffer(executor_, buffers_.film_high, values);
+    const auto low = read_buffer(executor_, buffers_.film_low, frames_in_film_ > 1 ? values : 0);
     Image image = resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
     for (const ActiveComponent& active : components_) {
         active.component->add_layers(image);

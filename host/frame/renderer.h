@@ -75,7 +75,7 @@ class Renderer : public FrameRenderer {
     void record(FrameContext& frame, const Stopwatch& watch);
     /// Of the last frame.
     [[nodiscard]] std::vector<ThresholdScope> threshold_scopes() const;
-    [[nodiscard]] shared::Params params_of_frame(std::uint32_t frame) const;
+    [[nodiscard]] shared::RenderParams params_of_frame(std::uint32_t frame) const;
 
     Executor& executor_;
     const FlatScene& scene_;
@@ -87,7 +87,7 @@ class Renderer : public FrameRenderer {
     FrameBuffers buffers_;
     std::vector<ActiveComponent> components_;
     bool all_receivers_ = true;  ///< whether a frame runs receivers.cl over its whole work list
-    shared::Params base_params_{};
+    shared::RenderParams base_params_{};
     std::vector<FrameStats> stats_;
     std::uint32_t frames_in_film_ = 0;
     std::uint32_t picture_ = 0;

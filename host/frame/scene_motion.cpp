@@ -140,7 +140,7 @@ void SceneMotion::upload(Executor& executor) {
                                    .triangles = triangles_,
                                    .box_padding = std::max(before_.extent, 0.0F) * tree_padding,
                                    .passing = true});
-    boxes_ = weft::upload<shared::float4>(executor, corners_, "boxes of what has moved");
+    boxes_ = weft::upload<kinds::MovedBounds>(executor, corners_, "boxes of what has moved");
     box_count_ = static_cast<std::uint32_t>(corners_.size() / 2);
 }
 

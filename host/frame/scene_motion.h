@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "device/executor.h"
+#include "device/device_buffer.h"
 #include "frame/record_audit.h"
 #include "scene/flat_scene.h"
 
@@ -37,7 +37,7 @@ class SceneMotion {
     [[nodiscard]] const TracedScene& traced() const { return *traced_; }
     [[nodiscard]] TriangleSoup triangles() const { return {positions_, triangles_}; }
     /// Boxes about each of them at both places (kernels/moved.h), and how many there are.
-    [[nodiscard]] Buffer& boxes() const { return *boxes_; }
+    [[nodiscard]] BufferRef<kinds::MovedBounds> boxes() const { return boxes_; }
     [[nodiscard]] std::uint32_t box_count() const { return box_count_; }
 
   private:
@@ -64,7 +64,7 @@ class SceneMotion {
     std::vector<shared::Triangle> triangles_;
     std::vector<shared::float4> corners_;
     std::unique_ptr<TracedScene> traced_;
-    std::unique_ptr<Buffer> boxes_;
+    DeviceBuffer<kinds::MovedBounds> boxes_;
     std::uint32_t box_count_ = 0;
 };
 

@@ -3,9 +3,6 @@
 #ifndef WEFT_FRAME_VIEW_MEDIA_H
 #define WEFT_FRAME_VIEW_MEDIA_H
 
-#include <memory>
-#include <vector>
-
 #include "frame/frame_context.h"
 #include "frame/media_buffers.h"
 
@@ -25,27 +22,22 @@ class ViewMedia {
 
     [[nodiscard]] const MediaBuffers& media() const { return media_; }
     /// By pixel, float4: what media leave of light from the end of its view ray.
-    [[nodiscard]] Buffer& left() const { return *left_; }
+    [[nodiscard]] BufferRef<kinds::Transmittances> left() const { return left_; }
     /// By pixel, float4: what media emit towards the camera; null where none emits.
-    [[nodiscard]] Buffer* glow() const { return glow_.get(); }
+    [[nodiscard]] BufferRef<kinds::MediaEmission> glow() const { return glow_; }
     /// By pixel: boundaries around that end, a bit each.
-    [[nodiscard]] Buffer& inside() const { return *inside_; }
+    [[nodiscard]] BufferRef<kinds::EnclosingMedia> inside() const { return inside_; }
     /// A G-buffer whose surfaces are ends of view rays (kernels/view_media.cl); empty where no
     /// light scattered by media is asked for.
     [[nodiscard]] const GBuffer& ends() const { return ends_; }
 
   private:
     MediaBuffers media_;
-    std::unique_ptr<Buffer> left_, glow_, inside_;
+    DeviceBuffer<kinds::Transmittances> left_;
+    DeviceBuffer<kinds::MediaEmission> glow_;
+    DeviceBuffer<kinds::EnclosingMedia> inside_;
     GBuffer ends_;
 };
-
-/// The buffers of MEDIA_ARGS, dummies in a scene without media, followed by others.
-[[nodiscard]] std::vector<Buffer*> with_media(const FrameBuffers& frame,
-                                              const std::vector<Buffer*>& others);
-
-/// ViewMedia::inside, or a dummy in a scene without media.
-[[nodiscard]] Buffer* view_inside(const FrameBuffers& frame);
 
 }  // namespace weft
 

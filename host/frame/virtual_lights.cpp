@@ -10,95 +10,91 @@
 
 namespace weft {
 
-void make_light_samples(FrameContext& frame, const char* component) {
-    frame.run(KernelId::light_samples, Stage::light_samples, component, false,
-              with_geometry(frame.scene_buffers,
-                            {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get(),
-                             frame.buffers.or_nothing(frame.buffers.light_samples)}),
-              frame.plan.light_sample_count());
-}
-
-std::vector<Buffer*> with_lamps(const FrameContext& frame, const std::vector<Buffer*>& others) {
-    const SceneBuffers& scene = frame.scene_buffers;
-    constexpr std::size_t positions = 0;  // in GEOMETRY_ARGS
-    constexpr std::size_t triangles = 1;
-    std::vector<Buffer*> all = with_media(
-        frame.buffers, {scene.lights.get(), scene.emissive.get(), scene.geometry[positions].get(),
-                        scene.geometry[triangles].get()});
-    all.insert(all.end(), others.begin(), others.end());
-    return all;
-}
-
-void make_media_samples(FrameContext& frame, const char* component, Buffer& samples) {
-    const FramePlan& plan = frame.plan;
-    if (plan.media_samples_per_set == 0) return;
-    const shared::Params before = frame.params;
-    frame.params.samples_per_light = plan.media_samples_per_light;
-    frame.params.samples_per_set = plan.media_samples_per_set;
-    frame.params.light_bound_scale *=
-        static_cast<float>(plan.media_samples_per_set) / static_cast<float>(plan.samples_per_set);
-    frame.run(KernelId::light_samples, Stage::light_samples, component, false,
-              with_geometry(frame.scene_buffers, {frame.scene_buffers.lights.get(),
-                                                  frame.scene_buffers.emissive.get(), &samples}),
-              plan.sets * plan.media_samples_per_set);
-    frame.params = before;
-}
-
 namespace {
 
-/// The buffers of GEOMETRY_ARGS, LIGHT_ARGS and MEDIA_ARGS, followed by others.
-std::vector<Buffer*> with_light_paths(FrameContext& frame, const std::vector<Buffer*>& others) {
-    std::vector<Buffer*> arguments =
-        with_geometry(frame.scene_buffers,
-                      {frame.scene_buffers.lights.get(), frame.scene_buffers.emissive.get()});
-    for (Buffer* const buffer : with_media(frame.buffers, others)) arguments.push_back(buffer);
-    return arguments;
+/// Points on lights for as many sets as the plan has.
+void sample_lights(FrameContext& frame, const char* component,
+                   const shared::LightSampling& sampling, BufferRef<kinds::VirtualLights> samples,
+                   std::uint32_t count) {
+    frame.run(Stage::light_samples, component,
+              kernels::light_samples{.geometry = view(frame.scene_buffers.geometry),
+                                     .light_table = view(frame.scene_buffers.light_table),
+                                     .light_sampling = sampling,
+                                     .samples = samples},
+              {count});
 }
 
-void run_walk(FrameContext& frame, const char* component, Buffer* doubts, Buffer* memory,
-              Buffer* changes) {
-    frame.run(KernelId::vpl_walk, Stage::vpl_walk, component, true,
-              with_light_paths(frame, {doubts, memory, changes, frame.buffers.vpls.get(),
-                                       frame.buffers.counters.get()}),
-              frame.plan.sets * frame.plan.paths_per_set);
+void run_walk(FrameContext& frame, const char* component, BufferRef<kinds::PathsKnown> known,
+              BufferRef<kinds::PathCache> memory, BufferRef<kinds::VplChanges> changes) {
+    frame.run(Stage::vpl_walk, component,
+              kernels::vpl_walk{.scene = *frame.scene_buffers.traced,
+                                .geometry = view(frame.scene_buffers.geometry),
+                                .light_table = view(frame.scene_buffers.light_table),
+                                .media_tables = frame.buffers.media(),
+                                .path_doubts = known,
+                                .path_memory = memory,
+                                .vpl_changes = changes,
+                                .vpls = frame.buffers.vpls,
+                                .counters = frame.buffers.counters},
+              {frame.plan.sets * frame.plan.paths_per_set});
 }
 
 }  // namespace
 
+void make_light_samples(FrameContext& frame, const char* component) {
+    if (frame.plan.light_sample_count() == 0) return;
+    sample_lights(frame, component, frame.params.sampling.lights, frame.buffers.light_samples,
+                  frame.plan.light_sample_count());
+}
+
+void make_media_samples(FrameContext& frame, const char* component,
+                        BufferRef<kinds::VirtualLights> samples) {
+    const FramePlan& plan = frame.plan;
+    if (plan.media_samples_per_set == 0) return;
+    shared::LightSampling sampling = frame.params.sampling.lights;
+    sampling.per_light = plan.media_samples_per_light;
+    sampling.per_set = plan.media_samples_per_set;
+    sampling.bound_scale *=
+        static_cast<float>(plan.media_samples_per_set) / static_cast<float>(plan.samples_per_set);
+    sample_lights(frame, component, sampling, samples, plan.sets * plan.media_samples_per_set);
+}
+
 void walk_vpls(FrameContext& frame, const char* component) {
-    Buffer* const nothing = frame.buffers.nothing.get();
-    run_walk(frame, component, nothing, nothing, nothing);
+    run_walk(frame, component, {}, {}, {});
 }
 
 LightPaths::LightPaths(Executor& executor, const FramePlan& plan)
     : paths_(plan.sets * plan.paths_per_set),
       vpls_(plan.sets * plan.vpls_per_set),
-      doubts_(executor.allocate(paths_ * sizeof(std::uint32_t), "doubts about light paths")),
-      memory_(executor.allocate((2 * std::size_t{paths_} + vpls_) * sizeof(shared::float4),
-                                "memory of light paths")),
-      changes_(executor.allocate(vpls_ * sizeof(std::uint32_t), "changes of VPLs")) {}
+      known_(allocate<kinds::PathsKnown>(executor, paths_, "doubts about light paths")),
+      memory_(allocate<kinds::PathCache>(executor, 2 * std::size_t{paths_} + vpls_,
+                                         "memory of light paths")),
+      changes_(allocate<kinds::VplChanges>(executor, vpls_, "changes of VPLs")) {}
 
 void LightPaths::walk(FrameContext& frame, const char* component, const SceneMotion& motion,
                       bool known) {
     if (known) {
-        frame.other_scene = &motion.traced();
-        frame.run(
-            KernelId::vpl_doubts, Stage::vpl_invalidation, component, true,
-            with_light_paths(frame, {memory_.get(), doubts_.get(), frame.buffers.counters.get()}),
-            paths_);
-        frame.other_scene = nullptr;
+        frame.run(Stage::vpl_invalidation, component,
+                  kernels::vpl_doubts{.scene = motion.traced(),
+                                      .geometry = view(frame.scene_buffers.geometry),
+                                      .light_table = view(frame.scene_buffers.light_table),
+                                      .media_tables = frame.buffers.media(),
+                                      .path_memory = memory_,
+                                      .path_doubts = known_,
+                                      .counters = frame.buffers.counters},
+                  {paths_});
     } else {
         const std::vector<std::uint32_t> none(paths_, 0);
-        write_buffer<std::uint32_t>(frame.executor, *doubts_, none);
+        write_buffer(frame.executor, known_, none);
         const std::vector<shared::Vpl> dark(vpls_);
-        write_buffer<shared::Vpl>(frame.executor, *frame.buffers.vpls, dark);
+        write_buffer(frame.executor, frame.buffers.vpls, dark);
     }
-    run_walk(frame, component, doubts_.get(), memory_.get(), changes_.get());
+    run_walk(frame, component, known_, memory_, changes_);
 }
 
 void LightPaths::doubt_all(Executor& executor) {
     const std::vector<std::uint32_t> all(vpls_, VPL_MOVED);
-    write_buffer<std::uint32_t>(executor, *changes_, all);
+    write_buffer(executor, changes_, all);
 }
 
 }  // namespace weft

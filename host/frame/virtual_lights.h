@@ -15,13 +15,10 @@ namespace weft {
 /// the first of the frame that uses them.
 void make_light_samples(FrameContext& frame, const char* component);
 
-/// The buffers of MEDIA_ARGS and LAMP_ARGS (kernels/near_lamp.h), followed by others.
-[[nodiscard]] std::vector<Buffer*> with_lamps(const FrameContext& frame,
-                                              const std::vector<Buffer*>& others);
-
 /// Fills a buffer with the points on area lights from which light in media comes: those of
 /// FramePlan::media_samples_per_set of every set.
-void make_media_samples(FrameContext& frame, const char* component, Buffer& samples);
+void make_media_samples(FrameContext& frame, const char* component,
+                        BufferRef<kinds::VirtualLights> samples);
 
 /// Fills FrameBuffers::vpls with the indirect VPLs of a frame, likewise.
 void walk_vpls(FrameContext& frame, const char* component);
@@ -40,11 +37,13 @@ class LightPaths {
     void doubt_all(Executor& executor);
 
     /// By VPL: VPL_MOVED, VPL_RECOLOURED (kernels/cache.h), by the last walk.
-    [[nodiscard]] Buffer& changes() const { return *changes_; }
+    [[nodiscard]] BufferRef<kinds::VplChanges> changes() const { return changes_; }
 
   private:
     std::uint32_t paths_, vpls_;
-    std::unique_ptr<Buffer> doubts_, memory_, changes_;
+    DeviceBuffer<kinds::PathsKnown> known_;
+    DeviceBuffer<kinds::PathCache> memory_;
+    DeviceBuffer<kinds::VplChanges> changes_;
 };
 
 }  // namespace weft

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "device/executor.h"
+#include "device/launch.h"
 #include "scene/flat_scene.h"
 
 namespace weft::selftest {
@@ -107,26 +107,38 @@ class RayQueries {
     void update() { executor_.update_scene(*scene_, traced()); }
 
     [[nodiscard]] std::vector<RayHit> closest(const RayBatch& rays) const {
-        return run_rays<RayHit>(KernelId::query_closest, rays);
+        return run_rays<kernels::query_closest, kinds::RayHits, RayHit>(rays, rays.size());
     }
     /// The same in packets of consecutive rays, which start at one point; their number is a
     /// multiple of PACKET_BLOCK. Rays with t_max 0 are left out, the others have no end.
     [[nodiscard]] std::vector<RayHit> closest_packets(const RayBatch& rays) const {
-        return run<RayHit>(KernelId::query_closest_packet, rays.origins,
-                           std::span<const shared::float4>(rays.directions), rays.size(),
-                           rays.size() / executor_.lanes());
+        return run_rays<kernels::query_closest_packet, kinds::RayHits, RayHit>(
+            rays, rays.size() / executor_.lanes());
     }
     /// 1 for rays that are blocked before their t_max.
     [[nodiscard]] std::vector<int> any(const RayBatch& rays) const {
-        return run_rays<int>(KernelId::query_any, rays);
+        return run_rays<kernels::query_any, kinds::RaysBlocked, int>(rays, rays.size());
     }
     /// 1 for rays that are blocked before SHADOW_END, by slot.
     [[nodiscard]] std::vector<float> packets(const PacketBatch& packets) const {
         std::vector<float> planes;
         for (const std::vector<float>& plane : packets.planes)
             planes.insert(planes.end(), plane.begin(), plane.end());
-        return run<float>(KernelId::query_packet, packets.origins, std::span<const float>(planes),
-                          packets.slots(), packets.slots() / executor_.lanes());
+        const auto slots = static_cast<std::uint32_t>(packets.slots());
+        const auto origins =
+            upload<kinds::BlockOrigins>(executor_, packets.origins, "packet origins");
+        const auto rays = upload<kinds::PacketRays>(executor_, planes, "packet rays");
+        const auto blocked =
+            upload<kinds::PacketBlocked>(executor_, std::vector<float>(slots), "answers");
+        run_kernel(executor_, {},
+                   kernels::query_packet{.scene = *scene_,
+                                         .slots = slots,
+                                         .block_origin = origins,
+                                         .rays = rays,
+                                         .blocked = blocked},
+                   slots / executor_.lanes());
+        (void)executor_.take_milliseconds();
+        return read_buffer(executor_, blocked, slots);
     }
 
   private:
@@ -134,26 +146,18 @@ class RayQueries {
         return {geometry_.positions, geometry_.triangles, geometry_.extent() * padding_,
                 first_moving_};
     }
-    template <class Answer>
-    [[nodiscard]] std::vector<Answer> run_rays(KernelId kernel, const RayBatch& rays) const {
-        return run<Answer>(kernel, rays.origins, std::span<const shared::float4>(rays.directions),
-                           rays.size(), rays.size());
-    }
-    template <class Answer, class Second>
-    [[nodiscard]] std::vector<Answer> run(KernelId kernel, std::span<const shared::float4> first,
-                                          std::span<const Second> second, std::size_t slots,
-                                          std::size_t items) const {
-        const auto origins = upload<shared::float4>(executor_, first, "origins");
-        const auto directions = upload<Second>(executor_, second, "directions");
-        const auto answers = upload<Answer>(
-            executor_, std::span<const Answer>(std::vector<Answer>(slots)), "answers");
-        shared::Params params{};
-        params.slots = static_cast<std::uint32_t>(slots);
-        const std::array<Buffer*, 3> buffers{origins.get(), directions.get(), answers.get()};
-        executor_.run({kernel, params, scene_.get(), buffers, static_cast<std::uint32_t>(items), 0},
-                      {});
+    /// Runs a kernel that answers single rays, of scene, origins, directions and answers.
+    template <class Kernel, class Answers, class Answer>
+    [[nodiscard]] std::vector<Answer> run_rays(const RayBatch& rays, std::size_t items) const {
+        const auto origins = upload<kinds::RayOrigins>(executor_, rays.origins, "ray origins");
+        const auto directions =
+            upload<kinds::RayDirections>(executor_, rays.directions, "ray directions");
+        const std::vector<typename Answers::Element> none(rays.size());
+        const auto answers = upload<Answers>(executor_, none, "answers");
+        run_kernel(executor_, {}, Kernel{*scene_, origins, directions, answers},
+                   static_cast<std::uint32_t>(items));
         (void)executor_.take_milliseconds();
-        return read_buffer<Answer>(executor_, *answers, slots);
+        return read_buffer<Answer>(executor_, *answers, rays.size());
     }
 
     Executor& executor_;

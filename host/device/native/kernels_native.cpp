@@ -21,6 +21,7 @@
 namespace WEFT_NATIVE_NAMESPACE {
 namespace {
 
+#include "../../../kernels/kernel.h"
 #include "../../../kernels/port.h"
 #include "../../../kernels/types.h"
 
@@ -31,14 +32,9 @@ template <class T>
 constexpr bool is_buffer = std::is_pointer_v<T>;
 
 template <class T>
-constexpr weft::KernelArgument describe() {
-    return {is_buffer<T>, is_buffer<T> ? 0 : sizeof(std::remove_cvref_t<T>)};
-}
-
-template <class T>
-inline T take(void* argument) {
+inline T take(const void* argument) {
     if constexpr (is_buffer<T>)
-        return static_cast<T>(argument);
+        return static_cast<T>(const_cast<void*>(argument));
     else
         return *static_cast<const std::remove_cvref_t<T>*>(argument);
 }
@@ -49,15 +45,12 @@ struct Adapter;
 
 template <class... Arguments, void (*Function)(Arguments...)>
 struct Adapter<Function> {
-    static constexpr weft::KernelArgument arguments[] = {describe<Arguments>()...};
-    static constexpr std::size_t count = sizeof...(Arguments);
-
-    static void run(void* const* values, std::uint32_t begin, std::uint32_t end) {
+    static void run(const void* const* values, std::uint32_t begin, std::uint32_t end) {
         run_with(values, begin, end, std::index_sequence_for<Arguments...>{});
     }
 
     template <std::size_t... I>
-    static void run_with(void* const* values, std::uint32_t begin, std::uint32_t end,
+    static void run_with(const void* const* values, std::uint32_t begin, std::uint32_t end,
                          std::index_sequence<I...>) {
         for (std::uint32_t item = begin; item < end; ++item) {
             current_global_id = item;
@@ -66,9 +59,14 @@ struct Adapter<Function> {
     }
 };
 
+#define WEFT_KERNEL_ENTRY(name, chunk)                                               \
+    static_assert(std::is_same_v<decltype(name), void(WEFT_KERNEL_ARGUMENTS(name))>, \
+                  "kernel " #name " is not defined as signatures.h declares it");
+#include "../../../kernels/kernels.def"
+#undef WEFT_KERNEL_ENTRY
+
 constexpr weft::NativeKernel kernel_table[] = {
-#define WEFT_KERNEL_ENTRY(name, chunk) \
-    {#name, Adapter<&name>::arguments, Adapter<&name>::count, &Adapter<&name>::run},
+#define WEFT_KERNEL_ENTRY(name, chunk) {#name, &Adapter<&name>::run},
 #include "../../../kernels/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };

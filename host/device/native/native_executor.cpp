@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
 #include <thread>
@@ -18,6 +19,7 @@
 #include "base/large_memory.h"
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
+#include "device/kernel_signature.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
 #include "device/native/native_variants.h"
@@ -164,8 +166,8 @@ class NativeExecutor : public Executor {
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
   private:
-    [[nodiscard]] std::vector<void*> bind(const NativeKernel& kernel, const Launch& launch,
-                                          shared::Params& params) const;
+    [[nodiscard]] std::vector<const void*> bind(const Launch& launch,
+                                                const shared::LaunchRange& range) const;
 
     NativeTraversal traversal_;
     int threads_;
@@ -179,45 +181,47 @@ class NativeExecutor : public Executor {
     double scene_ms_ = 0.0;
 };
 
-std::vector<void*> NativeExecutor::bind(const NativeKernel& kernel, const Launch& launch,
-                                        shared::Params& params) const {
-    std::vector<void*> arguments{&params};
-    if (launch.scene != nullptr) {
-        const auto& scene = dynamic_cast<const NativeTracedScene&>(*launch.scene);
-        arguments.push_back(&scene.view);
-        arguments.push_back(nullptr);
+std::vector<const void*> NativeExecutor::bind(const Launch& launch,
+                                              const shared::LaunchRange& range) const {
+    // Stands in for buffers that a launch has no use for, so that kernels need not ask.
+    static const std::array<shared::float4, 4> unused{};
+    check_arguments(launch);
+    std::vector<const void*> arguments{&launch.params, &range};
+    if (launch.scene != nullptr)
+        arguments.push_back(&dynamic_cast<const NativeTracedScene&>(*launch.scene).view);
+    for (const LaunchArgument& argument : launch.arguments) {
+        if (argument.value != nullptr)
+            arguments.push_back(argument.value);
+        else if (argument.buffer != nullptr)
+            arguments.push_back(dynamic_cast<const NativeBuffer&>(*argument.buffer).data());
+        else
+            arguments.push_back(unused.data());
     }
-    for (Buffer* buffer : launch.buffers)
-        arguments.push_back(dynamic_cast<NativeBuffer&>(*buffer).data());
-    if (arguments.size() != kernel.argument_count ||
-        kernel.arguments[0].size != sizeof(shared::Params))
-        throw Error(ExitCode::device,
-                    fmt::format("kernel {} takes {} arguments, {} were given", kernel.name,
-                                kernel.argument_count, arguments.size()));
     return arguments;
 }
 
 bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
     const NativeKernel& kernel = variant_.kernels->kernels[static_cast<std::size_t>(launch.kernel)];
-    shared::Params params = launch.params;
-    const std::vector<void*> arguments = bind(kernel, launch, params);
+    const LaunchOptions& options = launch.options;
+    shared::LaunchRange range{0, 0, options.counter};
+    const std::vector<const void*> arguments = bind(launch, range);
     const std::uint32_t chunk =
-        launch.items_per_launch > 0 ? launch.items_per_launch : kernel_chunk(launch.kernel);
+        options.items_per_launch > 0 ? options.items_per_launch : kernel_chunk(launch.kernel);
     const Stopwatch watch;
     bool complete = true;
     for (std::uint32_t first = 0; first < launch.items; first += chunk) {
-        params.first = launch.first_item + first;
-        params.count = std::min(chunk, launch.items - first);
+        range.first = options.first_item + first;
+        range.count = std::min(chunk, launch.items - first);
         // Few ranges per thread keep the scheduler's cost small; a work-item of a packet kernel is
         // itself some thousand rays.
-        const std::uint32_t grain = std::max<std::uint32_t>(1, params.count / 256);
+        const std::uint32_t grain = std::max<std::uint32_t>(1, range.count / 256);
         arena_.execute([&] {
-            tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, params.count, grain),
-                              [&](const tbb::blocked_range<std::uint32_t>& range) {
-                                  kernel.run(arguments.data(), range.begin(), range.end());
+            tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, range.count, grain),
+                              [&](const tbb::blocked_range<std::uint32_t>& items) {
+                                  kernel.run(arguments.data(), items.begin(), items.end());
                               });
         });
-        const double done = static_cast<double>(first + params.count) / launch.items;
+        const double done = static_cast<double>(first + range.count) / launch.items;
         if (keep_going && !keep_going(done)) {
             complete = false;
             break;
@@ -225,7 +229,7 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
     }
     const double ms = watch.total();
     milliseconds_ += ms;
-    if (launch.milliseconds != nullptr) *launch.milliseconds += ms;
+    if (options.milliseconds != nullptr) *options.milliseconds += ms;
     return complete;
 }
 

@@ -8,20 +8,12 @@
 
 namespace weft {
 
-/// How one kernel argument is handed over.
-struct KernelArgument {
-    bool is_pointer;   ///< a buffer, else a value
-    std::size_t size;  ///< bytes of a value; 0 for buffers
-};
-
 /// One natively compiled kernel.
 struct NativeKernel {
     const char* name;
-    const KernelArgument* arguments;
-    std::size_t argument_count;
-    /// Runs work-items [begin, end). `arguments[i]` is the buffer's first byte or points to the
-    /// value.
-    void (*run)(void* const* arguments, std::uint32_t begin, std::uint32_t end);
+    /// Runs work-items [begin, end). `arguments` points to `params`, `range`, the NativeScene of a
+    /// kernel that traces, and then to each value or first byte of a buffer of the signature.
+    void (*run)(const void* const* arguments, std::uint32_t begin, std::uint32_t end);
 };
 
 /// All kernels compiled for one instruction set and packet width.

@@ -21,6 +21,7 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
+#include "device/kernel_signature.h"
 #include "device/opencl/opencl_devices.h"
 #include "device/opencl/program_cache.h"
 #include "device/shared_types.h"
@@ -81,10 +82,16 @@ std::vector<std::size_t> order_of(const std::vector<ProgramRecipe>& programs) {
 /// A launch of no work-items: drivers compile for its shape, and keep that in the program's binary.
 void launch_nothing(const cl::Context& context, const cl::Device& device, cl::Kernel& kernel,
                     const ProgramRecipe& recipe) {
-    const shared::Params nothing{};
-    const auto count = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
-    kernel.setArg(0, sizeof(nothing), &nothing);
-    for (cl_uint i = 1; i < count; ++i) kernel.setArg(i, sizeof(cl_mem), nullptr);
+    const std::optional<KernelId> id = kernel_of(recipe.name);
+    if (!id) throw cl::Error(CL_INVALID_KERNEL_NAME, "a program of another kernel");
+    constexpr std::array<std::byte, most_argument_bytes> nothing{};
+    cl_uint index = 0;
+    kernel.setArg(index++, sizeof(shared::RenderParams), nothing.data());
+    kernel.setArg(index++, sizeof(shared::LaunchRange), nothing.data());
+    for (int buffer = 0; kernel_traces(*id) && buffer < 2; ++buffer)
+        kernel.setArg(index++, sizeof(cl_mem), nullptr);
+    for (const ArgumentInfo& argument : kernel_arguments(*id))
+        kernel.setArg(index++, argument.bytes, argument.is_value ? nothing.data() : nullptr);
     const cl::CommandQueue queue(context, device);
     queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(recipe.global_size),
                                cl::NDRange(recipe.local_size));

@@ -15,6 +15,7 @@
 #include "base/large_memory.h"
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
+#include "device/kernel_signature.h"
 #include "device/opencl/compile_ahead.h"
 #include "device/opencl/opencl_program.h"
 
@@ -26,6 +27,8 @@ namespace {
 constexpr std::size_t launches_ahead = 3;
 /// A device with thousands of lanes needs larger launches to be busy.
 constexpr std::uint32_t gpu_chunk_factor = 16;
+/// Where a kernel takes its range: after what all kernels of a sample share.
+constexpr cl_uint range_argument = 1;
 
 [[noreturn]] void rethrow(const cl::Error& error, const std::string& action) {
     const bool memory =
@@ -159,7 +162,11 @@ class OpenClExecutor : public Executor {
         double* milliseconds;
     };
 
-    cl::Event enqueue(OpenClProgram& program, const Launch& launch, shared::Params& params);
+    /// Sets all arguments of a kernel but its range.
+    void bind(cl::Kernel& kernel, const Launch& launch);
+    cl::Event enqueue(cl::Kernel& kernel, KernelId id, const shared::LaunchRange& range);
+    /// Stands in for buffers that a launch has no use for, so that kernels need not ask.
+    [[nodiscard]] const cl::Buffer& unused();
     void retire_oldest();
 
     DeviceInfo info_;
@@ -168,6 +175,7 @@ class OpenClExecutor : public Executor {
     cl::CommandQueue queue_;
     ProgramCache cache_;
     tbb::task_arena arena_;
+    cl::Buffer unused_;
     ProgramSettings settings_;
     /// By kernel and the features of the frames it was built for.
     std::map<std::pair<KernelId, std::uint32_t>, OpenClProgram> programs_;
@@ -311,20 +319,36 @@ void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t feat
     }
 }
 
-cl::Event OpenClExecutor::enqueue(OpenClProgram& program, const Launch& launch,
-                                  shared::Params& params) {
-    cl::Kernel& kernel = program.kernel();
+const cl::Buffer& OpenClExecutor::unused() {
+    constexpr std::size_t bytes = 64;
+    if (unused_() == nullptr) unused_ = cl::Buffer(context_, CL_MEM_READ_WRITE, bytes);
+    return unused_;
+}
+
+void OpenClExecutor::bind(cl::Kernel& kernel, const Launch& launch) {
+    check_arguments(launch);
     cl_uint index = 0;
-    kernel.setArg(index++, sizeof(params), &params);
+    kernel.setArg(index, sizeof(launch.params), &launch.params);
+    index = range_argument + 1;
     if (launch.scene != nullptr) {
         const auto& scene = dynamic_cast<const OpenClTracedScene&>(*launch.scene);
         kernel.setArg(index++, memory_of(*scene.nodes));
         kernel.setArg(index++, memory_of(*scene.leaves));
     }
-    for (const Buffer* buffer : launch.buffers) kernel.setArg(index++, memory_of(*buffer));
+    for (const LaunchArgument& argument : launch.arguments) {
+        if (argument.value != nullptr)
+            kernel.setArg(index++, argument.bytes, argument.value);
+        else
+            kernel.setArg(index++,
+                          argument.buffer != nullptr ? memory_of(*argument.buffer) : unused());
+    }
+}
+
+cl::Event OpenClExecutor::enqueue(cl::Kernel& kernel, KernelId id,
+                                  const shared::LaunchRange& range) {
+    kernel.setArg(range_argument, sizeof(range), &range);
     cl::Event event;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange,
-                                cl::NDRange(launch_size(launch.kernel, settings_)),
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(launch_size(id, settings_)),
                                 cl::NDRange(settings_.local_size), nullptr, &event);
     return event;
 }
@@ -335,22 +359,24 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
         throw Error(ExitCode::device, fmt::format("kernel {} was launched but not built",
                                                   kernel_name(launch.kernel)));
     OpenClProgram& program = found->second;
-    shared::Params params = launch.params;
+    const LaunchOptions& options = launch.options;
+    shared::LaunchRange range{0, 0, options.counter};
     std::uint32_t chunk = kernel_chunk(launch.kernel) * settings_.chunk_factor;
-    if (launch.items_per_launch > 0) chunk = std::min(chunk, launch.items_per_launch);
+    if (options.items_per_launch > 0) chunk = std::min(chunk, options.items_per_launch);
     try {
+        bind(program.kernel(), launch);
         if (!program.kept()) {
             const Stopwatch watch;
-            params.count = 0;
-            enqueue(program, launch, params).wait();
+            enqueue(program.kernel(), launch.kernel, range).wait();
             program.keep(cache_, watch.total());
         }
         for (std::uint32_t first = 0; first < launch.items;) {
-            params.first = launch.first_item + first;
-            params.count = std::min(chunk, launch.items - first);
-            in_flight_.push_back({enqueue(program, launch, params), launch.milliseconds});
+            range.first = options.first_item + first;
+            range.count = std::min(chunk, launch.items - first);
+            in_flight_.push_back(
+                {enqueue(program.kernel(), launch.kernel, range), options.milliseconds});
             queue_.flush();
-            first += params.count;
+            first += range.count;
             while (in_flight_.size() > launches_ahead) retire_oldest();
             if (keep_going && !keep_going(static_cast<double>(first) / launch.items)) return false;
         }

@@ -6,18 +6,21 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "device/native/native_variants.h"
+#include "device/kernel_signature.h"
 
 namespace weft {
 namespace {
 
-void check_arguments(const cl::Kernel& kernel, KernelId id) {
-    const NativeKernel& native = choose_variant(0).kernels->kernels[static_cast<std::size_t>(id)];
+void check_argument_count(const cl::Kernel& kernel, KernelId id) {
+    constexpr std::size_t of_all = 2;     // what kernels of a sample share, and the range
+    constexpr std::size_t of_traced = 2;  // nodes and leaves of the BVH
+    const std::size_t expected =
+        of_all + (kernel_traces(id) ? of_traced : 0) + kernel_arguments(id).size();
     const auto count = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
-    if (count != native.argument_count)
+    if (count != expected)
         throw Error(ExitCode::device,
                     fmt::format("kernel {} has {} arguments on the device, expected {}",
-                                kernel_name(id), count, native.argument_count));
+                                kernel_name(id), count, expected));
 }
 
 }  // namespace
@@ -34,7 +37,7 @@ OpenClProgram::OpenClProgram(const cl::Context& context, const cl::Device& devic
     build_.from_cache = cached_ && !compiled_ms;
     if (!cached_) compile(context, device, recipe.source);
     kernel_ = cl::Kernel(program_, build_.name.c_str());
-    check_arguments(kernel_, use.kernel);
+    check_argument_count(kernel_, use.kernel);
     build_.build_ms = watch.total() + compiled_ms.value_or(0.0);
 }
 
