@@ -59,6 +59,7 @@ identity 1 "$work/other" --algorithms igi path -o "$work/differ" --resume
 says '0 of 2 pictures are the same, 2 differ'
 
 # One that fails is another, too; the same pictures of the first build lie in the cache.
+# shellcheck disable=SC2016 # the program's own arguments
 printf '#!/bin/sh\n[ "$1" != render ] && exec "%s" "$@"\necho broken >&2\nexit 3\n' \
     "$build/weft" >"$work/broken"
 chmod +x "$work/broken"

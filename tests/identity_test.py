@@ -111,7 +111,8 @@ class Pixels(unittest.TestCase):
     def test_another_kind_of_file_is_not_compared(self):
         self.assertIn("shape", self.compared(exr_bytes(self.planes, 3), exr_bytes(self.planes, 0)))
         whole = exr_bytes(self.planes, 0)
-        for data in (whole[:-1], whole[:20], b"", b"\x89PNG" + whole[4:]):
+        tiled = whole[:5] + b"\x02" + whole[6:]
+        for data in (whole[:-1], whole[:20], b"", b"\x89PNG" + whole[4:], tiled):
             with self.assertRaises(exr_pixels.NotReadable):
                 self.compared(whole, data)
 
