@@ -130,6 +130,14 @@ class Speed(unittest.TestCase):
         self.assertLessEqual(found["low"], 0.75)
         self.assertGreaterEqual(found["high"], 0.75)
 
+    def test_processor_time_counts_where_every_round_has_it(self):
+        rounds = self.rounds(1.0, 1.0)
+        self.assertIsNone(frame_speed.summary_of(rounds)["cpu_ratio"])
+        for pair, before in zip(rounds, (1.0, 3.0, 9.0)):
+            self.assertIsNone(frame_speed.summary_of(rounds)["cpu_ratio"])
+            pair["cpu"] = {"before": before, "after": 2.0}
+        self.assertEqual(frame_speed.summary_of(rounds)["cpu_ratio"], 1.5)
+
     def test_slower_is_told_from_as_fast(self):
         summaries = {name: frame_speed.summary_of(self.rounds(before, 1.0))
                      for name, before in (("slower", 0.97), ("as fast", 0.99), ("faster", 1.5))}

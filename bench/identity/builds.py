@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import pathlib
+import resource
 import subprocess
 
 EXIT_USAGE, EXIT_INPUT, EXIT_OUTPUT = 1, 2, 5  # as Weft's other programs say
@@ -35,6 +36,12 @@ def run(command, environment=None):
         said = (done.stderr.strip().splitlines() or ["ended without a word"])[-1]
         raise Failure(said, done.returncode)
     return done.stdout
+
+
+def processor_ms():
+    """Of all programs that have been run and have ended, and theirs."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1000.0 * (used.ru_utime + used.ru_stime)
 
 
 def digest(parts):

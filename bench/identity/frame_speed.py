@@ -8,7 +8,7 @@ import random
 import statistics
 import tempfile
 
-from builds import run, scene_options
+from builds import processor_ms, run, scene_options
 
 ALGORITHMS = ("ais", "igi", "ic", "path")
 SCENES = ("cornell-box", "sibenik", "office-pm")
@@ -40,9 +40,18 @@ class Timer:
 
     def frames(self, build, scene, backend, algorithm):
         """Milliseconds of the frames of one process but the first, which warms up."""
-        options = ["--algorithm", algorithm, "--spp", self.args.frames + 1]
-        stats = self.stats(build, scene, backend, options)
+        stats = self.stats(build, scene, backend,
+                           ["--algorithm", algorithm, "--spp", self.args.frames + 1])
         return [frame["ms"] for frame in stats["frames"][1:]]
+
+    def processor_frame(self, build, scene, backend, algorithm):
+        """Milliseconds of frames, and what one of them takes of the processors on average: what a
+        process with one frame takes is that of setting up."""
+        begin = processor_ms()
+        self.stats(build, scene, backend, ["--algorithm", algorithm, "--spp", 1])
+        alone = processor_ms()
+        frames = self.frames(build, scene, backend, algorithm)
+        return frames, (processor_ms() - alone - (alone - begin)) / self.args.frames
 
     def first_picture(self, build, scene, backend):
         """Milliseconds from the start of a program that has to compile its kernels to the written
@@ -54,10 +63,21 @@ class Timer:
         return [stats["times"]["total_ms"]]
 
     def measure(self, build, cell):
+        """Milliseconds, and of the processors or None."""
         scene, backend, algorithm = cell
         if algorithm == COLD:
-            return self.first_picture(build, scene, backend)
-        return self.frames(build, scene, backend, algorithm)
+            return self.first_picture(build, scene, backend), None
+        if self.args.cpu:
+            return self.processor_frame(build, scene, backend, algorithm)
+        return self.frames(build, scene, backend, algorithm), None
+
+    def round(self, cell, order):
+        """Both builds in this order."""
+        found = {build: self.measure(build, cell) for build in order}
+        result = {build: ms for build, (ms, _) in found.items()}
+        if None not in (processor for _, processor in found.values()):
+            result["cpu"] = {build: processor for build, (_, processor) in found.items()}
+        return result
 
 
 def cells_of(args):
@@ -84,12 +104,22 @@ def interval_of(rounds):
     return ratios[RESAMPLES // 40], ratios[-1 - RESAMPLES // 40]
 
 
+def processor_ratio(rounds):
+    """Of medians; None where it was not measured in every round."""
+    found = [pair["cpu"] for pair in rounds if "cpu" in pair]
+    if len(found) < len(rounds):
+        return None
+    before, after = (statistics.median(pair[build] for pair in found) for build in BOTH)
+    return before / after if after > 0.0 else None
+
+
 def summary_of(rounds):
     low, high = interval_of(rounds)
     shortest = {build: min(min(pair[build]) for pair in rounds) for build in BOTH}
     return {"before_ms": median_of(rounds, "before"), "after_ms": median_of(rounds, "after"),
             "ratio": ratio_of(rounds), "low": low, "high": high,
-            "shortest_ratio": shortest["before"] / shortest["after"], "rounds": len(rounds)}
+            "shortest_ratio": shortest["before"] / shortest["after"],
+            "cpu_ratio": processor_ratio(rounds), "rounds": len(rounds)}
 
 
 def measure(args, results, save):
@@ -108,7 +138,7 @@ def measure(args, results, save):
                 warm.add(cell)
                 for build in order:
                     timer.measure(build, cell)
-            rounds.append({build: timer.measure(build, cell) for build in order})
+            rounds.append(timer.round(cell, order))
             save()
         print(f"round {number + 1} of {args.repetitions}", flush=True)
     return {" ".join(cell): summary_of(results[" ".join(cell)]) for cell in cells}
@@ -117,12 +147,15 @@ def measure(args, results, save):
 def show(summaries):
     """The table of all cells; how many are too slow."""
     width = max(len(name) for name in summaries)
-    print(f"\n{'':{width}}  before, ms   after, ms   ratio         95 %      shortest")
+    print(f"\n{'':{width}}{'before, ms':>13}{'after, ms':>12}{'ratio':>8}{'95 %':>17}"
+          f"{'shortest':>10}{'cpu':>8}")
     slow = 0
     for name, found in summaries.items():
         late = found["ratio"] < LEAST_RATIO
         slow += late
-        print(f"{name:{width}}{found['before_ms']:12.2f}{found['after_ms']:12.2f}"
-              f"{found['ratio']:8.3f}   {found['low']:.3f} .. {found['high']:.3f}"
-              f"{found['shortest_ratio']:11.3f}{'   SLOWER' if late else ''}")
+        interval = f"{found['low']:.3f} .. {found['high']:.3f}"
+        cpu = "-" if found["cpu_ratio"] is None else f"{found['cpu_ratio']:.3f}"
+        print(f"{name:{width}}{found['before_ms']:13.2f}{found['after_ms']:12.2f}"
+              f"{found['ratio']:8.3f}{interval:>17}{found['shortest_ratio']:10.3f}{cpu:>8}"
+              f"{'  SLOWER' if late else ''}")
     return slow

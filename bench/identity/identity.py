@@ -59,6 +59,8 @@ def parse():
                         help="of --time: timed frames of each process, 5")
     parser.add_argument("--repetitions", type=int, metavar="N",
                         help="of --time: processes of each build, 7; --quick: 3")
+    parser.add_argument("--cpu", action="store_true",
+                        help="of --time: processor time as well; twice as many processes")
     parser.add_argument("--no-cold", action="store_true",
                         help="of --time: no first pictures with empty caches")
     parser.add_argument("--jobs", type=int, metavar="N", help="pictures at a time, 1")
@@ -239,7 +241,7 @@ def compare_pictures(args):
 
 
 def compare_times(args):
-    report = new_report(args, "identity-time", frames=args.frames)
+    report = new_report(args, "identity-time", frames=args.frames, cpu=args.cpu)
     results = report["results"] = earlier_results(args.json, report, args.resume)
     summaries = frame_speed.measure(args, results, lambda: write_json(args.json, report))
     report["summary"] = summaries
