@@ -5,9 +5,9 @@
 // each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
+#include "light/environment.h"
 #include "packet_media.h"
 #include "receiver_values.h"
-#include "sampling.h"
 #include "visibility.h"
 
 /// What media leave of light from that direction; see packet_transmittance.
@@ -52,12 +52,12 @@ WEFT_KERNEL(distant_light)
             open += distant_transmittance(&params, &through, position, direction, inside, i);
         }
         add_irradiance(sampled_irradiance, stride, slot,
-                       xyz(params.environment) * (open * (3.14159265f / (float)count)));
+                       xyz(params.environment) * (open * (COSINE_IRRADIANCE / (float)count)));
     }
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
         for (uint i = 0u; i < params.directional_lights; ++i) {
             LightRecord light = lights[params.directional_lights_first + i];
-            float3 direction = -xyz(light.axis);
+            float3 direction = distant_direction(light);
             float cosine = dot3(direction, shading);
             if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
             ++rays;

@@ -5,6 +5,7 @@
 // has found. Places are spread on a ray as light of the clearest channel would be scattered there.
 // One ray at a time, as in distant_light.cl.
 #include "counters.h"
+#include "light/environment.h"
 #include "receiver_values.h"
 #include "view_packet.h"
 #include "visibility.h"
@@ -75,8 +76,9 @@ static inline float3 directional_light(const Params* params, Scene scene, const 
         for (uint k = 0u; k < params->media_steps; ++k) {
             DistantPlace at =
                 distant_place(ray, sigma, (set_shift(params, set) + (float)k) * share);
-            sum += xyz(light.power) * scattered_from(params, scene, media, ray, -xyz(light.axis),
-                                                     at, i * params->media_steps + k, rays);
+            sum += xyz(light.power) * scattered_from(params, scene, media, ray,
+                                                     distant_direction(light), at,
+                                                     i * params->media_steps + k, rays);
         }
     }
     return sum * share;
@@ -94,10 +96,10 @@ static inline float3 environment_light(const Params* params, Scene scene, const 
         float u = radical_inverse(PRIME_DIRECTION_U, index, key);
         float v = radical_inverse(PRIME_DIRECTION_V, index, key);
         float w = radical_inverse(PRIME_POSITION_U, index, key);
-        sum += scattered_from(params, scene, media, ray, cone_direction(u, v, -1.0f),
+        sum += scattered_from(params, scene, media, ray, environment_direction(u, v),
                               distant_place(ray, sigma, w), i, rays);
     }
-    return xyz(params->environment) * sum * (12.5663706f / (float)count);
+    return xyz(params->environment) * sum * (SPHERE_SOLID_ANGLE / (float)count);
 }
 
 WEFT_KERNEL(media_distant)

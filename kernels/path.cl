@@ -24,7 +24,8 @@ static inline PathSample trace_path(const Params* params, const PathScene* world
     Hit hit = trace_closest(world->scene, xyz(params->camera_origin), direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == NO_TRIANGLE) {
-        if (HAS(params, FEATURE_ENVIRONMENT)) sample.emission = xyz(params->environment);
+        if (HAS(params, FEATURE_ENVIRONMENT))
+            sample.emission = environment_radiance(params, direction);
         return sample;
     }
     PathVertex vertex;
@@ -32,7 +33,7 @@ static inline PathSample trace_path(const Params* params, const PathScene* world
     vertex.light_weight = 1.0f;
     vertex.surface = surface_at(params, &world->geometry, hit, direction, params->texture_angle);
     sample.emission = vertex.surface.emission;
-    sample.albedo = vertex.surface.albedo;
+    sample.albedo = bsdf_diffuse_albedo(&vertex.surface.bsdf);
     sample.normal = vertex.surface.shading;
     sample.depth = hit.t;
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));

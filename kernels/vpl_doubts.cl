@@ -36,8 +36,7 @@ WEFT_KERNEL(vpl_doubts)
         ++known;
         Vertex vertex;
         if (follow(&params, hit, &geometry, &through, &random, &path, &vertex) == 0) break;
-        if (known < params.bounces)
-            path.direction = next_direction(&params, &vertex, known - 1u, index);
+        if (known < params.bounces) scatter_light_path(&params, &vertex, known - 1u, index, &path);
     }
     path_doubts[item] = known;
     count_rays(counters + params.counter, rays);

@@ -87,8 +87,8 @@ WEFT_KERNEL(vpl_residual)
     Random random = make_random(params.seed, slot_pixel[slot], params.frame);
     PathLight light = trace_residual(&params, &world, position, normal, shading, &random, &rays);
     if ((params.list_length & 1u) != 0u)
-        add_irradiance(direct, stride, slot, light.direct * 3.14159265f);
+        add_irradiance(direct, stride, slot, light.direct * COSINE_IRRADIANCE);
     if ((params.list_length & 2u) != 0u)
-        add_irradiance(indirect, stride, slot, light.indirect * 3.14159265f);
+        add_irradiance(indirect, stride, slot, light.indirect * COSINE_IRRADIANCE);
     count_rays(counters + params.counter, rays);
 }
