@@ -1,23 +1,26 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
 
-# As a module: weft_embed_kernels(<target>) compiles every file of kernels/ into the target as
-# text, so that the program looks up no path when it runs (host/device/kernel_sources.h).
-# As a script: cmake -DKERNEL_LIST=<file> -DOUTPUT=<file> -P EmbedKernels.cmake writes that source.
+# As a module: weft_embed_kernels(<target>) compiles every file of kernels/ and its subfolders into
+# the target as text, so that the program looks up no path when it runs
+# (host/device/kernel_sources.h). A file is named by its path relative to kernels/, as in #include.
+# As a script: cmake -DKERNEL_FOLDER=<folder> -DKERNEL_LIST=<file> -DOUTPUT=<file> -P
+# EmbedKernels.cmake writes that source.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(weft_embed_script "${CMAKE_CURRENT_LIST_FILE}")
 
   function(weft_embed_kernels target)
-    file(GLOB kernels CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/kernels/*.h"
-         "${CMAKE_SOURCE_DIR}/kernels/*.cl" "${CMAKE_SOURCE_DIR}/kernels/*.def")
+    set(folder "${CMAKE_SOURCE_DIR}/kernels")
+    file(GLOB kernels CONFIGURE_DEPENDS "${folder}/*.h" "${folder}/*.cl" "${folder}/*.def"
+         "${folder}/*/*.h" "${folder}/*/*.cl")
     set(output "${WEFT_GENERATED_DIR}/kernel_sources.cpp")
     # The list itself is a dependency: a deleted kernel must not stay in the program.
     set(list_file "${WEFT_GENERATED_DIR}/kernel_files.txt")
     file(CONFIGURE OUTPUT "${list_file}" CONTENT "${kernels}" @ONLY)
     add_custom_command(
       OUTPUT "${output}"
-      COMMAND "${CMAKE_COMMAND}" "-DKERNEL_LIST=${list_file}" "-DOUTPUT=${output}" -P
-              "${weft_embed_script}"
+      COMMAND "${CMAKE_COMMAND}" "-DKERNEL_FOLDER=${folder}" "-DKERNEL_LIST=${list_file}"
+              "-DOUTPUT=${output}" -P "${weft_embed_script}"
       DEPENDS ${kernels} "${list_file}" "${weft_embed_script}"
       COMMENT "Embedding kernel sources"
       VERBATIM)
@@ -42,7 +45,7 @@ foreach(kernel IN LISTS kernels)
   # Sixteen bytes per line; integers rather than a literal, so no length limit applies.
   string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
-  get_filename_component(name "${kernel}" NAME)
+  file(RELATIVE_PATH name "${KERNEL_FOLDER}" "${kernel}")
   string(APPEND arrays "// ${name}\nconstexpr char text_${count}[] = {\n${bytes}0x00};\n\n")
   string(APPEND entries
          "    KernelSource{\"${name}\", {text_${count}, sizeof text_${count} - 1}},\n")

@@ -6,6 +6,9 @@
 # them for the choice at run time, generated/native_kernels.def includes the kernels.
 include(CheckCXXCompilerFlag)
 
+# Where kernels find what they include: all name files by their path relative to kernels/.
+set(WEFT_KERNEL_INCLUDES -iquote "${CMAKE_SOURCE_DIR}/kernels")
+
 # weft_native_variant(<target> <isa> <lanes> [compiler flags...])
 function(weft_native_variant target isa lanes)
   set(variant "weft_native_${isa}_${lanes}")
@@ -16,7 +19,7 @@ function(weft_native_variant target isa lanes)
   target_compile_definitions(
     ${variant} PRIVATE WEFT_LANES=${lanes} WEFT_NATIVE_NAMESPACE=${variant}
                        WEFT_NATIVE_TABLE=weft_native_table_${isa}_${lanes})
-  target_compile_options(${variant} PRIVATE ${ARGN})
+  target_compile_options(${variant} PRIVATE ${WEFT_KERNEL_INCLUDES} ${ARGN})
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     target_compile_options(${variant} PRIVATE -O3)
   endif()
@@ -30,7 +33,7 @@ endfunction()
 
 function(weft_add_native_kernels target)
   file(GLOB kernels RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS
-       "${CMAKE_SOURCE_DIR}/kernels/*.cl")
+       "${CMAKE_SOURCE_DIR}/kernels/*.cl" "${CMAKE_SOURCE_DIR}/kernels/*/*.cl")
   list(TRANSFORM kernels REPLACE "(.+)" "#include \"\\1\"\n")
   string(JOIN "" includes ${kernels})
   file(CONFIGURE OUTPUT "${WEFT_GENERATED_DIR}/native_kernels.def" CONTENT "${includes}" @ONLY)

@@ -37,7 +37,7 @@ WEFT_KERNEL(ambient_occlusion)
             if (trace_any(scene, position, direction, about_z.w) == 0) ++open;
         }
     }
-    float sky = 3.14159265f * ((float)open / (float)list.length);
+    float sky = COSINE_IRRADIANCE * ((float)open / (float)list.length);
     irradiance[slot] = sky;
     irradiance[stride + slot] = sky;
     irradiance[2u * stride + slot] = sky;

@@ -31,20 +31,34 @@ static inline WMask are_good(WFloat3 v) {
     return is_good_lane(v.x) & is_good_lane(v.y) & is_good_lane(v.z);
 }
 
-/// Irradiance by direct light; see pixel_irradiance.
+static inline WFloat3 black(void) {
+    WFloat3 none;
+    none.x = WIDE(0.0f);
+    none.y = none.x;
+    none.z = none.x;
+    return none;
+}
+
+/// COMPOSED of three channels.
+static inline WFloat3 composed(WFloat3 radiance, WFloat3 reflectance, WFloat3 irradiance) {
+    WFloat3 sum;
+    sum.x = COMPOSED(radiance.x, reflectance.x, irradiance.x);
+    sum.y = COMPOSED(radiance.y, reflectance.y, irradiance.y);
+    sum.z = COMPOSED(radiance.z, reflectance.z, irradiance.z);
+    return sum;
+}
+
+/// Irradiance by direct light; see pixel_light.
 static inline WFloat3 direct_irradiance(const RenderParams* params, const SeenPixels* seen,
                                         const IrradianceBuffers* buffers, uint first) {
-    WFloat3 e;
-    e.x = WIDE(0.0f);
-    e.y = e.x;
-    e.z = e.x;
+    WFloat3 e = black();
     if (HAS(params, FEATURE_EXACT_DIRECT)) {
         float x[LANES], y[LANES], z[LANES];
         for (uint lane = 0u; lane < LANES; ++lane) {
             uint pixel = first + lane;
-            float3 one = pixel_irradiance(params, buffers, pixel,
-                                          pixel_is_lit(seen->ids, seen->albedo, pixel))
-                             .direct;
+            float3 one =
+                pixel_light(params, buffers, pixel, pixel_is_lit(seen->ids, seen->albedo, pixel))
+                    .direct;
             x[lane] = one.x;
             y[lane] = one.y;
             z[lane] = one.z;
@@ -66,13 +80,18 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
     sample->normal = load_vectors(seen->shading + first);
     sample->depth = load_fourth(seen->position + first) / params->scene.unit;
     WFloat3 reflectance;
-    reflectance.x = sample->albedo.x * M_INV_PI;
-    reflectance.y = sample->albedo.y * M_INV_PI;
-    reflectance.z = sample->albedo.z * M_INV_PI;
+    reflectance.x = LAMBERT_REFLECTANCE(sample->albedo.x);
+    reflectance.y = LAMBERT_REFLECTANCE(sample->albedo.y);
+    reflectance.z = LAMBERT_REFLECTANCE(sample->albedo.z);
+    // Of pixel_light: no component hands over radiance.
+    WFloat3 direct_radiance = black();
+    WFloat3 indirect_radiance = black();
     if (HAS(params, FEATURE_MEDIA)) {
         WFloat3 left = load_vectors(buffers->view_left + first);
         reflectance = product(reflectance, left);
         sample->emission = product(sample->emission, left);
+        direct_radiance = product(direct_radiance, left);
+        indirect_radiance = product(indirect_radiance, left);
     }
     if (HAS(params, FEATURE_EMISSIVE_MEDIA)) {
         WFloat3 glow = load_vectors(buffers->view_glow + first);
@@ -80,13 +99,11 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
         sample->emission.y = sample->emission.y + glow.y;
         sample->emission.z = sample->emission.z + glow.z;
     }
-    sample->direct = product(reflectance, direct_irradiance(params, seen, buffers, first));
-    WFloat3 indirect;
-    indirect.x = WIDE(0.0f);
-    indirect.y = indirect.x;
-    indirect.z = indirect.x;
+    sample->direct =
+        composed(direct_radiance, reflectance, direct_irradiance(params, seen, buffers, first));
+    WFloat3 indirect = black();
     if (HAS(params, FEATURE_INDIRECT)) indirect = load_vectors(buffers->indirect + first);
-    sample->indirect = product(reflectance, indirect);
+    sample->indirect = composed(indirect_radiance, reflectance, indirect);
     WMask good = are_good(sample->emission) & are_good(sample->direct);
     good = good & are_good(sample->indirect);
     good = good & are_good(sample->albedo);

@@ -5,6 +5,7 @@
 #ifndef WEFT_CONNECTION_H
 #define WEFT_CONNECTION_H
 
+#include "bsdf/lambert.h"
 #include "receivers.h"
 #include "trace.h"
 
@@ -94,7 +95,7 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
     WFloat g = receiver / (square * distance);
     if (kind == VPL_MEDIUM) {
         // At most what the bound leaves of a surface's light, whose part of it is 1 / pi.
-        WFloat bound = WIDE(vpl->position.w * 0.318309886f);
+        WFloat bound = WIDE(LAMBERT_REFLECTANCE(vpl->position.w));
         g = g * wide_phase(WIDE(vpl->cone.x), emitter / distance);
         return SELECT(g < bound, g, bound);
     }

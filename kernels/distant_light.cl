@@ -6,10 +6,10 @@
 // irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
 #include "counters.h"
 #include "kernel.h"
+#include "light/environment.h"
 #include "packet_media.h"
 #include "receiver_values.h"
 #include "sample_sets.h"
-#include "sampling.h"
 #include "visibility.h"
 
 /// What media leave of light from that direction; see packet_transmittance.
@@ -51,12 +51,12 @@ WEFT_KERNEL(distant_light)
             open += distant_transmittance(&params, &through, position, direction, inside, i);
         }
         add_irradiance(sampled_irradiance, stride, slot,
-                       xyz(params.scene.environment) * (open * (3.14159265f / (float)count)));
+                       xyz(params.scene.environment) * (open * (COSINE_IRRADIANCE / (float)count)));
     }
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
         for (uint i = 0u; i < params.scene.directional_lights; ++i) {
             LightRecord light = lights[params.scene.directional_lights_first + i];
-            float3 direction = -xyz(light.axis);
+            float3 direction = distant_direction(light);
             float cosine = dot3(direction, shading);
             if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
             ++rays;

@@ -5,6 +5,7 @@
 #ifndef WEFT_EDGE_CELLS_H
 #define WEFT_EDGE_CELLS_H
 
+#include "bsdf/lambert.h"
 #include "packet_media.h"
 #include "receiver_values.h"
 #include "shadow_words.h"
@@ -19,7 +20,7 @@ typedef struct {
     uint slot;
     uint first_look;  // number of a light's sample
     uint edges, seen;
-    float reflectance, radiance;  // luminance of albedo / pi, and of what is known so far
+    float reflectance, radiance;  // luminance by irradiance 1, and of what is known so far
 } EdgePixel;
 
 // Position, shading normal and geometric normal of a receiver.
@@ -73,7 +74,7 @@ static inline void find_edge_pixel(const RenderParams* params, const ShadowPlane
     found->first_look = look;
     found->edges = from->shadow_edges[word * plane + pixel];
     found->seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
-    found->reflectance = luminance(xyz(from->gb_albedo[pixel])) * 0.318309886f;
+    found->reflectance = LAMBERT_REFLECTANCE(luminance(xyz(from->gb_albedo[pixel])));
     float3 e = receiver_vector(from->irradiance, 0u, from->slots, found->slot);
     found->radiance = found->reflectance * luminance(e);
 }

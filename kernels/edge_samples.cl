@@ -8,7 +8,7 @@
 #include "counters.h"
 #include "film.h"
 #include "kernel.h"
-#include "sampling.h"
+#include "light/environment.h"
 #include "surface.h"
 #include "trace.h"
 
@@ -142,24 +142,26 @@ static inline FilmSample hit_sample(const RenderParams* params, const Geometry* 
                                     float y, float3 direction, Hit hit, float texture_angle,
                                     uint* misses) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
-    Irradiance e = no_irradiance();
+    PixelLight light = no_pixel_light();
     if (hit.triangle == NO_TRIANGLE) {
-        float3 emission = HAS(params, FEATURE_ENVIRONMENT) ? xyz(params->scene.environment) : none;
+        float3 emission =
+            HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction) : none;
         if (HAS(params, FEATURE_MEDIA))
             add_view_media(params, buffers, pixel_of_instance(params, seen, NO_TRIANGLE, pixel),
-                           &e);
-        return film_sample(params, nonfinite, pixel, emission, none, e, none, 0.0f);
+                           &light);
+        return film_sample(params, nonfinite, pixel, emission, none, light, none, 0.0f);
     }
     Surface surface = surface_at(params, geometry, hit, direction, texture_angle);
-    if (max_component(surface.albedo) > 0.0f) {
+    float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
+    if (max_component(albedo) > 0.0f) {
         uint from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
-        e = pixel_irradiance(params, buffers, from, pixel_is_lit(seen->ids, seen->albedo, from));
+        light = pixel_light(params, buffers, from, pixel_is_lit(seen->ids, seen->albedo, from));
     } else if (HAS(params, FEATURE_MEDIA)) {
         add_view_media(params, buffers, pixel_of_instance(params, seen, surface.instance, pixel),
-                       &e);
+                       &light);
     }
-    return film_sample(params, nonfinite, pixel, surface.emission, surface.albedo, e,
-                       surface.shading, hit.t);
+    return film_sample(params, nonfinite, pixel, surface.emission, albedo, light, surface.shading,
+                       hit.t);
 }
 
 /// Adds a share of a sample; shares come first, so that no sum of finite values overflows.

@@ -1,11 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Components to radiance, and radiance into the film. What is not finite or negative is counted,
-// set to 0 and never reaches the film. The film sums samples in compensated float pairs.
+// Components to radiance, and radiance into the film: what a pixel shows is a sum of radiance, to
+// which irradiance adds the surface's diffuse reflectance times it. What is not finite or negative
+// is counted, set to 0 and never reaches the film. The film sums samples in compensated float
+// pairs.
 #ifndef WEFT_FILM_H
 #define WEFT_FILM_H
 
+#include "bsdf/lambert.h"
 #include "discontinuity.h"
 #include "guard.h"
 
@@ -41,12 +44,19 @@ typedef struct {
     GLOBAL const float4* media_light;      // and that they scatter to it
 } IrradianceBuffers;
 
+// Light of a pixel's surface, and of the media before it.
 typedef struct {
-    float3 direct, indirect;
-    float3 left;   // what media leave of their light on its way to the camera
+    float3 direct, indirect;                    // irradiance
+    float3 direct_radiance, indirect_radiance;  // that the surface sends to the camera besides what
+                                                // it reflects diffusely
+    float3 left;   // what media leave of the surface's light on its way to the camera
     float3 glow;   // radiance that media emit to it
     float3 media;  // and that they scatter to it
-} Irradiance;
+} PixelLight;
+
+/// Radiance of a component of one channel or of all: what comes as radiance, and what irradiance
+/// adds. Of numbers, vectors or wide values.
+#define COMPOSED(radiance, reflectance, irradiance) ((radiance) + (reflectance) * (irradiance))
 
 // What the primary rays through pixels found; see gbuffer.h.
 typedef struct {
@@ -64,54 +74,60 @@ typedef struct {
     float depth;  // scene units
 } FilmSample;
 
-static inline Irradiance no_irradiance(void) {
-    Irradiance e;
-    e.direct = f3(0.0f, 0.0f, 0.0f);
-    e.indirect = e.direct;
-    e.left = f3(1.0f, 1.0f, 1.0f);
-    e.glow = e.direct;
-    e.media = e.direct;
-    return e;
+static inline PixelLight no_pixel_light(void) {
+    PixelLight light;
+    light.direct = f3(0.0f, 0.0f, 0.0f);
+    light.indirect = light.direct;
+    light.direct_radiance = light.direct;
+    light.indirect_radiance = light.direct;
+    light.left = f3(1.0f, 1.0f, 1.0f);
+    light.glow = light.direct;
+    light.media = light.direct;
+    return light;
 }
 
 /// What media do to a pixel's light.
 static inline void add_view_media(const RenderParams* params, const IrradianceBuffers* buffers,
-                                  uint pixel, Irradiance* e) {
-    if (HAS(params, FEATURE_MEDIA)) e->left = xyz(buffers->view_left[pixel]);
-    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) e->glow = xyz(buffers->view_glow[pixel]);
-    if (HAS(params, FEATURE_AIRLIGHT)) e->media = xyz(buffers->media_light[pixel]);
+                                  uint pixel, PixelLight* light) {
+    if (HAS(params, FEATURE_MEDIA)) light->left = xyz(buffers->view_left[pixel]);
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) light->glow = xyz(buffers->view_glow[pixel]);
+    if (HAS(params, FEATURE_AIRLIGHT)) light->media = xyz(buffers->media_light[pixel]);
 }
 
-/// Irradiance of a pixel; `lit` says whether it shows a surface that reflects.
-static inline Irradiance pixel_irradiance(const RenderParams* params,
-                                          const IrradianceBuffers* buffers, uint pixel, int lit) {
-    Irradiance e = no_irradiance();
-    if (HAS(params, FEATURE_SAMPLED_DIRECT)) e.direct = xyz(buffers->direct[pixel]);
+/// Light of a pixel; `lit` says whether it shows a surface that reflects diffusely.
+static inline PixelLight pixel_light(const RenderParams* params, const IrradianceBuffers* buffers,
+                                     uint pixel, int lit) {
+    PixelLight light = no_pixel_light();
+    if (HAS(params, FEATURE_SAMPLED_DIRECT)) light.direct = xyz(buffers->direct[pixel]);
     if (HAS(params, FEATURE_EXACT_DIRECT) && lit != 0)
-        e.direct +=
+        light.direct +=
             slot_irradiance(buffers->exact_irradiance, buffers->slots, buffers->pixel_slot[pixel]);
-    if (HAS(params, FEATURE_INDIRECT)) e.indirect = xyz(buffers->indirect[pixel]);
-    add_view_media(params, buffers, pixel, &e);
-    return e;
+    if (HAS(params, FEATURE_INDIRECT)) light.indirect = xyz(buffers->indirect[pixel]);
+    add_view_media(params, buffers, pixel, &light);
+    return light;
 }
 
-/// What a surface under that irradiance sends to the camera; `depth` in kernel units.
+/// What a surface of that light sends to the camera; `depth` in kernel units.
 static inline FilmSample film_sample(const RenderParams* params, GLOBAL NonfiniteCounter* nonfinite,
-                                     uint pixel, float3 emission, float3 albedo, Irradiance e,
+                                     uint pixel, float3 emission, float3 albedo, PixelLight light,
                                      float3 normal, float depth) {
     FilmSample sample;
-    float3 reflectance = albedo * 0.318309886f;
+    float3 reflectance = LAMBERT_REFLECTANCE(albedo);
     if (HAS(params, FEATURE_MEDIA)) {
-        reflectance *= e.left;
-        emission *= e.left;
+        reflectance *= light.left;
+        emission *= light.left;
+        light.direct_radiance *= light.left;
+        light.indirect_radiance *= light.left;
     }
-    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += e.glow;
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += light.glow;
+    float3 direct = COMPOSED(light.direct_radiance, reflectance, light.direct);
+    float3 indirect = COMPOSED(light.indirect_radiance, reflectance, light.indirect);
     sample.emission = guard(nonfinite, COMPONENT_EMISSION, pixel, emission);
-    sample.direct = guard(nonfinite, COMPONENT_DIRECT, pixel, reflectance * e.direct);
-    sample.indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, reflectance * e.indirect);
-    sample.media = e.media;
+    sample.direct = guard(nonfinite, COMPONENT_DIRECT, pixel, direct);
+    sample.indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, indirect);
+    sample.media = light.media;
     if (HAS(params, FEATURE_AIRLIGHT))
-        sample.media = guard(nonfinite, COMPONENT_MEDIA, pixel, e.media);
+        sample.media = guard(nonfinite, COMPONENT_MEDIA, pixel, light.media);
     sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
     sample.normal = normal;
     sample.depth =
@@ -124,9 +140,9 @@ static inline FilmSample pixel_sample(const RenderParams* params, const SeenPixe
                                       const IrradianceBuffers* buffers,
                                       GLOBAL NonfiniteCounter* nonfinite, uint pixel) {
     int lit = pixel_is_lit(seen->ids, seen->albedo, pixel);
-    Irradiance e = pixel_irradiance(params, buffers, pixel, lit);
+    PixelLight light = pixel_light(params, buffers, pixel, lit);
     return film_sample(params, nonfinite, pixel, xyz(seen->emission[pixel]),
-                       xyz(seen->albedo[pixel]), e, xyz(seen->shading[pixel]),
+                       xyz(seen->albedo[pixel]), light, xyz(seen->shading[pixel]),
                        seen->position[pixel].w);
 }
 

@@ -6,6 +6,7 @@
 #include "camera.h"
 #include "gbuffer.h"
 #include "kernel.h"
+#include "light/environment.h"
 #include "surface.h"
 #include "trace.h"
 
@@ -22,8 +23,9 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
         gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
-        gb_emission[pixel] = HAS(params, FEATURE_ENVIRONMENT) ? params->scene.environment
-                                                              : f4(0.0f, 0.0f, 0.0f, 0.0f);
+        float3 sky = HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction)
+                                                      : f3(0.0f, 0.0f, 0.0f);
+        gb_emission[pixel] = f4(sky.x, sky.y, sky.z, 0.0f);
         return;
     }
     Surface surface =
@@ -34,13 +36,13 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
     float distance = depth * length;
     float facing = -dot3(surface.normal, direction) / length;
     float footprint = distance * params->camera.pixel_angle / m_max(facing, 0.05f);
-    float lit =
-        surface.albedo.x > 0.0f || surface.albedo.y > 0.0f || surface.albedo.z > 0.0f ? 1.0f : 0.0f;
+    float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
+    float lit = albedo.x > 0.0f || albedo.y > 0.0f || albedo.z > 0.0f ? 1.0f : 0.0f;
     gb_ids[2u * pixel] = surface.instance;
     gb_position[pixel] = f4(surface.position.x, surface.position.y, surface.position.z, depth);
     gb_normal[pixel] = f4(surface.normal.x, surface.normal.y, surface.normal.z, footprint);
     gb_shading[pixel] = f4(surface.shading.x, surface.shading.y, surface.shading.z, 0.0f);
-    gb_albedo[pixel] = f4(surface.albedo.x, surface.albedo.y, surface.albedo.z, lit);
+    gb_albedo[pixel] = f4(albedo.x, albedo.y, albedo.z, lit);
     gb_emission[pixel] = f4(surface.emission.x, surface.emission.y, surface.emission.z, 0.0f);
 }
 

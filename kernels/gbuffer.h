@@ -6,7 +6,7 @@
 //   gb_position  point; w: distance along the viewing axis
 //   gb_normal    geometric normal towards the camera; w: footprint of a pixel on the surface
 //   gb_shading   interpolated normal
-//   gb_albedo    reflectance; w: 1 where the surface reflects at all
+//   gb_albedo    diffuse albedo; w: 1 where the surface reflects at all
 //   gb_emission  emitted radiance, or that of the environment
 // Points of the previous frame, for moving objects, are to join as gb_previous.
 #ifndef WEFT_GBUFFER_H

@@ -24,6 +24,7 @@
 #include "kernel.h"
 #include "receiver_values.h"
 #include "record_place.h"
+#include "sampling.h"
 #include "triangle.h"
 
 // A change per unit along each axis, of red, green and blue.
@@ -137,7 +138,7 @@ static inline Hemisphere hemisphere_of(GLOBAL const float4* cells, uint elevatio
         m_sincos(step * (float)k, &sine, &cosine);
         add_gradient(bitangent * cosine - tangent * sine, sums.across, &all.move);
     }
-    all.light = all.light * (M_ONE_PI / (float)(elevations * azimuths));
+    all.light = all.light * (COSINE_IRRADIANCE / (float)(elevations * azimuths));
     all.distance = closeness > 0.0f ? (float)traced / closeness : RAY_INFINITY;
     return all;
 }

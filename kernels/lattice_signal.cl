@@ -6,6 +6,7 @@
 // eight lattice neighbours lie on its surface and have samples. One work-item per lattice point of
 // stride `lattice_stride`. Written as 4 floats; the last holds the neighbours as bits, row by
 // row from the upper left, LATTICE_SAMPLED where the point has a sample.
+#include "bsdf/lambert.h"
 #include "discontinuity.h"
 #include "kernel.h"
 #include "lattice.h"
@@ -44,6 +45,6 @@ WEFT_KERNEL(lattice_signal)
         }
     }
     signal[point] = f4(luminance(slot_irradiance(irradiance, slots, slot)),
-                       luminance(xyz(gb_albedo[pixel])) * 0.318309886f,
+                       LAMBERT_REFLECTANCE(luminance(xyz(gb_albedo[pixel]))),
                        luminance(xyz(gb_emission[pixel])), (float)bits);
 }

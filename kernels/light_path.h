@@ -12,7 +12,7 @@
 #ifndef WEFT_LIGHT_PATH_H
 #define WEFT_LIGHT_PATH_H
 
-#include "light.h"
+#include "light/light.h"
 #include "medium_flight.h"
 #include "surface.h"
 
@@ -23,57 +23,24 @@ typedef struct {
     uint inside;  // boundaries of media around the origin
 } LightPath;
 
-static inline float3 power_of(LightRecord light) {
-    return xyz(light.power);
-}
-
 /// First segment of a path: flux is the light's power over the probability of choosing it.
 static inline LightPath emit_path(const RenderParams* params, const Geometry* geometry,
                                   GLOBAL const LightRecord* lights,
                                   GLOBAL const EmissiveTriangle* emissive, uint index) {
-    LightPath path;
     uint key = params->sampling.seed;
-    float u = radical_inverse(PRIME_POSITION_U, index, key);
-    float v = radical_inverse(PRIME_POSITION_V, index, key);
-    float s = radical_inverse(PRIME_DIRECTION_U, index, key);
-    float t = radical_inverse(PRIME_DIRECTION_V, index, key);
-    float choice = radical_inverse(PRIME_LIGHT, index, key);
-    LightRecord light = lights[choose_light(lights, params->scene.lights, &choice)];
-    float weight = 1.0f / light.probability;
+    EmissionNumbers numbers;
+    numbers.u = radical_inverse(PRIME_POSITION_U, index, key);
+    numbers.v = radical_inverse(PRIME_POSITION_V, index, key);
+    numbers.s = radical_inverse(PRIME_DIRECTION_U, index, key);
+    numbers.t = radical_inverse(PRIME_DIRECTION_V, index, key);
+    numbers.rest = radical_inverse(PRIME_LIGHT, index, key);
+    LightRecord light = lights[choose_light(lights, params->scene.lights, &numbers.rest)];
+    EmittedRay ray = emit_light(params, geometry, light, emissive, &numbers);
+    LightPath path;
+    path.origin = ray.origin;
+    path.direction = ray.direction;
+    path.flux = ray.flux;
     path.inside = light.inside;
-    if (light.kind == EMITTER_AREA) {
-        LightPoint point = sample_area(geometry, light, emissive, u, v);
-        float3 normal = point.normal;
-        if (light.both_sides != 0u) {
-            normal = choice < 0.5f ? normal : -normal;
-            weight *= 2.0f;
-        }
-        path.direction = turn_to(cosine_direction(s, t), normal);
-        path.origin =
-            point.position + normal * surface_offset(point.position, params->scene.extent);
-        path.flux = power_of(light) * (weight * 3.14159265f * light.area);
-    } else if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT) {
-        float limit = light.kind == EMITTER_SPOT ? light.cos_outer : -1.0f;
-        float3 about_z = cone_direction(s, t, limit);
-        path.direction = turn_to(about_z, xyz(light.axis));
-        path.origin = xyz(light.position);
-        weight *= 6.28318531f * (1.0f - limit);
-        if (light.kind == EMITTER_SPOT)
-            weight *= spot_falloff(about_z.z, light.cos_inner, light.cos_outer);
-        path.flux = power_of(light) * weight;
-    } else {
-        float radius = params->scene.bounding_sphere.w;
-        path.direction = xyz(light.axis);
-        if (light.kind == EMITTER_ENVIRONMENT) {
-            path.direction = cone_direction(s, t, -1.0f);
-            weight *= 12.5663706f;
-        }
-        float x, y;
-        concentric_disk(u, v, &x, &y);
-        float3 disk = turn_to(f3(x, y, 0.0f), path.direction);
-        path.origin = xyz(params->scene.bounding_sphere) + (disk - path.direction * 1.5f) * radius;
-        path.flux = power_of(light) * (weight * 3.14159265f * radius * radius);
-    }
     return path;
 }
 
@@ -91,11 +58,13 @@ static inline uint path_index(const RenderParams* params, uint item) {
 typedef struct {
     uint kind;
     float3 normal;  // of a surface; in media the direction in which light came
+    float3 back;    // of a surface: the way back along the path, of any length
+    Bsdf bsdf;      // of a surface
     float g;        // of a medium's phase function
 } Vertex;
 
 /// Follows the path, which meets `hit` or nothing, to where it is scattered next, and its flux to
-/// what is scattered there. Returns 0 where nothing is.
+/// what arrives there: what media scatter is scattered already. Returns 0 where nothing is.
 static inline int follow(const RenderParams* params, Hit hit, const Geometry* geometry,
                          const Media* media, Random* random, LightPath* path, Vertex* vertex) {
     int met = hit.triangle != NO_TRIANGLE ? 1 : 0;
@@ -115,27 +84,43 @@ static inline int follow(const RenderParams* params, Hit hit, const Geometry* ge
     }
     if (met == 0) return 0;
     Surface surface = surface_at(params, geometry, hit, path->direction, 0.0f);
-    path->flux = path->flux * surface.albedo;
     path->origin =
         surface.position + surface.normal * surface_offset(surface.position, params->scene.extent);
     vertex->kind = VPL_SURFACE;
     vertex->normal = surface.normal;
+    vertex->back = surface.back;
+    vertex->bsdf = surface.bsdf;
     vertex->g = 0.0f;
     return 1;
 }
 
-static inline float3 scattered_direction(const Vertex* vertex, float u, float v) {
-    if (vertex->kind == VPL_SURFACE) return turn_to(cosine_direction(u, v), vertex->normal);
-    float density;
-    return scatter_direction(vertex->g, vertex->normal, u, v, &density);
+/// Flux without what is no number: one bad value would reach every pixel that sees its VPL.
+static inline float3 finite_flux(float3 flux) {
+    return is_finite3(flux) != 0 ? flux : f3(0.0f, 0.0f, 0.0f);
 }
 
-/// Where the path goes from its vertex number `bounce`.
-static inline float3 next_direction(const RenderParams* params, const Vertex* vertex, uint bounce,
-                                    uint index) {
+/// Flux that a VPL at the vertex stands for: of a surface what it reflects diffusely.
+static inline float3 vpl_flux(const LightPath* path, const Vertex* vertex) {
+    if (vertex->kind != VPL_SURFACE) return finite_flux(path->flux);
+    return finite_flux(path->flux * bsdf_diffuse_albedo(&vertex->bsdf));
+}
+
+/// Sends the path on from its vertex number `bounce`, and its flux to what is scattered there.
+static inline void scatter_light_path(const RenderParams* params, const Vertex* vertex, uint bounce,
+                                      uint index, LightPath* path) {
     float u = radical_inverse(bounce_primes[2u * bounce], index, params->sampling.seed);
     float v = radical_inverse(bounce_primes[2u * bounce + 1u], index, params->sampling.seed);
-    return scattered_direction(vertex, u, v);
+    if (vertex->kind == VPL_SURFACE) {
+        // By reciprocity the way that light came takes the place of the way to the camera.
+        float3 out = local_direction(normalize3(vertex->back), vertex->normal);
+        BsdfSample sample = bsdf_sample(&vertex->bsdf, out, u, v);
+        path->direction = turn_to(sample.in, vertex->normal);
+        path->flux = finite_flux(path->flux * sample.weight);
+        return;
+    }
+    float density;
+    path->direction = scatter_direction(vertex->g, vertex->normal, u, v, &density);
+    path->flux = finite_flux(path->flux);
 }
 
 #endif

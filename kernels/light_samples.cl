@@ -5,7 +5,7 @@
 // samples of every set, then the punctual lights, then per set the local directions towards the
 // environment (unit vectors about +z with density cos / pi).
 #include "kernel.h"
-#include "light.h"
+#include "light/light.h"
 
 /// Where on view rays a sample's scattered light is looked for; see Vpl::cone.
 static inline float view_number(const RenderParams* params, uint prime, uint index, uint key) {
@@ -33,14 +33,12 @@ static inline void store_area_sample(const RenderParams* params, const LightSamp
     uint key = hash_pair(params->sampling.seed, chosen + 1u);
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
-    LightPoint point = sample_area(geometry, light, emissive, u, v);
-    float3 normal = point.normal;
-    float weight = light.area / (probability * (float)count * (float)params->sampling.sets);
-    if (light.both_sides != 0u) {
-        normal = radical_inverse(PRIME_DIRECTION_U, index, key) < 0.5f ? normal : -normal;
-        weight *= 2.0f;
-    }
-    float3 origin = point.position + normal * surface_offset(point.position, params->scene.extent);
+    float side = light.both_sides != 0u ? radical_inverse(PRIME_DIRECTION_U, index, key) : 0.0f;
+    AreaExit leaves = leave_area(params, geometry, light, emissive, u, v, side);
+    float weight =
+        light.area / (probability * (float)count * (float)params->sampling.sets) * leaves.sides;
+    float3 origin = leaves.origin;
+    float3 normal = leaves.normal;
     float3 flux = xyz(light.power) * weight;
     vpl->position = f4(origin.x, origin.y, origin.z, sampling->bound_scale / light.area);
     vpl->normal = f4(normal.x, normal.y, normal.z, from_bits(VPL_SURFACE));
@@ -85,6 +83,6 @@ WEFT_KERNEL(light_samples)
     uint key = hash_pair(params.sampling.seed, 0u);
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
-    float3 about_z = cosine_direction(u, v);
+    float3 about_z = environment_local_direction(u, v);
     samples[item].position = f4(about_z.x, about_z.y, about_z.z, 0.0f);
 }

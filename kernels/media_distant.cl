@@ -6,6 +6,7 @@
 // One ray at a time, as in distant_light.cl.
 #include "counters.h"
 #include "kernel.h"
+#include "light/environment.h"
 #include "receiver_values.h"
 #include "sample_sets.h"
 #include "view_packet.h"
@@ -78,8 +79,9 @@ static inline float3 directional_light(const RenderParams* params, Scene scene, 
         for (uint k = 0u; k < steps; ++k) {
             DistantPlace at =
                 distant_place(ray, sigma, (set_shift(params, set) + (float)k) * share);
-            sum += xyz(light.power) * scattered_from(params, scene, media, ray, -xyz(light.axis),
-                                                     at, i * steps + k, rays);
+            sum += xyz(light.power) * scattered_from(params, scene, media, ray,
+                                                     distant_direction(light), at, i * steps + k,
+                                                     rays);
         }
     }
     return sum * share;
@@ -96,10 +98,10 @@ static inline float3 environment_light(const RenderParams* params, Scene scene, 
         float u = radical_inverse(PRIME_DIRECTION_U, index, key);
         float v = radical_inverse(PRIME_DIRECTION_V, index, key);
         float w = radical_inverse(PRIME_POSITION_U, index, key);
-        sum += scattered_from(params, scene, media, ray, cone_direction(u, v, -1.0f),
+        sum += scattered_from(params, scene, media, ray, environment_direction(u, v),
                               distant_place(ray, sigma, w), i, rays);
     }
-    return xyz(params->scene.environment) * sum * (12.5663706f / (float)count);
+    return xyz(params->scene.environment) * sum * (SPHERE_SOLID_ANGLE / (float)count);
 }
 
 WEFT_KERNEL(media_distant)

@@ -31,7 +31,7 @@ static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl*
         return places->weight * VMAX(VMIN(share, bound), zero);
     }
     // As in connection.h.
-    bound = bound * 0.318309886f;
+    bound = LAMBERT_REFLECTANCE(bound);
     WFloat phase = wide_phase(WIDE(vpl->cone.x), cosine) * places->nearer;
     return places->weight * VMIN(phase, bound);
 }

@@ -26,7 +26,8 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     Hit hit = trace_closest(world->scene, xyz(params->camera.origin), direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == NO_TRIANGLE) {
-        if (HAS(params, FEATURE_ENVIRONMENT)) sample.emission = xyz(params->scene.environment);
+        if (HAS(params, FEATURE_ENVIRONMENT))
+            sample.emission = environment_radiance(params, direction);
         return sample;
     }
     PathVertex vertex;
@@ -35,7 +36,7 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     vertex.surface =
         surface_at(params, &world->geometry, hit, direction, params->camera.texture_angle);
     sample.emission = vertex.surface.emission;
-    sample.albedo = vertex.surface.albedo;
+    sample.albedo = bsdf_diffuse_albedo(&vertex.surface.bsdf);
     sample.normal = vertex.surface.shading;
     sample.depth = hit.t;
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));

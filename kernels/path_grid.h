@@ -59,7 +59,7 @@ static inline float3 grid_airlight(const RenderParams* params, const PathScene* 
     float u = next_random(random);
     AngularView view =
         angular_view(stretch->origin, stretch->direction, stretch->length, chosen.point.position);
-    if (chosen.light.kind == EMITTER_DIRECTIONAL || !(view.distance > 0.0f)) return none;
+    if (has_place(chosen.light) == 0 || !(view.distance > 0.0f)) return none;
     ScatterPoint at;
     at.t = angular_sample(view, stretch->length, u);
     float density = density_at_place(grid, stretch->origin + stretch->direction * at.t);

@@ -7,7 +7,7 @@
 #ifndef WEFT_PATH_LIGHTS_H
 #define WEFT_PATH_LIGHTS_H
 
-#include "light.h"
+#include "light/light.h"
 #include "surface.h"
 #include "visibility.h"
 
@@ -22,90 +22,21 @@ static inline float power_heuristic(float own, float other) {
     return ratio * ratio / (1.0f + ratio * ratio);
 }
 
-/// Light that `u` falls into, and `*probability` of that.
-static inline uint choose_for_surface(GLOBAL const LightRecord* lights, uint count, float u,
-                                      float* probability) {
-    uint chosen = find_entry(&lights->choice_cumulative, LIGHT_STRIDE, count, u);
-    *probability = lights[chosen].choice_probability;
-    return chosen;
+/// The surface as lights see it.
+static inline LitPoint lit_point(const Surface* surface) {
+    LitPoint lit;
+    lit.position = surface->position;
+    lit.normal = surface->normal;
+    lit.shading = surface->shading;
+    return lit;
 }
 
-// Irradiance that one light sample brings, before its shadow ray from `origin` along `towards`.
-typedef struct {
-    float3 irradiance;  // 0: nothing to trace
-    float3 origin, towards;
-    int distant;  // 1: the ray goes on to infinity
-} LightSample;
-
-static inline LightSample no_light_sample(void) {
-    LightSample sample;
-    sample.irradiance = f3(0.0f, 0.0f, 0.0f);
-    sample.origin = sample.irradiance;
-    sample.towards = sample.irradiance;
-    sample.distant = 0;
-    return sample;
-}
-
-/// 1 where light from `direction` (any length) falls on the outside of both normals.
-static inline int faces(const Surface* surface, float3 direction) {
-    return dot3(direction, surface->normal) > 0.0f && dot3(direction, surface->shading) > 0.0f ? 1
-                                                                                               : 0;
-}
-
-static inline LightSample area_light_sample(const RenderParams* params, const Geometry* geometry,
-                                            LightRecord light,
-                                            GLOBAL const EmissiveTriangle* emissive,
-                                            const Surface* surface, float3 origin,
-                                            float probability, float u, float v) {
-    LightSample sample = no_light_sample();
-    LightPoint point = sample_area(geometry, light, emissive, u, v);
-    float3 towards = point.position - surface->position;
-    if (faces(surface, towards) == 0) return sample;
-    float distance = length3(towards);
-    float facing = -dot3(towards, point.normal) / distance;
-    float3 normal = point.normal;
-    if (facing < 0.0f && light.both_sides != 0u) {
-        facing = -facing;
-        normal = -normal;
-    }
-    if (!(facing > 0.0f) || !(distance > 0.0f)) return sample;
-    float cosine = dot3(towards, surface->shading) / distance;
-    float density = (distance / facing) * (distance / light.area) * probability;
-    float weight = power_heuristic(density, cosine * 0.318309886f);
-    sample.irradiance = xyz(light.power) * (weight * cosine / density);
-    float3 target = point.position + normal * surface_offset(point.position, params->scene.extent);
-    sample.origin = origin;
-    sample.towards = target - origin;
-    return sample;
-}
-
-static inline LightSample punctual_sample(LightRecord light, const Surface* surface, float3 origin,
-                                          float probability) {
-    LightSample sample = no_light_sample();
-    float3 towards = xyz(light.position) - surface->position;
-    if (faces(surface, towards) == 0) return sample;
-    float distance = length3(towards);
-    float cosine = dot3(towards, surface->shading) / distance;
-    float falloff = cosine / distance / distance / probability;
-    if (light.kind == EMITTER_SPOT)
-        falloff *= spot_falloff(-dot3(towards, xyz(light.axis)) / distance, light.cos_inner,
-                                light.cos_outer);
-    sample.irradiance = xyz(light.power) * falloff;
-    sample.origin = origin;
-    sample.towards = xyz(light.position) - origin;
-    return sample;
-}
-
-static inline LightSample distant_sample(LightRecord light, const Surface* surface, float3 origin,
-                                         float probability) {
-    LightSample sample = no_light_sample();
-    float3 towards = -xyz(light.axis);
-    if (faces(surface, towards) == 0) return sample;
-    sample.irradiance = xyz(light.power) * (dot3(towards, surface->shading) / probability);
-    sample.origin = origin;
-    sample.towards = towards;
-    sample.distant = 1;
-    return sample;
+/// Irradiance that a sample of a light brings, weighted against scattered rays that may meet the
+/// light too; `scattered` is their density.
+static inline float3 weighted_irradiance(const LightSample* light, float scattered) {
+    if (!(light->pdf > 0.0f)) return light->power * light->share;
+    float weight = power_heuristic(light->pdf, scattered);
+    return light->power * (weight * light->in.z / light->pdf);
 }
 
 /// A sample of the light that falls on a surface point. `origin` is that point, moved off.
@@ -116,12 +47,8 @@ static inline LightSample sample_lights(const RenderParams* params, const Geomet
                                         float u, float v) {
     float probability;
     LightRecord light = lights[choose_for_surface(lights, count, choice, &probability)];
-    if (light.kind == EMITTER_AREA)
-        return area_light_sample(params, geometry, light, emissive, surface, origin, probability, u,
-                                 v);
-    if (light.kind == EMITTER_DIRECTIONAL)
-        return distant_sample(light, surface, origin, probability);
-    return punctual_sample(light, surface, origin, probability);
+    LitPoint lit = lit_point(surface);
+    return light_at_surface(params, geometry, light, emissive, &lit, origin, probability, u, v);
 }
 
 #endif

@@ -72,7 +72,7 @@ static inline int cross_stretch(const RenderParams* params, const PathScene* wor
         float u = next_random(random);
         AngularView view = angular_view(stretch->origin, stretch->direction, stretch->length,
                                         chosen.point.position);
-        if (chosen.light.kind != EMITTER_DIRECTIONAL && view.distance > 0.0f)
+        if (has_place(chosen.light) != 0 && view.distance > 0.0f)
             add_scattered(params, sum, path->bounce + 1u,
                           scattered_light(params, world, media, stretch, &chosen,
                                           angular_sample(view, stretch->length, u), random, rays));
@@ -130,13 +130,14 @@ static inline int scatter_on_surface(const RenderParams* params, const PathScene
     *rays += surface_light(params, world, media, path, &vertex, random, sum);
     float u = next_random(random);
     float v = next_random(random);
-    float3 about_z = cosine_direction(u, v);
-    path->direction = normalize3(turn_to(about_z, path->surface.shading));
-    path->density = about_z.z * 0.318309886f;
+    BsdfSample scattered = bsdf_sample(&path->surface.bsdf, surface_out(&path->surface), u, v);
+    path->direction = normalize3(turn_to(scattered.in, path->surface.shading));
+    path->density = scattered.pdf;
     path->origin = vertex.origin;
-    path->throughput = vertex.throughput;
+    path->throughput = scattered_throughput(&vertex, scattered.weight);
     path->kind = RAY_OF_SURFACE;
-    return faces(&path->surface, path->direction);
+    LitPoint lit = lit_point(&path->surface);
+    return faces(&lit, path->direction);
 }
 
 /// Follows the path to where it is scattered next. Returns 0 where it ends.
@@ -149,7 +150,7 @@ static inline int go_on(const RenderParams* params, const PathScene* world, cons
         float angle = path->kind == RAY_OF_CAMERA ? params->camera.texture_angle : 0.0f;
         path->surface = surface_at(params, &world->geometry, hit, path->direction, angle);
         if (path->kind == RAY_OF_CAMERA) {
-            sample->albedo = path->surface.albedo;
+            sample->albedo = bsdf_diffuse_albedo(&path->surface.bsdf);
             sample->normal = path->surface.shading;
             sample->depth = hit.t * dot3(path->direction, xyz(params->camera.forward));
         }
@@ -162,7 +163,8 @@ static inline int go_on(const RenderParams* params, const PathScene* world, cons
                              path->inside != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST,
                              random);
     float3 light = f3(0.0f, 0.0f, 0.0f);
-    if (met == 0 && HAS(params, FEATURE_ENVIRONMENT)) light = xyz(params->scene.environment);
+    if (met == 0 && HAS(params, FEATURE_ENVIRONMENT))
+        light = environment_radiance(params, path->direction);
     if (met != 0 && max_component(path->surface.emission) > 0.0f)
         light = path->surface.emission * met_weight(world, path, &path->surface, hit.t);
     add_met(params, path, light, sample);

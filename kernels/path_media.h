@@ -57,13 +57,6 @@ typedef struct {
     float free_density;  // and its density by free paths, or what stands for it
 } MediaPath;
 
-// A point on a light, and the density with which it was chosen: per area of area lights.
-typedef struct {
-    LightRecord light;
-    LightPoint point;
-    float density;
-} ChosenPoint;
-
 /// Light that arrives after `bounce` scatterings.
 static inline void add_scattered(const RenderParams* params, PathLight* sum, uint bounce,
                                  float3 light) {
@@ -118,67 +111,13 @@ static inline int wants_bounce(const RenderParams* params, uint bounce) {
 }
 
 static inline ChosenPoint choose_point(const PathScene* world, Random* random) {
-    ChosenPoint chosen;
     float choice = next_random(random);
     float u = next_random(random);
     float v = next_random(random);
-    uint index = choose_for_surface(world->lights, world->light_count, choice, &chosen.density);
-    chosen.light = world->lights[index];
-    chosen.point.position = xyz(chosen.light.position);
-    chosen.point.normal = f3(0.0f, 0.0f, 0.0f);
-    if (chosen.light.kind == EMITTER_AREA) {
-        chosen.point = sample_area(&world->geometry, chosen.light, world->emissive, u, v);
-        chosen.density = chosen.density / chosen.light.area;
-    }
-    return chosen;
-}
-
-// What a chosen point of a light brings to a place, were nothing in between.
-typedef struct {
-    float3 irradiance;  // over the density of the choice by next-event estimation
-    float3 direction;   // from there, unit
-    float3 target;      // where shadow rays end
-    float distance;     // RAY_INFINITY for directional lights
-    float solid;        // density per solid angle; 0 where no scattered ray can meet the light
-} PlaceLight;
-
-static inline PlaceLight light_at(const RenderParams* params, const ChosenPoint* chosen,
-                                  float3 place) {
-    PlaceLight found;
-    float3 power = xyz(chosen->light.power);
-    found.irradiance = f3(0.0f, 0.0f, 0.0f);
-    found.solid = 0.0f;
-    found.target = chosen->point.position;
-    found.distance = RAY_INFINITY;
-    if (chosen->light.kind == EMITTER_DIRECTIONAL) {
-        found.direction = -xyz(chosen->light.axis);
-        found.irradiance = power / chosen->density;
-        return found;
-    }
-    float3 towards = chosen->point.position - place;
-    found.distance = length3(towards);
-    found.direction = towards;
-    if (!(found.distance > 0.0f)) return found;
-    found.direction = towards / found.distance;
-    if (chosen->light.kind != EMITTER_AREA) {
-        float falloff = 1.0f / found.distance / found.distance / chosen->density;
-        if (chosen->light.kind == EMITTER_SPOT)
-            falloff *= spot_falloff(-dot3(found.direction, xyz(chosen->light.axis)),
-                                    chosen->light.cos_inner, chosen->light.cos_outer);
-        found.irradiance = power * falloff;
-        return found;
-    }
-    float3 normal = chosen->point.normal;
-    float facing = -dot3(found.direction, normal);
-    if (facing < 0.0f && chosen->light.both_sides != 0u) {
-        facing = -facing;
-        normal = -normal;
-    }
-    if (!(facing > 0.0f)) return found;
-    found.solid = (found.distance / facing) * found.distance * chosen->density;
-    found.irradiance = power / found.solid;
-    found.target += normal * surface_offset(found.target, params->scene.extent);
-    return found;
+    float probability;
+    uint index = choose_for_surface(world->lights, world->light_count, choice, &probability);
+    return point_on_light(&world->geometry, world->lights[index], world->emissive, probability, u,
+                          v);
 }
 
 // A point of a stretch that a path may be scattered at, and the weights of the ways to find it.
@@ -198,7 +137,7 @@ static inline float3 light_scattered_at(const RenderParams* params, const PathSc
     float3 none = f3(0.0f, 0.0f, 0.0f);
     if (!(max_component(at->value) > 0.0f)) return none;
     float3 place = stretch->origin + stretch->direction * at->t;
-    PlaceLight light = light_at(params, chosen, place);
+    PlaceLight light = light_at_place(params, chosen, place);
     if (!(max_component(light.irradiance) > 0.0f)) return none;
     // Densities of the place times the light's, over the light's by next-event estimation.
     float density = at->free;
@@ -241,12 +180,9 @@ static inline float met_weight(const PathScene* world, const MediaPath* path,
     if (path->kind == RAY_OF_CAMERA) return 1.0f;
     if (path->kind == RAY_OF_SURFACE)
         return emission_weight(world, surface, path->direction, t, path->density);
-    uint index = world->geometry.instances[surface->instance].light;
-    if (index == NO_TRIANGLE) return 1.0f;
-    LightRecord light = world->lights[index];
-    float facing = -dot3(path->direction, surface->normal);
-    if (!(facing > 0.0f)) return 1.0f;
-    float solid = (t / facing) * (t / light.area) * light.choice_probability;
+    float solid = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
+                                path->direction, t);
+    if (!(solid > 0.0f)) return 1.0f;
     float angular = angular_density(angular_view(path->stretch.origin, path->stretch.direction,
                                                  path->stretch.length, surface->position),
                                     path->along);
@@ -265,15 +201,20 @@ static inline uint surface_light(const RenderParams* params, const PathScene* wo
     LightSample light =
         sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
                       &vertex->surface, vertex->origin, choice, u, v);
-    if (!(max_component(light.irradiance) > 0.0f)) return 0u;
+    const Bsdf* bsdf = &vertex->surface.bsdf;
+    float3 out = surface_out(&vertex->surface);
+    float3 irradiance = weighted_irradiance(&light, bsdf_pdf(bsdf, out, light.in));
+    if (!(max_component(irradiance) > 0.0f)) return 0u;
     int seen = light.distant != 0 ? sees_infinity(world->scene, params, light.origin, light.towards)
                                   : sees_point(world->scene, params, light.origin, light.towards);
     if (seen == 0) return 1u;
     float length = light.distant != 0 ? RAY_INFINITY : length3(light.towards);
     float3 left = ray_transmittance(params, media, light.origin, normalize3(light.towards), length,
                                     path->inside, random);
-    add_scattered(params, sum, path->bounce,
-                  vertex->throughput * path->ratio * light.irradiance * left * 0.318309886f);
+    BsdfValue value = bsdf_eval(bsdf, out, light.in);
+    add_scattered(
+        params, sum, path->bounce,
+        scattered_throughput(vertex, value.colour) * path->ratio * irradiance * left * value.share);
     return 1u;
 }
 

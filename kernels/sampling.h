@@ -56,6 +56,27 @@ static inline float radical_inverse(uint base, uint index, uint key) {
     return m_min(value, 0.99999994f);
 }
 
+/// First of `count` entries whose inclusive sum of probabilities exceeds `u`, else the last. The
+/// sums are `stride` floats apart.
+static inline uint find_entry(GLOBAL const float* sums, uint stride, uint count, float u) {
+    uint low = 0u;
+    uint high = count - 1u;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        if (sums[middle * stride] > u)
+            high = middle;
+        else
+            low = middle + 1u;
+    }
+    return low;
+}
+
+/// What a number that fell into an entry is within it, in [0, 1), for reuse: `before` is the sum of
+/// the probabilities before the entry.
+static inline float stretch_number(float u, float before, float probability) {
+    return m_clamp((u - before) / probability, 0.0f, 0.99999994f);
+}
+
 /// Point of the unit disk, area-preserving and with low distortion (Shirley and Chiu 1997).
 static inline void concentric_disk(float u, float v, float* x, float* y) {
     float a = 2.0f * u - 1.0f;
@@ -86,6 +107,14 @@ static inline float3 cosine_direction(float u, float v) {
     return f3(x, y, square_root(m_max(0.0f, 1.0f - x * x - y * y)));
 }
 
+/// Density of cosine_direction, 1/sr.
+static inline float cosine_pdf(float cosine) {
+    return cosine * M_INV_PI;
+}
+
+/// Irradiance by radiance 1 from a direction of cosine_direction: the cosine over its density.
+#define COSINE_IRRADIANCE M_ONE_PI
+
 /// Unit direction within the cone cos >= `cos_limit` about +z, uniform over solid angle; the whole
 /// sphere for -1.
 static inline float3 cone_direction(float u, float v, float cos_limit) {
@@ -96,7 +125,14 @@ static inline float3 cone_direction(float u, float v, float cos_limit) {
     return f3(radius * c, radius * s, z);
 }
 
-/// A direction given about +z turned to be about the unit vector `axis`.
+/// A direction, of any length, in the frame in which the unit vector `axis` is +z.
+static inline float3 local_direction(float3 direction, float3 axis) {
+    float3 tangent, bitangent;
+    make_basis(axis, &tangent, &bitangent);
+    return f3(dot3(direction, tangent), dot3(direction, bitangent), dot3(direction, axis));
+}
+
+/// The inverse: a direction given about +z turned to be about the unit vector `axis`.
 static inline float3 turn_to(float3 about_z, float3 axis) {
     float3 tangent, bitangent;
     make_basis(axis, &tangent, &bitangent);

@@ -1,10 +1,11 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From a hit to the surface there: position, normals, reflectance, emission.
+// From a hit to the surface there: position, normals, how it scatters light, emission.
 #ifndef WEFT_SURFACE_H
 #define WEFT_SURFACE_H
 
+#include "bsdf/bsdf.h"
 #include "geometry.h"
 #include "texture.h"
 
@@ -13,7 +14,8 @@ typedef struct {
     float3 position;
     float3 normal;    // geometric
     float3 shading;   // interpolated, on the side of `normal`
-    float3 albedo;    // 0 on the back of one-sided materials
+    float3 back;      // the way back to the viewer, of any length
+    Bsdf bsdf;        // black on the back of one-sided materials
     float3 emission;  // towards the viewer
     uint instance;
     int front;  // 1 where the viewer sees the outside
@@ -80,22 +82,24 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
         if (surface.front == 0) smooth = -smooth;
         if (dot3(smooth, surface.normal) > 0.0f) surface.shading = smooth;
     }
-    surface.albedo = xyz(material.albedo);
+    surface.back = -direction;
+    surface.bsdf.lobe = material.lobe;
+    surface.bsdf.albedo = xyz(material.albedo);
     if (HAS(params, FEATURE_TEXTURES) && material.texture != NO_TRIANGLE) {
         // A cone of width w covers w^2 / cos of the surface.
         float slant = absolute(dot3(direction, facet->doubled_area));
         float width = angle * hit.t * length3(direction) * square_root(length3(direction));
         float footprint = slant > 0.0f ? width / square_root(slant) : 0.0f;
-        surface.albedo *=
+        surface.bsdf.albedo *=
             texture_at(geometry, geometry->textures[material.texture], triangle, hit, footprint);
     }
     if (HAS(params, FEATURE_VERTEX_COLOURS))
-        surface.albedo *= attribute3(geometry->vertex_colours, triangle.v0) * w +
-                          attribute3(geometry->vertex_colours, triangle.v1) * hit.u +
-                          attribute3(geometry->vertex_colours, triangle.v2) * hit.v;
+        surface.bsdf.albedo *= attribute3(geometry->vertex_colours, triangle.v0) * w +
+                               attribute3(geometry->vertex_colours, triangle.v1) * hit.u +
+                               attribute3(geometry->vertex_colours, triangle.v2) * hit.v;
     if (HAS(params, FEATURE_ONE_SIDED) && surface.front == 0 &&
         (material.flags & MATERIAL_TWO_SIDED) == 0u)
-        surface.albedo = f3(0.0f, 0.0f, 0.0f);
+        surface.bsdf.albedo = f3(0.0f, 0.0f, 0.0f);
     surface.emission = f3(0.0f, 0.0f, 0.0f);
     if ((material.flags & MATERIAL_EMITS) != 0u &&
         (surface.front != 0 || (material.flags & MATERIAL_EMITS_BOTH_SIDES) != 0u))
@@ -108,6 +112,11 @@ static inline Surface surface_at(const RenderParams* params, const Geometry* geo
                                  float3 direction, float angle) {
     Facet facet = facet_of(geometry, hit.triangle);
     return surface_on(params, geometry, &facet, hit, direction, angle);
+}
+
+/// Where light that the viewer sees leaves the surface: bsdf.h's `out`, about the shading normal.
+static inline float3 surface_out(const Surface* surface) {
+    return local_direction(normalize3(surface->back), surface->shading);
 }
 
 #endif

@@ -75,12 +75,16 @@ typedef struct {
 #define MATERIAL_EMITS 2u
 #define MATERIAL_EMITS_BOTH_SIDES 4u
 
+// Kinds of lobes (bsdf/bsdf.h).
+#define LOBE_LAMBERT 0u
+
 typedef struct {
-    float4 albedo;    // rgb
+    float4 albedo;    // rgb, of LOBE_LAMBERT
     float4 emission;  // rgb, W/(m^2 sr)
     uint flags;
     uint texture;  // index or NO_TRIANGLE
-    uint pad0, pad1;
+    uint lobe;     // LOBE_*
+    uint pad;
 } MaterialRecord;
 
 #define TEXTURE_NEAREST 1u

@@ -11,6 +11,7 @@
 //   normal    along that measure; w: how far it may differ
 //   albedo    such that irradiance is radiance; w: 1 where anything scatters
 //   shading   as normal, and emission none: the same for every pixel and frame (ViewMedia)
+#include "bsdf/lambert.h"
 #include "camera.h"
 #include "gbuffer.h"
 #include "kernel.h"
@@ -117,6 +118,7 @@ WEFT_KERNEL(view_media)
         end_position[pixel] =
             any != 0 ? f4(found.begin, end, m_log(end), end) : f4(0.0f, 0.0f, 0.0f, 0.0f);
         end_normal[pixel] = f4(0.0f, 0.0f, 1.0f, LENGTH_SHARE + slant);
-        end_albedo[pixel] = f4(3.14159265f, 3.14159265f, 3.14159265f, any != 0 ? 1.0f : 0.0f);
+        float one = LAMBERT_ALBEDO_OF_ONE;
+        end_albedo[pixel] = f4(one, one, one, any != 0 ? 1.0f : 0.0f);
     }
 }

@@ -39,7 +39,7 @@ WEFT_KERNEL(vpl_doubts)
         Vertex vertex;
         if (follow(&params, hit, &geometry, &through, &random, &path, &vertex) == 0) break;
         if (known < params.sampling.bounces)
-            path.direction = next_direction(&params, &vertex, known - 1u, index);
+            scatter_light_path(&params, &vertex, known - 1u, index, &path);
     }
     path_doubts[item] = known;
     count_rays(counters + range.counter, rays);

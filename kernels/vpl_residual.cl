@@ -86,7 +86,8 @@ WEFT_KERNEL(vpl_residual)
     Random random = make_random(params.sampling.seed, slot_pixel[slot], params.sampling.sample);
     PathLight light =
         trace_residual(&params, &world, parts, position, normal, shading, &random, &rays);
-    if ((parts & 1u) != 0u) add_irradiance(direct, stride, slot, light.direct * 3.14159265f);
-    if ((parts & 2u) != 0u) add_irradiance(indirect, stride, slot, light.indirect * 3.14159265f);
+    if ((parts & 1u) != 0u) add_irradiance(direct, stride, slot, light.direct * COSINE_IRRADIANCE);
+    if ((parts & 2u) != 0u)
+        add_irradiance(indirect, stride, slot, light.indirect * COSINE_IRRADIANCE);
     count_rays(counters + range.counter, rays);
 }

@@ -31,11 +31,12 @@ static inline float roulette_number(uint seed, uint vpl) {
     return (float)((bits >> 8) + 1u) * 5.9604645e-8f;
 }
 
-/// Stores what the path scatters at a vertex: number `number` of all, `share` of its flux.
+/// Stores what the path scatters at a vertex: number `number` of all, `share` of its flux. Of a
+/// surface that is kept as the radiance it makes.
 static inline void store_vertex(const RenderParams* params, GLOBAL Vpl* vpl, const LightPath* path,
                                 const Vertex* vertex, float share, uint number) {
-    float scale = vertex->kind == VPL_SURFACE ? share * 0.318309886f : share;
-    store_vpl(vpl, vertex->kind, path->origin, vertex->normal, path->flux * scale,
+    float scale = vertex->kind == VPL_SURFACE ? LAMBERT_REFLECTANCE(share) : share;
+    store_vpl(vpl, vertex->kind, path->origin, vertex->normal, vpl_flux(path, vertex) * scale,
               params->sampling.vpl_bound, roulette_number(params->sampling.seed, number));
     if (HAS(params, FEATURE_MEDIA)) {
         vpl->cone.x = vertex->g;
@@ -112,14 +113,12 @@ WEFT_KERNEL(vpl_walk)
         if (alive == 0) {
             store_no_vpl(vpl);
         } else {
-            // One bad value would reach every pixel that sees this VPL.
-            if (is_finite3(path.flux) == 0) path.flux = f3(0.0f, 0.0f, 0.0f);
             float survival =
                 (float)params.sampling.paths_per_set / (float)params.sampling.survivors[bounce];
             store_vertex(&params, vpl, &path, &vertex, share * survival,
                          block * params.sampling.vpls_per_set + place);
             if (bounce + 1u < params.sampling.bounces)
-                path.direction = next_direction(&params, &vertex, bounce, index);
+                scatter_light_path(&params, &vertex, bounce, index, &path);
         }
         if (HAS(&params, FEATURE_TEMPORAL))
             vpl_changes[set * params.sampling.vpls_per_set + place] = change_of(&before, vpl);

@@ -37,7 +37,7 @@ void add_room(test::SceneBuilder& builder) {
     builder.scene.textures.push_back(checks(5, 4));
     builder.scene.textures.back().nearest = true;
     builder.scene.textures.back().srgb = false;
-    builder.scene.materials[textured].albedo_texture = 0;
+    set_albedo_texture(builder.scene.materials[textured], 0);
     Mesh floor = test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 3);
     for (glm::vec2& uv : floor.uvs) uv *= 2.7F;
     builder.add(std::move(floor), textured);
@@ -54,12 +54,12 @@ Scene everything_scene(bool environment) {
     test::SceneBuilder builder;
     add_room(builder);
     const std::uint32_t nearest = builder.material({0.8F, 0.9F, 0.6F});
-    builder.scene.materials[nearest].albedo_texture = 1;
+    set_albedo_texture(builder.scene.materials[nearest], 1);
     const std::uint32_t one_sided = builder.material({0.5F, 0.5F, 0.9F});
     builder.scene.materials[one_sided].two_sided = false;
     const std::uint32_t lamp = builder.material({0.3F, 0.3F, 0.3F}, {12.0F, 10.0F, 8.0F});
     const std::uint32_t screen = builder.material({0.0F, 0.0F, 0.0F}, {0.5F, 1.0F, 2.0F});
-    builder.scene.materials[screen].emits_both_sides = true;
+    builder.scene.materials[screen].emission.both_sides = true;
 
     Mesh ball = test::icosphere(2, false);
     ball.normals = ball.positions;

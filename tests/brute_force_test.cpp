@@ -143,7 +143,7 @@ TEST(BruteForce, TextureAndVertexColoursNeverPassThroughTheFilter) {
         texture.rgba.push_back(static_cast<std::uint8_t>(uniform(60.0F, 255.0F)));
     builder.scene.textures.push_back(texture);
     const std::uint32_t material = builder.material(glm::vec3(0.9F));
-    builder.scene.materials[material].albedo_texture = 0;
+    set_albedo_texture(builder.scene.materials[material], 0);
     builder.add(std::move(plane), material);
     builder.scene.environment = Environment{glm::vec3(1.0F)};
     const Camera camera = test::look_at({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, 0.8);
@@ -248,7 +248,7 @@ TEST(BruteForce, PunctualLightIsTheSameForBothAndIsNotFiltered) {
     builder.light(LightType::point, {0.5, 0.5, 0.5}, glm::vec3(1.0F));
     builder.light(LightType::directional, {}, glm::vec3(1.0F), {0.3, -0.5, -1.0});
     builder.scene.environment.reset();
-    builder.scene.materials.back().emission = glm::vec3(0.0F);
+    builder.scene.materials.back().emission.radiance = glm::vec3(0.0F);
     const Camera camera = test::look_at({0.0, 0.0, 3.2}, {0.0, 0.0, 0.0}, 0.75);
     for (const Backend backend : test::backends()) {
         RenderSettings settings = test::small_settings(Algorithm::igi, 50, 40);

@@ -82,7 +82,7 @@ TEST(DefaultLight, LeavesScenesWithALightAlone) {
     dark_sky.environment.emplace();
     EXPECT_TRUE(stays_as_it_is(dark_sky));
     Scene lamp = square();
-    lamp.materials[0].emission = glm::vec3(0.0F, 0.0F, 1.0F);
+    lamp.materials[0].emission.radiance = glm::vec3(0.0F, 0.0F, 1.0F);
     EXPECT_TRUE(stays_as_it_is(lamp));
     // A lamp's material that nothing is made of gives no light.
     Scene unused = square();
@@ -140,12 +140,12 @@ TEST(DefaultLight, PlyScenesAreGreyOrHaveTheirColours) {
     };
     Diagnostics diagnostics;
     const Scene grey = load_scene(folder.write("g.ply", ply("", "")), diagnostics);
-    EXPECT_EQ(grey.materials.at(0).albedo, glm::vec3(0.8F));
+    EXPECT_EQ(diffuse_albedo(grey.materials.at(0)), glm::vec3(0.8F));
     const Scene red = load_scene(
         folder.write("r.ply", ply("property uchar red\nproperty uchar green\nproperty uchar blue\n",
                                   " 255 0 0")),
         diagnostics);
-    EXPECT_EQ(red.materials.at(0).albedo, glm::vec3(1.0F));
+    EXPECT_EQ(diffuse_albedo(red.materials.at(0)), glm::vec3(1.0F));
     EXPECT_EQ(red.meshes.at(0).colours.at(2), glm::vec3(1, 0, 0));
 }
 

@@ -98,7 +98,7 @@ TEST(DirectLight, TiltedParallelogramsGiveLambertsIrradiance) {
     for (const Mesh& quad : test::tilted_parallelograms()) {
         SceneBuilder builder = floor_scene();
         const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
-        builder.scene.materials[material].emits_both_sides = true;
+        builder.scene.materials[material].emission.both_sides = true;
         builder.add(quad, material);
         for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(-0.7, 0.4, 0)})
             expect_sampled(
@@ -235,7 +235,7 @@ TEST(DirectLight, OneSidedEmittersShineToTheirFrontOnly) {
         builder.add(test::quad_mesh({-3, -3, 2}, {0, 6, 0}, {6, 0, 0}),
                     builder.material(receiver_albedo));
         const std::uint32_t lamp = builder.material(glm::vec3(0.0F), radiance);
-        builder.scene.materials[lamp].emits_both_sides = both;
+        builder.scene.materials[lamp].emission.both_sides = both;
         builder.add(lamp_mesh(), lamp);
         const glm::dvec3 full = 0.7522746885 * glm::dvec3(radiance);
         for (const Backend backend : test::backends()) {

@@ -36,7 +36,7 @@ inline void divide(Mesh& mesh, int times) {
 /// Divides the meshes of all lamps.
 inline void divide_lamps(Scene& scene, int times) {
     for (const Instance& instance : scene.instances)
-        if (scene.materials.at(instance.material).emission != glm::vec3(0.0F))
+        if (scene.materials.at(instance.material).emission.radiance != glm::vec3(0.0F))
             divide(scene.meshes.at(instance.mesh), times);
 }
 

@@ -207,7 +207,7 @@ TEST(EdgeSamples, ASceneWithoutEdgesTracesNothing) {
 TEST(EdgeSamples, TextureMakesNoEdges) {
     test::SceneBuilder builder;
     const std::uint32_t checked = builder.material({1.0F, 1.0F, 1.0F});
-    builder.scene.materials[checked].albedo_texture = 0;
+    set_albedo_texture(builder.scene.materials[checked], 0);
     Texture texture;
     texture.width = 2;
     texture.height = 2;

@@ -267,7 +267,7 @@ TEST(FlatScene, MeanReflectanceSeesTextures) {
     texture.rgba = {51, 51, 51, 255, 153, 153, 153, 255};
     texture.srgb = false;
     builder.scene.textures.push_back(texture);
-    builder.scene.materials[0].albedo_texture = 0;
+    set_albedo_texture(builder.scene.materials[0], 0);
     const FlatScene linear = flatten(builder.scene);
     EXPECT_NEAR(linear.mean_reflectance, 0.4 / 4.0, 1e-6);
     EXPECT_TRUE((linear.features & FEATURE_TEXTURES) != 0);

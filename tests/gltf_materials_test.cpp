@@ -52,11 +52,11 @@ TEST(GltfMaterials, ReadsFactorsAndFlags) {
     const Scene scene = builder.read();
     ASSERT_EQ(scene.materials.size(), 1U);
     EXPECT_EQ(scene.materials[0].name, "paint");
-    EXPECT_EQ(scene.materials[0].albedo, glm::vec3(0.25F, 0.5F, 1.0F));
-    EXPECT_EQ(scene.materials[0].emission, glm::vec3(10, 5, 0));
-    EXPECT_TRUE(scene.materials[0].emits_both_sides);
+    EXPECT_EQ(diffuse_albedo(scene.materials[0]), glm::vec3(0.25F, 0.5F, 1.0F));
+    EXPECT_EQ(scene.materials[0].emission.radiance, glm::vec3(10, 5, 0));
+    EXPECT_TRUE(scene.materials[0].emission.both_sides);
     EXPECT_TRUE(scene.materials[0].two_sided);
-    EXPECT_EQ(scene.materials[0].albedo_texture, -1);
+    EXPECT_EQ(albedo_texture(scene.materials[0]), -1);
     EXPECT_TRUE(builder.diagnostics.warnings().empty());
 }
 
@@ -73,7 +73,7 @@ TEST(GltfMaterials, ReadsTheBaseColourTextureAndItsSampler) {
     EXPECT_EQ(texture.wrap_u, Wrap::clamp);
     EXPECT_EQ(texture.wrap_v, Wrap::mirror);
     EXPECT_TRUE(texture.nearest);
-    EXPECT_EQ(scene.materials.at(0).albedo_texture, 0);
+    EXPECT_EQ(albedo_texture(scene.materials.at(0)), 0);
     EXPECT_EQ(scene.meshes.at(0).uvs[1], glm::vec2(1, 0));
 }
 
@@ -90,8 +90,8 @@ TEST(GltfMaterials, StoresAPictureOnceForEachWayOfSampling) {
     }
     const Scene scene = builder.read();
     EXPECT_EQ(scene.textures.size(), 2U);
-    EXPECT_EQ(scene.materials.at(1).albedo_texture, 0);
-    EXPECT_EQ(scene.materials.at(2).albedo_texture, 1);
+    EXPECT_EQ(albedo_texture(scene.materials.at(1)), 0);
+    EXPECT_EQ(albedo_texture(scene.materials.at(2)), 1);
 }
 
 TEST(GltfMaterials, ReadsPicturesFromBufferViews) {
@@ -133,7 +133,8 @@ TEST(GltfMaterials, ReplacesAnEmissiveTextureByItsMean) {
     builder.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");
     const Scene scene = builder.read();
     // Each channel is full in two of the four texels.
-    EXPECT_LT(glm::length(scene.materials.at(0).emission - glm::vec3(0.5F, 0.5F, 0.25F)), 1e-6F);
+    EXPECT_LT(glm::length(scene.materials.at(0).emission.radiance - glm::vec3(0.5F, 0.5F, 0.25F)),
+              1e-6F);
     EXPECT_TRUE(scene.textures.empty());
     EXPECT_TRUE(builder.warned("emissiveTexture: textured emission is not simulated"));
 }
@@ -153,7 +154,7 @@ TEST(GltfMaterials, ReadsAndClampsVertexColours) {
 TEST(GltfMaterials, ClampsColoursWithAWarning) {
     GltfBuilder builder = textured_triangle();
     pbr(builder)["baseColorFactor"] = {2, -1, 0.5, 1};
-    EXPECT_EQ(builder.read().materials.at(0).albedo, glm::vec3(1, 0, 0.5F));
+    EXPECT_EQ(diffuse_albedo(builder.read().materials.at(0)), glm::vec3(1, 0, 0.5F));
     EXPECT_TRUE(builder.warned("pbrMetallicRoughness: baseColorFactor lies outside [0, 1]"));
 }
 
@@ -213,7 +214,7 @@ TEST(GltfMaterials, RefusesBrokenTexturesWithTheirPlace) {
 TEST(GltfMaterials, RendersTexturesWithoutAPictureWhite) {
     GltfBuilder builder = textured_triangle();
     builder.json["textures"][0].erase("source");
-    EXPECT_EQ(builder.read().materials.at(0).albedo_texture, -1);
+    EXPECT_EQ(albedo_texture(builder.read().materials.at(0)), -1);
     EXPECT_TRUE(builder.warned("#/textures/0: texture has no PNG or JPEG picture"));
 }
 

@@ -49,7 +49,7 @@ TEST(GltfReader, ReadsATriangle) {
     EXPECT_EQ(scene.instances[0].name, "a node");
     EXPECT_FALSE(scene.instances[0].flip_normals);
     ASSERT_EQ(scene.materials.size(), 1U);
-    EXPECT_EQ(scene.materials[0].albedo, glm::vec3(1.0F));
+    EXPECT_EQ(diffuse_albedo(scene.materials[0]), glm::vec3(1.0F));
     EXPECT_TRUE(scene.materials[0].two_sided);
     EXPECT_TRUE(builder.diagnostics.warnings().empty());
 }

@@ -24,7 +24,7 @@
 
 // clang-format off
 BOTH_SIDES(
-WEFT_KERNEL(track)(GLOBAL const DensityGridRecord* records, GLOBAL const float* densities,
+KERNEL_ENTRY void track(GLOBAL const DensityGridRecord* records, GLOBAL const float* densities,
                    GLOBAL const float* bounds, GLOBAL const float* rays, GLOBAL float* results,
                    uint count) {
     const uint i = GLOBAL_ID;

@@ -213,7 +213,7 @@ TEST(InstantCache, IsThereOnlyWhereVplsAre) {
     EXPECT_FALSE(has(scene, cached, KernelId::vpl_gather));
     EXPECT_FALSE(has(scene, settings_of(Algorithm::igi, 8, 8), KernelId::cache_lookup));
     Scene black = scene;
-    for (Material& material : black.materials) material.albedo = glm::vec3(0.0F);
+    for (Material& material : black.materials) set_diffuse_albedo(material, glm::vec3(0.0F));
     EXPECT_FALSE(has(black, cached, KernelId::cache_lookup));
     EXPECT_FALSE(has(black, cached, KernelId::cache_records));
     RenderSettings direct = cached;

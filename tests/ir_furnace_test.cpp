@@ -218,7 +218,7 @@ TEST(IrFurnace, HoldsWithObjectsWithin) {
     const std::uint32_t material =
         builder.material(grey.surfaces[0].albedo, grey.surfaces[0].emission);
     const std::uint32_t both = builder.material(grey.surfaces[0].albedo, grey.surfaces[0].emission);
-    builder.scene.materials[both].emits_both_sides = true;
+    builder.scene.materials[both].emission.both_sides = true;
     builder.add(test::room_mesh(), material);
     builder.add(test::icosphere(1, false), material, test::placement(0.3, {-0.4, -0.2, -0.3}));
     builder.add(test::icosphere(1, false), material, test::placement(0.05, {0.2, 0.4, -0.1}));

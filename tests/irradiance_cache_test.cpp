@@ -273,7 +273,8 @@ TEST(IrradianceCache, TracesNoVirtualLights) {
     builder.add(test::room_mesh(), builder.material(glm::vec3(0.5F), glm::vec3(1.0F)));
     const FlatScene flat = flatten(builder.scene);
     EXPECT_EQ(kernels(flat, settings_of(8, 8)), traced);
-    for (Material& material : builder.scene.materials) material.albedo = glm::vec3(0.0F);
+    for (Material& material : builder.scene.materials)
+        set_diffuse_albedo(material, glm::vec3(0.0F));
     EXPECT_EQ(kernels(flatten(builder.scene), settings_of(8, 8)), always);
     RenderSettings neither = settings_of(8, 8);
     neither.indirect = false;

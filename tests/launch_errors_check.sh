@@ -22,7 +22,7 @@ fail() {
 compile() {
     file=$1
     shift
-    "$compiler" -std=c++20 -fsyntax-only -Wno-psabi -I"$folder/host" -I"$folder" -I"$generated" "$@" \
+    "$compiler" -std=c++20 -fsyntax-only -Wno-psabi -I"$folder/host" -iquote "$folder/kernels" -I"$folder" -I"$generated" "$@" \
         "$folder/$file" >"$folder/log" 2>&1
 }
 

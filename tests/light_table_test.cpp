@@ -98,7 +98,7 @@ TEST(LightTable, BothSidesShineTwiceAsMuch) {
     SceneBuilder builder = unit_scene();
     const std::uint32_t single = builder.material(glm::vec3(0.0F), glm::vec3(1.0F));
     const std::uint32_t both = builder.material(glm::vec3(0.0F), glm::vec3(1.0F));
-    builder.scene.materials[both].emits_both_sides = true;
+    builder.scene.materials[both].emission.both_sides = true;
     builder.add(square(0.5), single);
     builder.add(square(0.5), both);
     const FlatScene flat = flatten(builder.scene);

@@ -23,7 +23,7 @@
 
 // clang-format off
 BOTH_SIDES(
-WEFT_KERNEL(evaluate)(GLOBAL const float* xs, GLOBAL const float* ys, GLOBAL float* results,
+KERNEL_ENTRY void evaluate(GLOBAL const float* xs, GLOBAL const float* ys, GLOBAL float* results,
                       uint count) {
     const uint i = GLOBAL_ID;
     if (i >= count) return;

@@ -207,7 +207,7 @@ TEST(Media, BoundariesMayShareFaces) {
         const auto z = static_cast<float>(-3.0 * side);
         builder.add(test::quad_mesh({-9.0F, -9.0F, z}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
                     builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
-        builder.scene.materials.back().emits_both_sides = true;
+        builder.scene.materials.back().emission.both_sides = true;
         for (const Backend backend : test::backends()) {
             const Rendering rendering =
                 test::render(backend, builder.scene,
@@ -269,7 +269,8 @@ double scattered_mean(const Rendering& rendering, std::uint32_t channel) {
 /// .8 %, which is .4 and .5 % with the samples here: 2.5 % are about four standard errors.
 void expect_mean_of_path(Scene scene) {
     constexpr double share = 0.025;
-    for (Material& material : scene.materials) material.albedo *= 0.5F;
+    for (Material& material : scene.materials)
+        set_diffuse_albedo(material, diffuse_albedo(material) * 0.5F);
     for (Medium& medium : scene.media) medium.albedo *= 0.5F;
     const Camera camera = test::room_camera();
     const Rendering path =

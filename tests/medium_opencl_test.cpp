@@ -21,7 +21,7 @@
 
 // clang-format off
 BOTH_SIDES(
-WEFT_KERNEL(evaluate)(GLOBAL const float* inputs, GLOBAL float* results, uint count) {
+KERNEL_ENTRY void evaluate(GLOBAL const float* inputs, GLOBAL float* results, uint count) {
     const uint i = GLOBAL_ID;
     if (i >= count) return;
     const float sigma = inputs[4u * i];

@@ -94,8 +94,8 @@ TEST(MitsubaReader, KeepsDoublePrecisionInTransforms) {
 TEST(MitsubaReader, ReadsDiffuseColours) {
     MitsubaFolder folder;
     const auto albedo = [&](const std::string& colour) {
-        return only_material(folder.read(rectangle("<bsdf type=\"diffuse\">" + colour + "</bsdf>")))
-            .albedo;
+        return diffuse_albedo(
+            only_material(folder.read(rectangle("<bsdf type=\"diffuse\">" + colour + "</bsdf>"))));
     };
     EXPECT_EQ(albedo(""), glm::vec3(0.5F));
     EXPECT_EQ(albedo("<rgb name=\"reflectance\" value=\"0.2, 0.4 0.6\"/>"),
@@ -114,13 +114,13 @@ TEST(MitsubaReader, OnlyTwosidedSurfacesReflectOnTheirBack) {
     MitsubaFolder folder;
     // Mitsuba's default surface is black from behind, too.
     EXPECT_FALSE(only_material(folder.read(rectangle(""))).two_sided);
-    EXPECT_EQ(only_material(folder.read(rectangle(""))).albedo, glm::vec3(0.5F));
+    EXPECT_EQ(diffuse_albedo(only_material(folder.read(rectangle("")))), glm::vec3(0.5F));
     EXPECT_FALSE(only_material(folder.read(rectangle(grey("0.1")))).two_sided);
     const Scene scene =
         folder.read(rectangle("<bsdf type=\"twosided\">" + grey("0.1") + "</bsdf>"));
     EXPECT_TRUE(only_material(scene).two_sided);
-    EXPECT_EQ(only_material(scene).albedo, glm::vec3(0.1F));
-    EXPECT_FALSE(only_material(scene).emits_both_sides);
+    EXPECT_EQ(diffuse_albedo(only_material(scene)), glm::vec3(0.1F));
+    EXPECT_FALSE(only_material(scene).emission.both_sides);
     EXPECT_TRUE(folder.warnings().empty());
 }
 
@@ -136,8 +136,8 @@ TEST(MitsubaReader, FollowsReferencesForwardsBackwardsAndThroughAliases) {
         "</texture><alias id=\"late\" as=\"other\"/>");
     ASSERT_EQ(scene.instances.size(), 3U);
     ASSERT_EQ(scene.materials.size(), 2U);
-    EXPECT_EQ(scene.materials[scene.instances[0].material].albedo_texture, 0);
-    EXPECT_EQ(scene.materials[scene.instances[1].material].albedo, glm::vec3(0.1F));
+    EXPECT_EQ(albedo_texture(scene.materials[scene.instances[0].material]), 0);
+    EXPECT_EQ(diffuse_albedo(scene.materials[scene.instances[1].material]), glm::vec3(0.1F));
     EXPECT_EQ(scene.instances[1].material, scene.instances[2].material);
     EXPECT_EQ(scene.materials[scene.instances[1].material].name, "late");
     EXPECT_TRUE(folder.warnings().empty());
@@ -152,8 +152,8 @@ TEST(MitsubaReader, MakesOneMaterialForEachPairOfSurfaceAndEmitter) {
                     rectangle("<ref id=\"b\"/>") + rectangle("<ref id=\"b\"/>" + emitter));
     ASSERT_EQ(scene.materials.size(), 2U);
     EXPECT_EQ(scene.instances[0].material, scene.instances[1].material);
-    EXPECT_EQ(scene.materials[scene.instances[0].material].emission, glm::vec3(0.0F));
-    EXPECT_EQ(scene.materials[scene.instances[2].material].emission, glm::vec3(1, 2, 3));
+    EXPECT_EQ(scene.materials[scene.instances[0].material].emission.radiance, glm::vec3(0.0F));
+    EXPECT_EQ(scene.materials[scene.instances[2].material].emission.radiance, glm::vec3(1, 2, 3));
     EXPECT_EQ(scene.meshes.size(), 1U) << "equal shapes share a mesh";
 }
 
@@ -172,7 +172,7 @@ TEST(MitsubaReader, ReadsTexturesWithTheirSettings) {
     EXPECT_FALSE(texture.srgb);
     EXPECT_EQ(texture.wrap_u, Wrap::mirror);
     EXPECT_EQ(texture.wrap_v, Wrap::mirror);
-    EXPECT_EQ(only_material(scene).albedo, glm::vec3(1.0F));
+    EXPECT_EQ(diffuse_albedo(only_material(scene)), glm::vec3(1.0F));
     // In Mitsuba (u,v) = (0.25, 0.25) shows the red pixel of the top row, and on a rectangle that
     // is the corner at (-1,-1); v = 0 is the top of the picture for Weft as well.
     ASSERT_GE(texture.rgba.size(), 4U);
@@ -250,7 +250,7 @@ TEST(MitsubaReader, AveragesTheCheckerboard) {
     const Scene scene = folder.read(
         rectangle("<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"checkerboard\">"
                   "<rgb name=\"color0\" value=\"0.6\"/></texture></bsdf>"));
-    EXPECT_NEAR(only_material(scene).albedo.g, 0.4F, 1e-6F);
+    EXPECT_NEAR(diffuse_albedo(only_material(scene)).g, 0.4F, 1e-6F);
     EXPECT_EQ(folder.warnings(),
               Strings{"s.xml:2: texture 'checkerboard' is not supported: its mean colour is used"});
 }
@@ -258,7 +258,7 @@ TEST(MitsubaReader, AveragesTheCheckerboard) {
 TEST(MitsubaReader, RendersOtherSurfacesAsDiffuseWithTheBestColour) {
     MitsubaFolder folder;
     const auto albedo = [&](const std::string& bsdf) {
-        return only_material(folder.read(rectangle(bsdf))).albedo;
+        return diffuse_albedo(only_material(folder.read(rectangle(bsdf))));
     };
     const std::string plastic =
         "<bsdf type=\"plastic\"><rgb name=\"diffuse_reflectance\" value=\"0.1\"/>"
@@ -284,7 +284,7 @@ TEST(MitsubaReader, ReadsRadianceAsMitsubaDoes) {
     const auto emission = [&](const std::string& radiance) {
         return only_material(
                    folder.read(rectangle("<emitter type=\"area\">" + radiance + "</emitter>")))
-            .emission;
+            .emission.radiance;
     };
     EXPECT_EQ(emission(""), glm::vec3(1.0F));
     EXPECT_EQ(emission("<rgb name=\"radiance\" value=\"17, 12, 4\"/>"), glm::vec3(17, 12, 4));

@@ -41,7 +41,8 @@ std::size_t count_triangles(const Scene& scene) {
 std::size_t count_emitters(const Scene& scene) {
     std::size_t count = 0;
     for (const Instance& instance : scene.instances)
-        count += scene.materials.at(instance.material).emission != glm::vec3(0.0F) ? 1U : 0U;
+        count +=
+            scene.materials.at(instance.material).emission.radiance != glm::vec3(0.0F) ? 1U : 0U;
     return count;
 }
 

@@ -63,7 +63,8 @@ TEST(MovingScene, APictureDoesNotDependOnTheFramesBefore) {
 std::vector<float> indirect_after(const std::vector<float>& albedos, Backend backend) {
     test::MovingRoom room = test::moving_room(0);
     const auto paint = [&](float albedo) {
-        for (Material& material : room.scene.materials) material.albedo = glm::vec3(albedo);
+        for (Material& material : room.scene.materials)
+            set_diffuse_albedo(material, glm::vec3(albedo));
     };
     paint(albedos.front());
     room.flat = flatten(room.scene);
@@ -225,7 +226,7 @@ TEST(MovingScene, LightsMayGoOutAndComeOn) {
     // A lamp that is dark at first: the renderer builds what it calls for when it shines.
     test::MovingRoom room = test::moving_room(0);
     const Scene lit = room.scene;
-    for (Material& material : room.scene.materials) material.emission = glm::vec3(0.0F);
+    for (Material& material : room.scene.materials) material.emission.radiance = glm::vec3(0.0F);
     room.flat = flatten(room.scene);
     Renderer renderer(test::shared_executor(Backend::own_bvh), room.flat, test::room_camera(),
                       igi_settings());
@@ -235,7 +236,7 @@ TEST(MovingScene, LightsMayGoOutAndComeOn) {
         update_flat(lit, room.flat);
         Scene scene = lit;
         if (!shines)
-            for (Material& material : scene.materials) material.emission = glm::vec3(0.0F);
+            for (Material& material : scene.materials) material.emission.radiance = glm::vec3(0.0F);
         update_flat(scene, room.flat);
         renderer.update_scene();
         renderer.move_camera(test::room_camera());

@@ -34,7 +34,7 @@ std::vector<glm::dvec3> standing_lamp(double distance, double end = 0.5) {
 SceneBuilder beside_lamp(float distance, bool both_sides = false) {
     SceneBuilder builder = test::floor_scene();
     const std::uint32_t lamp = builder.material(glm::vec3(0.0F), radiance);
-    builder.scene.materials[lamp].emits_both_sides = both_sides;
+    builder.scene.materials[lamp].emission.both_sides = both_sides;
     builder.add(test::quad_mesh({distance, -0.5F, 0.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 1.0F, 0.0F}),
                 lamp);
     return builder;

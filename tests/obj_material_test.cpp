@@ -72,14 +72,14 @@ std::string error_of(const std::string& mtl) {
 TEST(ObjMaterial, ReadsColours) {
     const Material material = material_of("  Kd 0.1 0.2 0.3\r\n\tKe 5 6 7 # lamp\n");
     EXPECT_EQ(material.name, "a");
-    EXPECT_EQ(material.albedo, glm::vec3(0.1F, 0.2F, 0.3F));
-    EXPECT_EQ(material.emission, glm::vec3(5, 6, 7));
+    EXPECT_EQ(diffuse_albedo(material), glm::vec3(0.1F, 0.2F, 0.3F));
+    EXPECT_EQ(material.emission.radiance, glm::vec3(5, 6, 7));
     EXPECT_TRUE(material.two_sided);
-    EXPECT_TRUE(material.emits_both_sides);
-    EXPECT_EQ(material_of("kd 0.25").albedo, glm::vec3(0.25F));
-    EXPECT_EQ(material_of("").albedo, glm::vec3(0.8F));
-    EXPECT_EQ(material_of("Kd 2 0 -1", 1).albedo, glm::vec3(1, 0, 0));
-    EXPECT_EQ(material_of("Kd spectral file.rfl 1", 1).albedo, glm::vec3(0.8F));
+    EXPECT_TRUE(material.emission.both_sides);
+    EXPECT_EQ(diffuse_albedo(material_of("kd 0.25")), glm::vec3(0.25F));
+    EXPECT_EQ(diffuse_albedo(material_of("")), glm::vec3(0.8F));
+    EXPECT_EQ(diffuse_albedo(material_of("Kd 2 0 -1", 1)), glm::vec3(1, 0, 0));
+    EXPECT_EQ(diffuse_albedo(material_of("Kd spectral file.rfl 1", 1)), glm::vec3(0.8F));
 }
 
 TEST(ObjMaterial, RefusesWrongNumbers) {
@@ -110,8 +110,8 @@ TEST(ObjMaterial, PutsTheTopOfThePictureAtVOne) {
     const Texture& texture = reading.scene.textures.at(0);
     EXPECT_EQ(texture.rgba[0], 255);
     EXPECT_TRUE(texture.srgb);
-    EXPECT_EQ(reading.scene.materials.at(0).albedo_texture, 0);
-    EXPECT_EQ(reading.scene.materials.at(0).albedo, glm::vec3(0.5F));
+    EXPECT_EQ(albedo_texture(reading.scene.materials.at(0)), 0);
+    EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(0.5F));
     const Mesh& mesh = reading.scene.meshes.at(0);
     ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
     for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
@@ -143,12 +143,12 @@ TEST(ObjMaterial, AppliesTheOptionsOfAPicture) {
 TEST(ObjMaterial, BlackUnderATextureCountsAsWhite) {
     const Reading reading =
         read({{"m.mtl", "newmtl a\nKd 0 0 0\nmap_Kd p.tga"}, {"p.tga", red_above_blue()}});
-    EXPECT_EQ(reading.scene.materials.at(0).albedo, glm::vec3(1.0F));
+    EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(1.0F));
     EXPECT_EQ(reading.warnings,
               (std::vector<std::string>{
                   "m.mtl:1: black Kd would hide the texture, it is taken as white"}));
     // Without a texture, black is black.
-    EXPECT_EQ(material_of("Kd 0 0 0").albedo, glm::vec3(0.0F));
+    EXPECT_EQ(diffuse_albedo(material_of("Kd 0 0 0")), glm::vec3(0.0F));
 }
 
 TEST(ObjMaterial, LivesWithoutItsPictures) {
@@ -157,7 +157,7 @@ TEST(ObjMaterial, LivesWithoutItsPictures) {
         const Reading reading =
             read({{"m.mtl", "newmtl a\nKd 0.3 0.3 0.3\nmap_Kd " + std::string(name)},
                   {"broken.png", "no picture"}});
-        EXPECT_EQ(reading.scene.materials.at(0).albedo, glm::vec3(0.3F));
+        EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(0.3F));
         EXPECT_TRUE(reading.scene.textures.empty());
         ASSERT_EQ(reading.warnings.size(), 1U) << name;
         EXPECT_TRUE(reading.warnings[0].starts_with("m.mtl:3: ")) << reading.warnings[0];
@@ -179,7 +179,7 @@ TEST(ObjMaterial, ReadsAPictureOnce) {
 TEST(ObjMaterial, EmitsTheMeanOfAMap) {
     const Reading reading =
         read({{"m.mtl", "newmtl a\nKe 2 2 2\nmap_Ke p.tga"}, {"p.tga", red_above_blue()}});
-    const glm::vec3 emission = reading.scene.materials.at(0).emission;
+    const glm::vec3 emission = reading.scene.materials.at(0).emission.radiance;
     EXPECT_NEAR(emission.r, 1.0F, 1e-6F);
     EXPECT_NEAR(emission.g, 0.0F, 1e-6F);
     EXPECT_NEAR(emission.b, 1.0F, 1e-6F);
@@ -192,18 +192,18 @@ TEST(ObjMaterial, FindsItsFiles) {
         const Reading reading =
             read({{name, grey}}, "usemtl a\nmtllib " + std::string(name) + "\n");
         EXPECT_TRUE(reading.warnings.empty()) << name;
-        EXPECT_EQ(reading.scene.materials.at(0).albedo, glm::vec3(0.5F)) << name;
+        EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(0.5F)) << name;
     }
     const Reading several = read({{"x.mtl", "newmtl b\n"}, {"y z.mtl", grey}},
                                  "mtllib x.mtl none.mtl y\\ z.mtl\nusemtl a\n");
-    EXPECT_EQ(several.scene.materials.at(0).albedo, glm::vec3(0.5F));
+    EXPECT_EQ(diffuse_albedo(several.scene.materials.at(0)), glm::vec3(0.5F));
     EXPECT_EQ(several.warnings,
               (std::vector<std::string>{
                   "m.obj:1: file 'none.mtl' is missing, its materials are replaced by grey"}));
     for (const char* name : {"../m.mtl", "/m.mtl", "C:\\dir\\m.mtl"}) {
         const Reading refused = read({}, "mtllib " + std::string(name) + "\n");
         ASSERT_EQ(refused.warnings.size(), 1U) << name;
-        EXPECT_EQ(refused.scene.materials.at(0).albedo, glm::vec3(0.8F));
+        EXPECT_EQ(diffuse_albedo(refused.scene.materials.at(0)), glm::vec3(0.8F));
     }
 }
 
@@ -211,7 +211,7 @@ TEST(ObjMaterial, NamesMayHoldBlanksAndBeDefinedTwice) {
     const Reading reading =
         read({{"m.mtl", "Kd 1 1 1\nnewmtl a #1\nKd 0.5 0.5 0.5\nnewmtl a #1\nKd 0.25 0.25 0.25\n"}},
              "mtllib m.mtl\nusemtl a #1\n");
-    EXPECT_EQ(reading.scene.materials.at(0).albedo, glm::vec3(0.5F));
+    EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(0.5F));
     EXPECT_EQ(reading.warnings,
               (std::vector<std::string>{
                   "m.mtl:1: statements before the first 'newmtl' are ignored",

@@ -219,7 +219,7 @@ TEST(ObjReader, ReadsVertexColours) {
     EXPECT_NEAR(mesh.colours[1].g, 0.21404F, 1e-4F);
     EXPECT_EQ(mesh.colours[2], glm::vec3(1, 0, 1));
     EXPECT_EQ(mesh.colours[3], glm::vec3(1, 1, 1));
-    EXPECT_EQ(reading.scene.materials.at(0).albedo, glm::vec3(1.0F));
+    EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(1.0F));
     ASSERT_EQ(reading.warnings.size(), 1U);
     EXPECT_EQ(after_name(reading.warnings[0]), "m.obj:3: colours outside [0, 1] are clamped");
 }

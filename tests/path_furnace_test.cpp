@@ -82,7 +82,7 @@ TEST(PathFurnace, HoldsWithObjectsWithin) {
     SceneBuilder builder;
     const std::uint32_t material = builder.material(albedo, emission);
     const std::uint32_t both = builder.material(albedo, emission);
-    builder.scene.materials[both].emits_both_sides = true;
+    builder.scene.materials[both].emission.both_sides = true;
     builder.add(test::room_mesh(), material);
     builder.add(test::icosphere(2, false), material, test::placement(0.3, {-0.3, -0.4, -0.2}));
     builder.add(test::icosphere(1, false), material, test::placement(0.01, {0.1, 0.0, 0.1}));

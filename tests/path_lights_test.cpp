@@ -99,7 +99,7 @@ TEST(PathLights, TiltedParallelogramsOfTwoSides) {
     for (const Mesh& quad : test::tilted_parallelograms()) {
         SceneBuilder builder = floor_scene();
         const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
-        builder.scene.materials[material].emits_both_sides = true;
+        builder.scene.materials[material].emission.both_sides = true;
         builder.add(quad, material);
         for (const Backend backend : test::backends())
             for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(-0.7, 0.4, 0)})
@@ -118,13 +118,13 @@ TEST(PathLights, OneSidedEmittersShineToTheirFrontOnly) {
     const glm::dvec3 full = 0.7522746885 * glm::dvec3(radiance);
     const glm::dvec3 eye(0.05, -0.1, -0.2);
     for (const Backend backend : test::backends()) {
-        builder.scene.materials[lamp].emits_both_sides = false;
+        builder.scene.materials[lamp].emission.both_sides = false;
         const Rendering dark = test::path_picture(
             backend, builder.scene, test::look_at({0.05, -0.1, 1.8}, {0, 0, 2}, 0.001),
             direct_only(4, 64));
         for (const float value : dark.layer("direct")) EXPECT_EQ(value, 0.0F);
         expect_sampled(backend, builder.scene, {0, 0, 0}, full);
-        builder.scene.materials[lamp].emits_both_sides = true;
+        builder.scene.materials[lamp].emission.both_sides = true;
         expect_sampled(backend, builder.scene, {0, 0, 2}, full, 0.0, eye);
     }
 }

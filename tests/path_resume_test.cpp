@@ -40,7 +40,7 @@ const FlatScene& everything() {
             texture.rgba.push_back(static_cast<std::uint8_t>(uniform(40.0F, 250.0F)));
         builder.scene.textures.push_back(texture);
         const std::uint32_t textured = builder.material({0.9F, 0.8F, 0.7F});
-        builder.scene.materials[textured].albedo_texture = 0;
+        set_albedo_texture(builder.scene.materials[textured], 0);
         builder.add(test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 3), textured);
         Mesh wall = test::quad_mesh({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 4);
         for (std::size_t i = 0; i < wall.positions.size(); ++i)

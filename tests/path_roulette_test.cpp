@@ -34,8 +34,15 @@ constexpr std::size_t comparisons = 300;
 native::PathVertex vertex_of(std::uint32_t bounce, float throughput) {
     native::PathVertex vertex{};
     vertex.bounce = bounce;
-    vertex.throughput = native::f3(0.25F * throughput, throughput, 0.5F * throughput);
+    vertex.throughput = native::f3(throughput, throughput, throughput);
+    vertex.survival = 1.0F;
+    vertex.surface.bsdf.albedo = native::f3(0.25F, 1.0F, 0.5F);
     return vertex;
+}
+
+/// What the vertex scatters of the path's light.
+native::float3 scattered(const native::PathVertex& vertex) {
+    return native::scattered_throughput(&vertex, vertex.surface.bsdf.albedo);
 }
 
 TEST(PathRoulette, FirstBouncesAlwaysSurvive) {
@@ -44,7 +51,7 @@ TEST(PathRoulette, FirstBouncesAlwaysSurvive) {
         for (int i = 0; i < 1000; ++i) {
             native::PathVertex vertex = vertex_of(bounce, 1e-3F);
             ASSERT_EQ(native::survives(&vertex, ROULETTE_START, &random), 1);
-            ASSERT_EQ(vertex.throughput.y, 1e-3F);
+            ASSERT_EQ(scattered(vertex).y, 1e-3F);
         }
 }
 
@@ -62,11 +69,11 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
                 native::PathVertex vertex = vertex_of(bounce, throughput);
                 if (native::survives(&vertex, ROULETTE_START, &random) == 0) continue;
                 ++survivors;
-                const auto after = static_cast<double>(vertex.throughput.y);
+                const auto after = static_cast<double>(scattered(vertex).y);
                 ASSERT_TRUE(survivors == 1 || after / static_cast<double>(throughput) == weight);
                 weight = after / static_cast<double>(throughput);
-                ASSERT_NEAR(static_cast<double>(vertex.throughput.x), 0.25 * after, 1e-6 * after);
-                ASSERT_NEAR(static_cast<double>(vertex.throughput.z), 0.5 * after, 1e-6 * after);
+                ASSERT_NEAR(static_cast<double>(scattered(vertex).x), 0.25 * after, 1e-6 * after);
+                ASSERT_NEAR(static_cast<double>(scattered(vertex).z), 0.5 * after, 1e-6 * after);
             }
             ASSERT_GT(survivors, 0);
             const double q = 1.0 / weight;

@@ -101,13 +101,49 @@ TEST(ProgramSource, HoldsNoPathAndOnlyAscii) {
 TEST(ProgramSource, EveryListedKernelIsEmbeddedAndListed) {
     std::size_t files = 0;
     for (const KernelSource& source : kernel_sources()) {
-        EXPECT_EQ(source.name.find('/'), std::string_view::npos) << source.name;
+        EXPECT_FALSE(source.name.starts_with("/")) << source.name;
+        EXPECT_EQ(source.name.find(".."), std::string_view::npos) << source.name;
         if (!source.name.ends_with(".cl")) continue;
         ++files;
-        const std::string name(source.name.substr(0, source.name.size() - 3));
+        const std::string_view file = source.name.substr(source.name.rfind('/') + 1);
+        const std::string name(file.substr(0, file.size() - 3));
         EXPECT_NE(std::find(kernels().begin(), kernels().end(), name), kernels().end()) << name;
     }
     EXPECT_EQ(files, kernels().size());
+}
+
+/// The files that `text` includes by name.
+std::vector<std::string> includes_of(std::string_view text) {
+    std::vector<std::string> files;
+    std::istringstream lines{std::string(text)};
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("#include \"")) files.push_back(line.substr(10, line.size() - 11));
+    return files;
+}
+
+TEST(ProgramSource, HeadersInFoldersAreNamedByTheirPath) {
+    // C++ looks beside the including file first: no name may mean another file there.
+    std::size_t in_folders = 0;
+    for (const KernelSource& source : kernel_sources()) {
+        const std::size_t slash = source.name.rfind('/');
+        if (slash != std::string_view::npos) ++in_folders;
+        const std::string folder(
+            slash == std::string_view::npos ? "" : source.name.substr(0, slash + 1));
+        for (const std::string& file : includes_of(source.text)) {
+            const auto is_embedded = [&](const std::string& name) {
+                return std::any_of(kernel_sources().begin(), kernel_sources().end(),
+                                   [&](const KernelSource& other) { return other.name == name; });
+            };
+            EXPECT_TRUE(is_embedded(file)) << source.name << " includes " << file;
+            if (!folder.empty()) {
+                EXPECT_FALSE(is_embedded(folder + file)) << source.name << " includes " << file;
+            }
+        }
+    }
+    EXPECT_GT(in_folders, 0U);
+    const std::string walk = program_source("vpl_walk");
+    EXPECT_EQ(count_of(walk, "#define WEFT_BSDF_BSDF_H"), 1U);
+    EXPECT_EQ(count_of(walk, "#define WEFT_LIGHT_LIGHT_H"), 1U);
 }
 
 /// Sets WEFT_KERNELS for as long as it lives.

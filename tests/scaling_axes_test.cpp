@@ -27,7 +27,7 @@ const ScalingAxis& axis_of(const std::vector<ScalingAxis>& axes, const std::stri
 double lamp_area(const Scene& scene) {
     double area = 0.0;
     for (const Instance& instance : scene.instances) {
-        if (scene.materials[instance.material].emission == glm::vec3(0.0F)) continue;
+        if (scene.materials[instance.material].emission.radiance == glm::vec3(0.0F)) continue;
         const glm::dvec3 across(instance.to_world[0]);
         const glm::dvec3 along(instance.to_world[1]);
         area += 4.0 * glm::length(glm::cross(across, along));

@@ -152,7 +152,7 @@ TEST(TemporalCache, LightsAndColoursAreSummedUpWithoutRays) {
     Follower dimmed(Backend::own_bvh, test::moving_room(0), settings_of(48, 36));
     dimmed.next();  // all records at once, as in the frames that follow
     const std::vector<float> before = dimmed.renderer.image().find("indirect")->values;
-    for (Material& material : dimmed.room.scene.materials) material.emission *= 0.5F;
+    for (Material& material : dimmed.room.scene.materials) material.emission.radiance *= 0.5F;
     for (PunctualLight& light : dimmed.room.scene.lights) light.intensity *= 0.5F;
     const FrameStats& stats = dimmed.next();
     EXPECT_EQ(rays_of(dimmed.renderer, Stage::vpl_walk), 0U);
@@ -166,7 +166,7 @@ TEST(TemporalCache, LightsAndColoursAreSummedUpWithoutRays) {
     // Half of every number is exact.
     EXPECT_EQ(worst, 0.0);
     // And a colour changes flux only.
-    dimmed.room.scene.materials[0].albedo = {0.2F, 0.4F, 0.6F};
+    set_diffuse_albedo(dimmed.room.scene.materials[0], glm::vec3{0.2F, 0.4F, 0.6F});
     dimmed.next();
     EXPECT_EQ(rays_of(dimmed.renderer, Stage::vpl_walk), 0U);
     EXPECT_EQ(rays_of(dimmed.renderer, Stage::record_updates), 0U);
@@ -181,7 +181,7 @@ TEST(TemporalCache, ALightThatGoesOutAndOnAgainIsFollowed) {
         follower.room.scene = lit;
         if (i % 2 == 0) {
             for (Material& material : follower.room.scene.materials)
-                material.emission = glm::vec3(0.0F);
+                material.emission.radiance = glm::vec3(0.0F);
             for (PunctualLight& light : follower.room.scene.lights)
                 light.intensity = glm::vec3(0.0F);
         }
@@ -196,7 +196,7 @@ TEST(TemporalCache, SurfacesThatGoBlackAndReflectAgainAreFollowed) {
     settings.sampling.cache_audit = true;
     MovingRoom room = test::moving_room(1);
     const std::vector<Material> reflecting = room.scene.materials;
-    for (Material& material : room.scene.materials) material.albedo = glm::vec3(0.0F);
+    for (Material& material : room.scene.materials) set_diffuse_albedo(material, glm::vec3(0.0F));
     const std::vector<Material> black = room.scene.materials;
     room.flat = flatten(room.scene);
     Follower follower(Backend::own_bvh, std::move(room), settings);
@@ -214,7 +214,7 @@ TEST(TemporalCache, SurfacesThatGoBlackAndReflectAgainAreFollowed) {
 TEST(TemporalCache, RecordsOnWhatMovesAreDropped) {
     Follower follower(Backend::own_bvh, test::moving_room(0), settings_of(48, 36));
     EXPECT_EQ(follower.next().cache->dropped, 0U);
-    follower.room.scene.materials[0].albedo = {0.2F, 0.4F, 0.6F};
+    set_diffuse_albedo(follower.room.scene.materials[0], glm::vec3{0.2F, 0.4F, 0.6F});
     EXPECT_EQ(follower.next().cache->dropped, 0U);
     for (int i = 0; i < 4; ++i) {
         follower.room.move(0, {0.03, 0.0, 0.02});

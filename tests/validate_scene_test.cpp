@@ -25,7 +25,7 @@ Scene good_scene() {
     scene.textures.push_back(texture);
     Material material;
     material.name = "m";
-    material.albedo_texture = 0;
+    set_albedo_texture(material, 0);
     scene.materials.push_back(material);
     Mesh mesh;
     mesh.name = "g";
@@ -78,13 +78,15 @@ TEST(ValidateScene, ChecksTexturesAndMaterials) {
               "a.gltf: texture 't' is empty");
     EXPECT_EQ(error_after([](Scene& s) { s.textures[0].rgba.pop_back(); }),
               "a.gltf: texture 't' has the wrong number of bytes");
-    EXPECT_EQ(error_after([](Scene& s) { s.materials[0].albedo_texture = 1; }),
+    EXPECT_EQ(error_after([](Scene& s) { set_albedo_texture(s.materials[0], 1); }),
               "a.gltf: material 'm' refers to a texture that does not exist");
     for (const float value : {nan, -0.1F, 1.1F})
-        EXPECT_EQ(error_after([&](Scene& s) { s.materials[0].albedo.y = value; }),
+        EXPECT_EQ(error_after([&](Scene& s) {
+                      set_diffuse_albedo(s.materials[0], {0.5F, value, 0.5F});
+                  }),
                   "a.gltf: material 'm' has an albedo outside [0, 1]");
     for (const float value : {nan, -1.0F, std::numeric_limits<float>::infinity()})
-        EXPECT_EQ(error_after([&](Scene& s) { s.materials[0].emission.z = value; }),
+        EXPECT_EQ(error_after([&](Scene& s) { s.materials[0].emission.radiance.z = value; }),
                   "a.gltf: material 'm' has an emission that is negative or not finite");
 }
 

@@ -109,7 +109,7 @@ TEST(VplEmission, AreaLightsOfOneAndOfTwoSides) {
     const double area =
         glm::length(glm::cross(glm::dvec3(0.02, 0.01, 0.0), glm::dvec3(0.0, 0.01, 0.03)));
     expect_flux(builder, pi * 1000.0 * area, facets);
-    builder.scene.materials[lamp].emits_both_sides = true;
+    builder.scene.materials[lamp].emission.both_sides = true;
     expect_flux(builder, 2.0 * pi * 1000.0 * area, facets);
 }
 

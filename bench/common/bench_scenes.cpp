@@ -29,10 +29,10 @@ glm::dmat4 placed(const glm::dvec3& position, const glm::dvec3& size, double tur
 Scene lit_room() {
     Scene scene;
     Material wall;
-    wall.albedo = glm::vec3(0.7F);
+    wall.surface = DiffuseSurface{glm::vec3(0.7F)};
     Material light;
-    light.albedo = glm::vec3(0.0F);
-    light.emission = glm::vec3(10.0F);
+    light.surface = DiffuseSurface{glm::vec3(0.0F)};
+    light.emission.radiance = glm::vec3(10.0F);
     scene.materials = {wall, light};
     scene.meshes = {make_cube(), make_rectangle()};
     add(scene, 0, 0, glm::dmat4(1.0));

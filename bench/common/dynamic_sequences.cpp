@@ -76,7 +76,7 @@ DynamicSequence::DynamicSequence(Scene scene, const Camera& camera, SceneProbe& 
 void DynamicSequence::add(const Mesh& mesh, const glm::vec3& colour, const Prop& prop) {
     Material material;
     material.name = mesh.name;
-    material.albedo = colour;
+    material.surface = DiffuseSurface{colour};
     first_.materials.push_back(material);
     first_.meshes.push_back(mesh);
     Instance instance;
@@ -183,7 +183,7 @@ void DynamicSequence::dim_lights(std::uint32_t frame) {
     const float factor = std::pow(dimming, static_cast<float>(frame));
     const glm::vec3 tint(factor, factor * factor, factor * factor);
     for (std::size_t i = 0; i < now_.materials.size(); ++i)
-        now_.materials[i].emission = first_.materials[i].emission * tint;
+        now_.materials[i].emission.radiance = first_.materials[i].emission.radiance * tint;
     for (std::size_t i = 0; i < now_.lights.size(); ++i)
         now_.lights[i].intensity = first_.lights[i].intensity * tint;
 }
@@ -196,7 +196,7 @@ void DynamicSequence::switch_lamp(std::uint32_t frame) {
                                                : warm;
     const std::size_t materials = now_.materials.size();
     if (lamp_ < materials)
-        now_.materials[lamp_].emission = first_.materials[lamp_].emission * tint;
+        now_.materials[lamp_].emission.radiance = first_.materials[lamp_].emission.radiance * tint;
     else
         now_.lights[lamp_ - materials].intensity =
             first_.lights[lamp_ - materials].intensity * tint;

@@ -10,7 +10,7 @@ namespace weft {
 
 /// One file of kernels/ as it was when the program was built.
 struct KernelSource {
-    std::string_view name;  ///< file name without folder, as an #include would give it
+    std::string_view name;  ///< path relative to kernels/, as an #include gives it
     std::string_view text;  ///< ASCII; a NUL follows its end
 };
 

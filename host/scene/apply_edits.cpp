@@ -83,9 +83,14 @@ struct Change {
     void operator()(const MaterialChange& change) const {
         for (const std::uint32_t index : edit.targets) {
             Material& material = scene.materials[index];
-            if (change.albedo) fade(material.albedo, glm::dvec3(*change.albedo));
-            fade(material.emission,
-                 glm::dvec3(change.emission.value_or(material.emission)) * change.emission_factor);
+            if (change.albedo) {
+                glm::vec3 albedo = diffuse_albedo(material);
+                fade(albedo, glm::dvec3(*change.albedo));
+                set_diffuse_albedo(material, albedo);
+            }
+            fade(material.emission.radiance,
+                 glm::dvec3(change.emission.value_or(material.emission.radiance)) *
+                     change.emission_factor);
         }
     }
 

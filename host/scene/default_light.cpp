@@ -40,7 +40,8 @@ bool has_light(const Scene& scene) {
     return scene.light_named || !scene.lights.empty() || scene.environment ||
            std::any_of(scene.instances.begin(), scene.instances.end(),
                        [&](const Instance& instance) {
-                           return scene.materials[instance.material].emission != glm::vec3(0.0F);
+                           return scene.materials[instance.material].emission.radiance !=
+                                  glm::vec3(0.0F);
                        }) ||
            media_emit(scene);
 }

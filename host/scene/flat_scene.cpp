@@ -31,7 +31,7 @@ Attributes attributes_of(const Scene& scene) {
         const Material& material = scene.materials[instance.material];
         if (mesh.triangles.empty()) continue;
         found.normals |= !mesh.normals.empty();
-        found.uvs |= !mesh.uvs.empty() && material.albedo_texture >= 0;
+        found.uvs |= !mesh.uvs.empty() && albedo_texture(material) >= 0;
         found.colours |= !mesh.colours.empty();
         found.one_sided |= !material.two_sided;
     }
@@ -173,7 +173,7 @@ void append_instances(const Scene& scene, const Attributes& attributes, FlatScen
 void append_textures(const Scene& scene, FlatScene& flat) {
     std::vector<bool> used(scene.textures.size(), false);
     for (const Instance& instance : scene.instances) {
-        const int texture = scene.materials[instance.material].albedo_texture;
+        const int texture = albedo_texture(scene.materials[instance.material]);
         if (texture >= 0) used[static_cast<std::size_t>(texture)] = true;
     }
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
@@ -189,16 +189,23 @@ void append_textures(const Scene& scene, FlatScene& flat) {
     }
 }
 
+/// One overload for each kind of parameters: its lobe, and what that reads of the record.
+void set_lobe(const DiffuseSurface& surface, bool textures, shared::MaterialRecord& record) {
+    record.lobe = LOBE_LAMBERT;
+    record.albedo = {surface.albedo.r, surface.albedo.g, surface.albedo.b, 0.0F};
+    record.texture = textures && surface.albedo_texture >= 0
+                         ? static_cast<std::uint32_t>(surface.albedo_texture)
+                         : NO_TRIANGLE;
+}
+
 shared::MaterialRecord material_record(const Material& material, bool textures) {
     shared::MaterialRecord record{};
-    record.albedo = {material.albedo.r, material.albedo.g, material.albedo.b, 0.0F};
-    record.emission = {material.emission.r, material.emission.g, material.emission.b, 0.0F};
+    std::visit([&](const auto& surface) { set_lobe(surface, textures, record); }, material.surface);
+    const glm::vec3& radiance = material.emission.radiance;
+    record.emission = {radiance.r, radiance.g, radiance.b, 0.0F};
     record.flags = (material.two_sided ? MATERIAL_TWO_SIDED : 0U) |
-                   (luminance(material.emission) > 0.0 ? MATERIAL_EMITS : 0U) |
-                   (material.emits_both_sides ? MATERIAL_EMITS_BOTH_SIDES : 0U);
-    record.texture = textures && material.albedo_texture >= 0
-                         ? static_cast<std::uint32_t>(material.albedo_texture)
-                         : NO_TRIANGLE;
+                   (luminance(radiance) > 0.0 ? MATERIAL_EMITS : 0U) |
+                   (material.emission.both_sides ? MATERIAL_EMITS_BOTH_SIDES : 0U);
     return record;
 }
 
@@ -219,8 +226,8 @@ std::vector<double> texture_means(const Scene& scene) {
     std::vector<double> means;
     for (const Material& material : scene.materials) {
         means.push_back(1.0);
-        if (material.albedo_texture < 0) continue;
-        const auto texture = static_cast<std::size_t>(material.albedo_texture);
+        if (albedo_texture(material) < 0) continue;
+        const auto texture = static_cast<std::size_t>(albedo_texture(material));
         if (of_textures[texture] < 0.0)
             of_textures[texture] = mean_luminance(scene.textures[texture]);
         means.back() = of_textures[texture];
@@ -247,7 +254,8 @@ SurfaceMeans mean_surfaces(const Scene& scene, const FlatScene& flat) {
     double reflected = 0.0;
     for (std::size_t m = 0; m < areas.size(); ++m) {
         means.area += areas[m];
-        reflected += areas[m] * luminance(scene.materials[m].albedo) * flat.texture_means[m];
+        reflected +=
+            areas[m] * luminance(diffuse_albedo(scene.materials[m])) * flat.texture_means[m];
     }
     if (means.area > 0.0) means.reflectance = std::clamp(reflected / means.area, 0.0, 1.0);
     return means;

@@ -87,7 +87,7 @@ const GltfSurface& GltfMaterials::surface(const std::optional<GltfValue>& refere
     } else {
         Material material;
         material.name = "default";
-        material.albedo = glm::vec3{1.0F};
+        material.surface = DiffuseSurface{glm::vec3{1.0F}};
         surface.material = static_cast<std::uint32_t>(materials_.size());
         materials_.push_back(std::move(material));
     }
@@ -103,9 +103,9 @@ GltfSurface GltfMaterials::convert(const GltfValue& value, std::size_t index) {
         media_.push_back(*std::move(medium));
         return surface;
     }
-    convert_base_colour(value, material, surface);
-    material.emission = emission(value);
-    material.emits_both_sides = value.bool_or("doubleSided", false);
+    material.surface = base_colour(value, surface);
+    material.emission.radiance = emission(value);
+    material.emission.both_sides = value.bool_or("doubleSided", false);
     material.two_sided = true;
     report_unsimulated(value);
     surface.material = static_cast<std::uint32_t>(materials_.size());
@@ -113,30 +113,30 @@ GltfSurface GltfMaterials::convert(const GltfValue& value, std::size_t index) {
     return surface;
 }
 
-void GltfMaterials::convert_base_colour(const GltfValue& value, Material& material,
-                                        GltfSurface& surface) {
-    material.albedo = glm::vec3{1.0F};
+DiffuseSurface GltfMaterials::base_colour(const GltfValue& value, GltfSurface& surface) {
+    DiffuseSurface diffuse{glm::vec3{1.0F}};
     const std::optional<GltfValue> pbr = value.find("pbrMetallicRoughness");
     const double metallic = pbr ? pbr->number_or("metallicFactor", 1.0) : 1.0;
     if (metallic > 0.0)
         report_.once(value.place(),
                      "metallic reflection is not simulated, a diffuse surface of the base colour "
                      "is rendered instead");
-    if (!pbr) return;
+    if (!pbr) return diffuse;
     if (pbr->number_or("roughnessFactor", 1.0) < 1.0 || pbr->find("metallicRoughnessTexture"))
         report_.once(value.place(),
                      "roughness below 1 is not simulated, a diffuse surface of the base colour is "
                      "rendered instead");
     const std::array<double, 4> factor =
         pbr->numbers_or<4>("baseColorFactor", {1.0, 1.0, 1.0, 1.0});
-    material.albedo = colour(*pbr, glm::dvec3(factor[0], factor[1], factor[2]), "baseColorFactor");
+    diffuse.albedo = colour(*pbr, glm::dvec3(factor[0], factor[1], factor[2]), "baseColorFactor");
     const std::optional<GltfValue> info = pbr->find("baseColorTexture");
-    if (!info) return;
+    if (!info) return diffuse;
     const std::optional<int> texture = textures_.add(info->at("index"));
-    if (!texture) return;
-    material.albedo_texture = *texture;
+    if (!texture) return diffuse;
+    diffuse.albedo_texture = *texture;
     surface.textured = true;
     read_uv_mapping(*info, surface);
+    return diffuse;
 }
 
 glm::vec3 GltfMaterials::emission(const GltfValue& value) {

@@ -37,7 +37,7 @@ class GltfMaterials {
 
   private:
     [[nodiscard]] GltfSurface convert(const GltfValue& value, std::size_t index);
-    void convert_base_colour(const GltfValue& value, Material& material, GltfSurface& surface);
+    DiffuseSurface base_colour(const GltfValue& value, GltfSurface& surface);
     [[nodiscard]] glm::vec3 emission(const GltfValue& value);
     [[nodiscard]] glm::vec3 colour(const GltfValue& place, const glm::dvec3& value,
                                    const char* what);

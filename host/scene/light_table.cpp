@@ -61,7 +61,7 @@ struct Collector {
 
     void add_area_light(std::uint32_t instance) {
         const Material& material = scene.materials[flat.instances[instance].material];
-        if (!(luminance(material.emission) > 0.0) && !has_shone(instance)) return;
+        if (!(luminance(material.emission.radiance) > 0.0) && !has_shone(instance)) return;
         std::vector<shared::EmissiveTriangle> entries;
         std::vector<double> areas;
         double total = 0.0;
@@ -82,18 +82,19 @@ struct Collector {
         const LampBounds bounds = lamp_bounds(flat, entries);
         light.position = bounds.ball;
         light.axis = bounds.normal;
-        light.power = rgb(material.emission, 1.0);
+        light.power = rgb(material.emission.radiance, 1.0);
         light.first = static_cast<std::uint32_t>(flat.emissive.size());
         light.count = static_cast<std::uint32_t>(entries.size());
         light.area = static_cast<float>(total);
-        light.both_sides = material.emits_both_sides ? 1 : 0;
+        light.both_sides = material.emission.both_sides ? 1 : 0;
         flat.emissive.insert(flat.emissive.end(), entries.begin(), entries.end());
         if (flat.area_lights == 0 || total < flat.smallest_light_area)
             flat.smallest_light_area = total;
         ++flat.area_lights;
-        flat.instances[instance].light = add(
-            light, pi * luminance(material.emission) * total * (light.both_sides != 0 ? 2.0 : 1.0),
-            instance);
+        flat.instances[instance].light = add(light,
+                                             pi * luminance(material.emission.radiance) * total *
+                                                 (light.both_sides != 0 ? 2.0 : 1.0),
+                                             instance);
     }
 
     void add_punctual(const PunctualLight& source, std::size_t number) {

@@ -174,10 +174,9 @@ std::uint32_t MaterialReader::material(const Element* bsdf, const Element* emitt
     const Surface& look = surface(bsdf);
     Material material;
     material.name = look.name;
-    material.albedo = look.invisible ? glm::vec3(0.0F) : look.albedo;
-    material.albedo_texture = look.texture;
+    material.surface = DiffuseSurface{look.invisible ? glm::vec3(0.0F) : look.albedo, look.texture};
     material.two_sided = look.two_sided;
-    if (emitter != nullptr) material.emission = read_radiance(*emitter);
+    if (emitter != nullptr) material.emission.radiance = read_radiance(*emitter);
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
     materials_.emplace(key, index);

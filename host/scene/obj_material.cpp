@@ -118,7 +118,7 @@ const ObjSurface& ObjMaterials::default_surface() {
     if (default_) return *default_;
     Material material;
     material.name = "default";
-    material.albedo = glm::vec3(default_albedo);
+    material.surface = DiffuseSurface{glm::vec3(default_albedo)};
     default_ = ObjSurface{static_cast<std::uint32_t>(scene_.materials.size())};
     scene_.materials.push_back(std::move(material));
     return *default_;
@@ -138,24 +138,26 @@ const ObjSurface& ObjMaterials::surface(const std::string& name, const std::stri
 ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial& source) {
     Material material;
     material.name = name.substr(0, limits::max_name_bytes);
-    material.emits_both_sides = true;
+    material.emission.both_sides = true;
     ObjSurface surface;
+    DiffuseSurface diffuse;
     if (source.diffuse_map) {
-        material.albedo_texture = add_texture(*source.diffuse_map);
-        surface.textured = material.albedo_texture >= 0;
+        diffuse.albedo_texture = add_texture(*source.diffuse_map);
+        surface.textured = diffuse.albedo_texture >= 0;
         surface.uv_scale = source.diffuse_map->scale;
         surface.uv_offset = source.diffuse_map->offset;
     }
-    material.albedo = source.diffuse.value_or(glm::vec3(surface.textured ? 1.0F : default_albedo));
-    if (surface.textured && material.albedo == glm::vec3(0.0F)) {
+    diffuse.albedo = source.diffuse.value_or(glm::vec3(surface.textured ? 1.0F : default_albedo));
+    if (surface.textured && diffuse.albedo == glm::vec3(0.0F)) {
         report_.once(source.place, "black Kd would hide the texture, it is taken as white");
-        material.albedo = glm::vec3(1.0F);
+        diffuse.albedo = glm::vec3(1.0F);
     }
-    material.emission = source.emission;
+    material.surface = diffuse;
+    material.emission.radiance = source.emission;
     if (source.emission_map && source.emission != glm::vec3(0.0F)) {
         report_.once(source.emission_map->place,
                      "map_Ke is not simulated, its mean colour is emitted everywhere instead");
-        material.emission *= mean_colour(*source.emission_map);
+        material.emission.radiance *= mean_colour(*source.emission_map);
     } else if (source.emission_map) {
         report_.once(source.emission_map->place, "map_Ke without Ke is ignored");
     }

@@ -83,7 +83,7 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
         mesh.name = scene.materials[index].name;
         // Colours of the vertices are the whole albedo where no material adds its own.
         if (!mesh.colours.empty() && materials.is_default(index))
-            scene.materials[index].albedo = glm::vec3(1.0F);
+            set_diffuse_albedo(scene.materials[index], glm::vec3(1.0F));
         fit_uvs(part.surface, mesh);
         orient_by_normals(mesh);
         Instance instance;

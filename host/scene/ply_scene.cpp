@@ -20,7 +20,7 @@ Scene read_ply_scene(const std::filesystem::path& path, Diagnostics& diagnostics
     orient_by_normals(mesh);
     Material material;
     material.name = "default";
-    if (!mesh.colours.empty()) material.albedo = glm::vec3(1.0F);
+    if (!mesh.colours.empty()) material.surface = DiffuseSurface{glm::vec3(1.0F)};
     Instance instance;
     instance.name = mesh.name;
     scene.meshes.push_back(std::move(mesh));

@@ -13,6 +13,7 @@
 #include "scene/animation.h"
 #include "scene/deformation.h"
 #include "scene/density_grid.h"
+#include "scene/material.h"
 
 namespace weft {
 
@@ -29,16 +30,6 @@ struct Texture {
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
     bool nearest = false;  ///< nearest texel instead of bilinear interpolation
-};
-
-/// A Lambertian surface that may emit. Colours are linear Rec.709.
-struct Material {
-    std::string name;
-    glm::vec3 albedo{0.8F};         ///< factor in [0,1], multiplied with texture and vertex colour
-    int albedo_texture = -1;        ///< index into Scene::textures, or -1
-    glm::vec3 emission{0.0F};       ///< emitted radiance, W/(m^2 sr)
-    bool emits_both_sides = false;  ///< else only to the side of the geometric normal
-    bool two_sided = true;          ///< reflects on both sides; else its back is black
 };
 
 /// Triangles in object space. Attribute arrays are empty or as long as `positions`.

@@ -103,12 +103,12 @@ class Validator {
 
     void check(const Material& material) const {
         const std::string object = "material " + quote(material.name);
-        require(in_unit_cube(material.albedo), object, "has an albedo outside [0, 1]");
-        require(not_negative(material.emission), object,
+        require(in_unit_cube(diffuse_albedo(material)), object, "has an albedo outside [0, 1]");
+        require(not_negative(material.emission.radiance), object,
                 "has an emission that is negative or not finite");
-        require(material.albedo_texture >= -1 &&
-                    (material.albedo_texture < 0 ||
-                     static_cast<std::size_t>(material.albedo_texture) < scene_.textures.size()),
+        const int texture = albedo_texture(material);
+        require(texture >= -1 &&
+                    (texture < 0 || static_cast<std::size_t>(texture) < scene_.textures.size()),
                 object, "refers to a texture that does not exist");
     }
 

@@ -86,11 +86,13 @@ constexpr std::array one_of_each{
     Edit{"add", [](MovingRoom& room, const Scene&) { thing_of(room).present = true; }},
     Edit{"albedo",
          [](MovingRoom& room, const Scene&) {
-             for (Material& material : room.scene.materials) material.albedo = {0.2F, 0.7F, 0.4F};
+             for (Material& material : room.scene.materials)
+                 set_diffuse_albedo(material, glm::vec3{0.2F, 0.7F, 0.4F});
          }},
     Edit{"lights off",
          [](MovingRoom& room, const Scene&) {
-             for (Material& material : room.scene.materials) material.emission = glm::vec3(0.0F);
+             for (Material& material : room.scene.materials)
+                 material.emission.radiance = glm::vec3(0.0F);
              for (PunctualLight& light : room.scene.lights) light.intensity = glm::vec3(0.0F);
          }},
     Edit{"lights on and the thing back",
@@ -100,7 +102,7 @@ constexpr std::array one_of_each{
     Edit{"move and dim",
          [](MovingRoom& room, const Scene&) {
              room.move(0, {-0.1, 0.3, 0.1});
-             for (Material& material : room.scene.materials) material.emission *= 0.5F;
+             for (Material& material : room.scene.materials) material.emission.radiance *= 0.5F;
              for (PunctualLight& light : room.scene.lights) light.intensity *= 0.5F;
          }},
 };

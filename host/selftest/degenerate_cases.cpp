@@ -126,8 +126,10 @@ SceneBuilder lit_floor() {
 /// Places of a scene where a value that is none was not refused.
 double accepted_places() {
     const std::vector<std::function<void(Scene&, float)>> places{
-        [](Scene& scene, float bad) { scene.materials[0].albedo.y = bad; },
-        [](Scene& scene, float bad) { scene.materials[0].emission.y = bad; },
+        [](Scene& scene, float bad) {
+            set_diffuse_albedo(scene.materials[0], {0.5F, bad, 0.5F});
+        },
+        [](Scene& scene, float bad) { scene.materials[0].emission.radiance.y = bad; },
         [](Scene& scene, float bad) { scene.meshes[0].uvs[1].y = bad; },
         [](Scene& scene, float bad) { scene.meshes[0].colours[1].y = bad; },
         [](Scene& scene, float bad) { scene.lights[0].intensity.y = bad; },

@@ -71,12 +71,12 @@ struct MovingRoom {
                 return "come or go";
             case 5: {
                 Material& material = scene.materials[pick(scene.materials.size())];
-                material.albedo = colour();
+                set_diffuse_albedo(material, colour());
                 return "colour";
             }
             case 6:
                 for (Material& material : scene.materials)
-                    material.emission *= static_cast<float>(1.0 + 0.3 * uniform(random));
+                    material.emission.radiance *= static_cast<float>(1.0 + 0.3 * uniform(random));
                 for (PunctualLight& light : scene.lights) light.intensity = 2.0F * colour();
                 return "light";
             default:
@@ -120,7 +120,7 @@ inline MovingRoom moving_room(unsigned which) {
     if (which == 2)
         add_moving(quad_mesh({0, 0, 0}, {0, 0, 0.5F}, {0.5F, 0, 0}), lamp, 0.6, {-0.8, 0.8, 0.0});
     room.scene = builder.scene;
-    room.scene.materials[lamp].emits_both_sides = which == 2;
+    room.scene.materials[lamp].emission.both_sides = which == 2;
     room.flat = flatten(room.scene);
     return room;
 }

@@ -26,10 +26,13 @@ Estimate mean_weight(float throughput) {
     for (int i = 0; i < paths; ++i) {
         native::PathVertex vertex{};
         vertex.bounce = ROULETTE_START;
-        vertex.throughput = native::f3(throughput, throughput, throughput);
+        const native::float3 white = native::f3(1.0F, 1.0F, 1.0F);
+        vertex.surface.bsdf.albedo = white;
+        vertex.throughput = white * throughput;
+        vertex.survival = 1.0F;
         if (native::survives(&vertex, ROULETTE_START, &random) == 0) continue;
-        const double weight =
-            static_cast<double>(vertex.throughput.x) / static_cast<double>(throughput);
+        const double weight = static_cast<double>(native::scattered_throughput(&vertex, white).x) /
+                              static_cast<double>(throughput);
         sum += weight;
         squares += weight * weight;
     }

@@ -141,8 +141,8 @@ class SceneBuilder {
     /// Index of a new material.
     std::uint32_t material(const glm::vec3& albedo, const glm::vec3& emission = glm::vec3(0.0F)) {
         Material made;
-        made.albedo = albedo;
-        made.emission = emission;
+        made.surface = DiffuseSurface{albedo};
+        made.emission.radiance = emission;
         scene.materials.push_back(made);
         return static_cast<std::uint32_t>(scene.materials.size() - 1);
     }

@@ -32,6 +32,14 @@ std::string source_text(const std::string& name) {
     throw Error(ExitCode::device, "kernel source " + name + " is not embedded");
 }
 
+/// The file of kernels/ that holds a kernel: `<name>.cl`, in whichever folder.
+std::string kernel_file(std::string_view kernel) {
+    const std::string file = std::string(kernel) + ".cl";
+    for (const KernelSource& source : kernel_sources())
+        if (source.name.ends_with("/" + file)) return std::string(source.name);
+    return file;
+}
+
 /// The file between the quotes of an #include line, or empty.
 std::string_view included_file(std::string_view line) {
     constexpr std::string_view directive = "#include \"";
@@ -64,7 +72,7 @@ std::string program_source(std::string_view kernel) {
     std::string out;
     // types.h names no header for its own types: float4 is built in on devices.
     std::set<std::string> seen;
-    append_expanded(std::string(kernel) + ".cl", seen, out);
+    append_expanded(kernel_file(kernel), seen, out);
     return out;
 }
 

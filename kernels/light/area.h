@@ -1,0 +1,121 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Area lights: emissive triangles of one instance, which shine with the same radiance in all
+// directions, to the outside of their triangles or to both sides.
+#ifndef WEFT_LIGHT_AREA_H
+#define WEFT_LIGHT_AREA_H
+
+#include "geometry.h"
+#include "light/light_sample.h"
+#include "offset.h"
+
+#define EMISSIVE_STRIDE ((uint)(sizeof(EmissiveTriangle) / sizeof(float)))
+
+// Where light leaves an area light.
+typedef struct {
+    float3 origin;  // moved off the surface
+    float3 normal;  // of the side it leaves from
+    float sides;    // how many sides there are, of which this is one by chance
+} AreaExit;
+
+/// Point of an area light, uniform over its area; the outside of its triangles.
+static inline LightPoint sample_area(const Geometry* geometry, LightRecord light,
+                                     GLOBAL const EmissiveTriangle* emissive, float u, float v) {
+    uint low = light.first +
+               find_entry(&emissive[light.first].cumulative, EMISSIVE_STRIDE, light.count, u);
+    float before = emissive[low].cumulative - emissive[low].probability;
+    float s = stretch_number(u, before, emissive[low].probability);
+    Triangle triangle = geometry->triangles[emissive[low].triangle];
+    float3 a = xyz(geometry->positions[triangle.v0]);
+    float3 b = xyz(geometry->positions[triangle.v1]);
+    float3 c = xyz(geometry->positions[triangle.v2]);
+    float root = square_root(s);
+    LightPoint point;
+    point.position = a * (1.0f - root) + b * (root * (1.0f - v)) + c * (root * v);
+    point.normal = normalize3(cross3(b - a, c - a));
+    return point;
+}
+
+/// The point (u, v) that light leaves from, and of two sides the one that `side` falls on.
+static inline AreaExit leave_area(const RenderParams* params, const Geometry* geometry,
+                                  LightRecord light, GLOBAL const EmissiveTriangle* emissive,
+                                  float u, float v, float side) {
+    LightPoint point = sample_area(geometry, light, emissive, u, v);
+    AreaExit leaves;
+    leaves.normal = point.normal;
+    leaves.sides = 1.0f;
+    if (light.both_sides != 0u) {
+        leaves.normal = side < 0.5f ? point.normal : -point.normal;
+        leaves.sides = 2.0f;
+    }
+    leaves.origin =
+        point.position + leaves.normal * surface_offset(point.position, params->scene.extent);
+    return leaves;
+}
+
+/// First segment of a light path; `weight` is 1 over the probability of the light.
+static inline EmittedRay emit_from_area(const RenderParams* params, const Geometry* geometry,
+                                        LightRecord light, GLOBAL const EmissiveTriangle* emissive,
+                                        const EmissionNumbers* numbers, float weight) {
+    AreaExit leaves =
+        leave_area(params, geometry, light, emissive, numbers->u, numbers->v, numbers->rest);
+    weight *= leaves.sides;
+    EmittedRay ray;
+    ray.direction = turn_to(cosine_direction(numbers->s, numbers->t), leaves.normal);
+    ray.origin = leaves.origin;
+    ray.flux = xyz(light.power) * (weight * M_ONE_PI * light.area);
+    return ray;
+}
+
+/// The cosine at a light's point, given for the outside: that of the side that is seen, whose
+/// normal is put into `*normal`. Not above 0 where none is.
+static inline float seen_side(LightRecord light, float facing, float3* normal) {
+    if (!(facing < 0.0f && light.both_sides != 0u)) return facing;
+    *normal = -*normal;
+    return -facing;
+}
+
+/// Density per solid angle of a point that is uniform on the light, seen from that far off at that
+/// cosine.
+static inline float area_pdf(LightRecord light, float distance, float facing) {
+    return (distance / facing) * (distance / light.area);
+}
+
+/// What a point on the light sends to a surface.
+static inline LightSample area_at_surface(const RenderParams* params, const Geometry* geometry,
+                                          LightRecord light,
+                                          GLOBAL const EmissiveTriangle* emissive,
+                                          const LitPoint* lit, float3 origin, float probability,
+                                          float u, float v) {
+    LightSample sample = no_light_sample();
+    LightPoint point = sample_area(geometry, light, emissive, u, v);
+    float3 towards = point.position - lit->position;
+    if (faces(lit, towards) == 0) return sample;
+    float distance = length3(towards);
+    float3 normal = point.normal;
+    float facing = seen_side(light, -dot3(towards, point.normal) / distance, &normal);
+    if (!(facing > 0.0f) || !(distance > 0.0f)) return sample;
+    sample.in = local_direction(towards, lit->shading) / distance;
+    sample.power = xyz(light.power);
+    sample.pdf = area_pdf(light, distance, facing) * probability;
+    float3 target = point.position + normal * surface_offset(point.position, params->scene.extent);
+    sample.origin = origin;
+    sample.towards = target - origin;
+    return sample;
+}
+
+/// What a chosen point on the light sends to a place, which is `found.distance` away along
+/// `found.direction`. Its products are rounded in another order than those of area_at_surface.
+static inline PlaceLight area_at_place(const RenderParams* params, const ChosenPoint* chosen,
+                                       PlaceLight found) {
+    float3 normal = chosen->point.normal;
+    float facing = seen_side(chosen->light, -dot3(found.direction, normal), &normal);
+    if (!(facing > 0.0f)) return found;
+    found.solid = (found.distance / facing) * found.distance * chosen->density;
+    found.irradiance = xyz(chosen->light.power) / found.solid;
+    found.target += normal * surface_offset(found.target, params->scene.extent);
+    return found;
+}
+
+#endif

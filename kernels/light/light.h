@@ -1,0 +1,134 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Choosing lights, and what each kind of them sends: the one place that knows which kinds there are
+// (docs/adding-a-light.md).
+#ifndef WEFT_LIGHT_LIGHT_H
+#define WEFT_LIGHT_LIGHT_H
+
+#include "light/area.h"
+#include "light/distant.h"
+#include "light/environment.h"
+#include "light/punctual.h"
+
+#define LIGHT_STRIDE ((uint)(sizeof(LightRecord) / sizeof(float)))
+
+/// Area light that `u` falls into by power.
+static inline uint choose_area_light(GLOBAL const LightRecord* lights, uint count, float u) {
+    return find_entry(&lights->area_cumulative, LIGHT_STRIDE, count, u);
+}
+
+/// Light of any kind that `*u` falls into by power; stretches `*u` over the chosen entry for reuse.
+static inline uint choose_light(GLOBAL const LightRecord* lights, uint count, float* u) {
+    uint chosen = find_entry(&lights->cumulative, LIGHT_STRIDE, count, *u);
+    float before = lights[chosen].cumulative - lights[chosen].probability;
+    *u = stretch_number(*u, before, lights[chosen].probability);
+    return chosen;
+}
+
+/// Light for next-event estimation that `u` falls into, and `*probability` of that.
+static inline uint choose_for_surface(GLOBAL const LightRecord* lights, uint count, float u,
+                                      float* probability) {
+    uint chosen = find_entry(&lights->choice_cumulative, LIGHT_STRIDE, count, u);
+    *probability = lights[chosen].choice_probability;
+    return chosen;
+}
+
+/// First segment of a light path: flux is the light's power over the probability of choosing it.
+static inline EmittedRay emit_light(const RenderParams* params, const Geometry* geometry,
+                                    LightRecord light, GLOBAL const EmissiveTriangle* emissive,
+                                    const EmissionNumbers* numbers) {
+    float weight = 1.0f / light.probability;
+    switch (light.kind) {
+        case EMITTER_AREA:
+            return emit_from_area(params, geometry, light, emissive, numbers, weight);
+        case EMITTER_POINT:
+        case EMITTER_SPOT:
+            return emit_from_point(light, numbers, weight);
+        case EMITTER_ENVIRONMENT:
+            return emit_from_environment(params, light, numbers, weight);
+        case EMITTER_DIRECTIONAL:
+        default:
+            return emit_from_distant(params, light, numbers, weight);
+    }
+}
+
+/// What a light that was chosen with that probability sends to a surface, by a point (u, v) of it.
+/// `origin` is the surface's point, moved off. Of no environment.
+static inline LightSample light_at_surface(const RenderParams* params, const Geometry* geometry,
+                                           LightRecord light,
+                                           GLOBAL const EmissiveTriangle* emissive,
+                                           const LitPoint* lit, float3 origin, float probability,
+                                           float u, float v) {
+    switch (light.kind) {
+        case EMITTER_AREA:
+            return area_at_surface(params, geometry, light, emissive, lit, origin, probability, u,
+                                   v);
+        case EMITTER_DIRECTIONAL:
+            return distant_at_surface(light, lit, origin, probability);
+        case EMITTER_POINT:
+        case EMITTER_SPOT:
+        default:
+            return punctual_at_surface(light, lit, origin, probability);
+    }
+}
+
+/// Point (u, v) of a light that was chosen with that probability. Of no environment.
+static inline ChosenPoint point_on_light(const Geometry* geometry, LightRecord light,
+                                         GLOBAL const EmissiveTriangle* emissive, float probability,
+                                         float u, float v) {
+    ChosenPoint chosen;
+    chosen.light = light;
+    chosen.density = probability;
+    chosen.point.position = xyz(light.position);
+    chosen.point.normal = f3(0.0f, 0.0f, 0.0f);
+    if (light.kind == EMITTER_AREA) {
+        chosen.point = sample_area(geometry, light, emissive, u, v);
+        chosen.density = probability / light.area;
+    }
+    return chosen;
+}
+
+/// 1 where the light has a place: all but those infinitely far away.
+static inline int has_place(LightRecord light) {
+    return light.kind != EMITTER_DIRECTIONAL && light.kind != EMITTER_ENVIRONMENT ? 1 : 0;
+}
+
+/// What a chosen point of a light sends to a place in a medium. Of no environment.
+static inline PlaceLight light_at_place(const RenderParams* params, const ChosenPoint* chosen,
+                                        float3 place) {
+    PlaceLight found;
+    found.irradiance = f3(0.0f, 0.0f, 0.0f);
+    found.solid = 0.0f;
+    found.target = chosen->point.position;
+    found.distance = RAY_INFINITY;
+    if (has_place(chosen->light) == 0) return distant_at_place(chosen, found);
+    float3 towards = chosen->point.position - place;
+    found.distance = length3(towards);
+    found.direction = towards;
+    if (!(found.distance > 0.0f)) return found;
+    found.direction = towards / found.distance;
+    switch (chosen->light.kind) {
+        case EMITTER_AREA:
+            return area_at_place(params, chosen, found);
+        case EMITTER_POINT:
+        case EMITTER_SPOT:
+        default:
+            return punctual_at_place(chosen, found);
+    }
+}
+
+/// Density per solid angle with which next-event estimation takes the direction of a ray that met
+/// an emitting surface after `t`: of that instance, with that normal on the ray's side. 0 where it
+/// never does.
+static inline float met_light_pdf(const Geometry* geometry, GLOBAL const LightRecord* lights,
+                                  uint instance, float3 normal, float3 direction, float t) {
+    uint index = geometry->instances[instance].light;
+    if (index == NO_TRIANGLE) return 0.0f;
+    LightRecord light = lights[index];
+    float facing = -dot3(direction, normal);
+    if (!(facing > 0.0f)) return 0.0f;
+    return area_pdf(light, t, facing) * light.choice_probability;
+}
+
+#endif
