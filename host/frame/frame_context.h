@@ -152,7 +152,9 @@ class FrameContext : public FrameInputs {
     [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
     /// The stages so far, with what they counted.
     [[nodiscard]] const std::deque<StageStats>& stages();
-    /// Records work of the host between stages.
+    /// Waits for what still runs, so that the time of host work that follows is its own alone.
+    void wait() { (void)executor.take_milliseconds(); }
+    /// Records work of the host between stages; what ran on the device meanwhile must not count.
     void add_host_stage(Stage stage, const char* component, double ms);
 
     shared::Params params;
