@@ -6,6 +6,7 @@
 #include "frame/adaptive_sampling.h"
 #include "frame/edge_samples.h"
 #include "frame/film.h"
+#include "frame/media_buffers.h"
 #include "frame/view_media.h"
 #include "kernels/receivers.h"
 #include "scene/mip_levels.h"
@@ -65,6 +66,13 @@ void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene
     write(2, flat.instances);
     write(3, flat.materials);
     upload_lights(executor, flat, scene);
+}
+
+std::shared_ptr<MediaBuffers> media_of(Executor& executor, const FlatScene& flat,
+                                       SceneBuffers& scene) {
+    if (!scene.media)
+        scene.media = std::make_shared<MediaBuffers>(upload_media(executor, flat.media));
+    return scene.media;
 }
 
 FrameBuffers::FrameBuffers() = default;
@@ -130,7 +138,7 @@ void clear_nonfinite(Executor& executor, Buffer& counter) {
 void FrameContext::run(KernelId kernel, Stage stage, const char* component, bool traces,
                        const std::vector<Buffer*>& arguments, std::uint32_t items,
                        std::uint32_t items_per_launch, std::uint32_t first_item) {
-    if (items == 0 || (ended_early_ && !finishing_)) return;
+    if (items == 0 || (ended_early() && !finishing_)) return;
     if (uncounted_.size() == counter_slots) count();
     if (uncounted_.empty()) {
         const std::vector<shared::RayCounter> zero(counter_slots);
@@ -141,14 +149,9 @@ void FrameContext::run(KernelId kernel, Stage stage, const char* component, bool
     stages_.push_back({stage, component, 0.0, 0, 0});
     const TracedScene* const scene_of_stage =
         other_scene != nullptr ? other_scene : scene_buffers.traced.get();
-    const Launch launch{kernel,
-                        params,
-                        traces ? scene_of_stage : nullptr,
-                        arguments,
-                        items,
-                        items_per_launch,
-                        first_item,
-                        &stages_.back().ms};
+    const Launch launch{kernel,     params,         traces ? scene_of_stage : nullptr,
+                        arguments,  items,          items_per_launch,
+                        first_item, whole_launches, &stages_.back().ms};
     const bool complete = executor.run(launch, [&](double done) {
         return finishing_ || !keep_going_ || keep_going_(stage, done);
     });

@@ -19,15 +19,24 @@
 
 namespace weft {
 
+struct MediaBuffers;
+
 /// The scene on the device; the order of `geometry` is that of GEOMETRY_ARGS.
 struct SceneBuffers {
     std::vector<std::unique_ptr<Buffer>> geometry;
     std::unique_ptr<Buffer> lights;
     std::unique_ptr<Buffer> emissive;
     std::unique_ptr<TracedScene> traced;
+    /// Participating media, once something has asked for them: see media_of.
+    std::shared_ptr<MediaBuffers> media;
 };
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
+
+/// The scene's media on the device, uploaded when first asked for. All users of the buffers look
+/// from one camera.
+[[nodiscard]] std::shared_ptr<MediaBuffers> media_of(Executor& executor, const FlatScene& flat,
+                                                     SceneBuffers& scene);
 
 /// Brings them up to date with the scene they were made of after update_flat.
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
@@ -149,7 +158,7 @@ class FrameContext : public FrameInputs {
         finishing_ = before;
     }
 
-    [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
+    [[nodiscard]] bool ended_early() const { return ended_early_ || executor.cancelled(); }
     /// The stages so far, with what they counted.
     [[nodiscard]] const std::deque<StageStats>& stages();
     /// Waits for what still runs, so that the time of host work that follows is its own alone.
@@ -166,6 +175,8 @@ class FrameContext : public FrameInputs {
     Begins begins = Begins::sequence;
     /// Where given, stages trace in this and not in the scene.
     const TracedScene* other_scene = nullptr;
+    /// Whether stages run to their end even if all else is cancelled: see Launch::whole.
+    bool whole_launches = false;
     /// Where given, its gains scale the thresholds of adaptive components.
     const FrameBudget* budget = nullptr;
 

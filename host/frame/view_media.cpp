@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <span>
+#include <utility>
 
 namespace weft {
 namespace {
@@ -17,9 +18,10 @@ void fill(Executor& executor, Buffer& plane, const shared::float4& value) {
 
 }  // namespace
 
-ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& camera,
-                     std::size_t pixels, std::uint32_t features)
-    : media_(upload_media(executor, scene.media)),
+ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene,
+                     std::shared_ptr<MediaBuffers> media, const Camera& camera, std::size_t pixels,
+                     std::uint32_t features)
+    : media_(std::move(media)),
       left_(executor.allocate(pixels * sizeof(shared::float4), "transmittance of view rays")),
       inside_(executor.allocate(pixels * sizeof(std::uint32_t), "surroundings of view rays")) {
     set_camera(executor, scene, camera);
@@ -33,12 +35,12 @@ ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& c
 }
 
 void ViewMedia::set_camera(Executor& executor, const FlatScene& scene, const Camera& camera) {
-    set_media_camera(executor, scene, camera, media_);
+    set_media_camera(executor, scene, camera, *media_);
 }
 
 void ViewMedia::find(FrameContext& frame) const {
     std::vector<Buffer*> others =
-        media_.followed_by({left_.get(), frame.buffers.or_nothing(glow_), inside_.get()});
+        media_->followed_by({left_.get(), frame.buffers.or_nothing(glow_), inside_.get()});
     for (std::size_t i = 0; i < gbuffer_buffers; ++i) {
         if (i == gbuffer_shading || i == gbuffer_emission) continue;  // filled once
         others.push_back(ends_.empty() ? frame.buffers.nothing.get() : ends_[i].get());

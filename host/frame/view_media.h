@@ -15,15 +15,15 @@ namespace weft {
 class ViewMedia {
   public:
     /// With FEATURE_AIRLIGHT among the features also the ends of view rays.
-    ViewMedia(Executor& executor, const FlatScene& scene, const Camera& camera, std::size_t pixels,
-              std::uint32_t features);
+    ViewMedia(Executor& executor, const FlatScene& scene, std::shared_ptr<MediaBuffers> media,
+              const Camera& camera, std::size_t pixels, std::uint32_t features);
 
     void set_camera(Executor& executor, const FlatScene& scene, const Camera& camera);
 
     /// Launches view_media.cl on the frame's G-buffer.
     void find(FrameContext& frame) const;
 
-    [[nodiscard]] const MediaBuffers& media() const { return media_; }
+    [[nodiscard]] const MediaBuffers& media() const { return *media_; }
     /// By pixel, float4: what media leave of light from the end of its view ray.
     [[nodiscard]] Buffer& left() const { return *left_; }
     /// By pixel, float4: what media emit towards the camera; null where none emits.
@@ -35,7 +35,7 @@ class ViewMedia {
     [[nodiscard]] const GBuffer& ends() const { return ends_; }
 
   private:
-    MediaBuffers media_;
+    std::shared_ptr<MediaBuffers> media_;
     std::unique_ptr<Buffer> left_, glow_, inside_;
     GBuffer ends_;
 };
