@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/options.h"
-#include "app/overlay_output.h"
+#include "session/overlay_files.h"
 #include "base/file.h"
 #include "frame/level_layers.h"
 #include "image/exr.h"
@@ -199,12 +199,10 @@ TEST_F(LevelOverlayFiles, AreNotThereUnlessAskedFor) {
 TEST_F(LevelOverlayFiles, AreOfTheComponentsThatAdapt) {
     ASSERT_EQ(render({"--overlays", "--components", "direct", "-o", at("out.png")}).exit_code, 0);
     EXPECT_EQ(folder_.entry_count(), 1U + 2U);
-    RenderOptions options;
-    options.output = at("still.exr");
     Diagnostics diagnostics;
     Image image = picture("direct", {});
-    write_overlays(options, image, diagnostics);
-    write_overlays(options, image, diagnostics);
+    write_overlays(at("still.exr"), image, 0.0, diagnostics);
+    write_overlays(at("still.exr"), image, 0.0, diagnostics);
     EXPECT_EQ(diagnostics.warnings().size(), 1U) << "nothing adapts there";
     EXPECT_EQ(folder_.entry_count(), 1U + 2U);
 }
