@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "app/options.h"
-#include "session/overlay_files.h"
 #include "base/file.h"
 #include "frame/level_layers.h"
 #include "image/exr.h"
@@ -22,6 +21,7 @@
 #include "metrics/heat_map.h"
 #include "metrics/numeric.h"
 #include "run_program.h"
+#include "session/overlay_files.h"
 
 // Pictures of the scheduler's decisions: the layers, what overlays make of them, and the files.
 namespace weft {

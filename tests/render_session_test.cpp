@@ -53,9 +53,8 @@ TEST(RenderSession, AlgorithmsShareOneUploadOfTheScene) {
 }
 
 TEST(RenderSession, AlgorithmsShareOneUploadOfMedia) {
-    CountedSession made =
-        counted_session(Backend::embree, test::smoky_room(), test::room_camera(),
-                        small_settings(Algorithm::igi, width, height));
+    CountedSession made = counted_session(Backend::embree, test::smoky_room(), test::room_camera(),
+                                          small_settings(Algorithm::igi, width, height));
     expect_fresh(*made.session, Backend::embree, "igi");
     made.session->set_settings(small_path(width, height, 2));
     expect_fresh(*made.session, Backend::embree, "path");
