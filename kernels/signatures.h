@@ -345,6 +345,18 @@
     X(WRITES, RayCounters, counters)                   \
     X(WRITES, NonfiniteCounters, nonfinite)
 
+#define ARGUMENTS_resolve_display(X)                   \
+    X(VALUE, uint, samples)                            \
+    X(VALUE, float, exposure)                          \
+    X(READS, FilmHigh, film_high)                      \
+    X(READS, FilmLow, film_low)                        \
+    X(WRITES, DisplayColours, colours)
+
+#define ARGUMENTS_resolve_display_sums(X)              \
+    X(VALUE, float, exposure)                          \
+    X(READS, FilmSums, film_sums)                      \
+    X(WRITES, DisplayColours, colours)
+
 #define ARGUMENTS_query_closest(X)                     \
     X(TRACES, Scene, scene)                            \
     X(READS, RayOrigins, ray_origin)                   \

@@ -328,7 +328,7 @@ typedef struct {
     uint pad;
 } LightSampling;
 
-// What the plan samples: sets, virtual lights, light paths and records.
+// What the plan samples.
 typedef struct {
     LightSampling lights;
     uint seed;
@@ -340,8 +340,7 @@ typedef struct {
     float gather_scale;        // a set's sum times this estimates the whole sum
     float vpl_bound;           // bound on G of indirect VPLs
     uint environment_samples;  // rays per pixel
-    uint paths_per_set;
-    uint vpls_per_set;
+    uint paths_per_set, vpls_per_set;
     uint bounces;
     uint survivors[MAX_BOUNCES];  // paths of a set that reach bounce k + 1
     uint first_vpl[MAX_BOUNCES];  // their first slot inside the set
@@ -364,8 +363,7 @@ typedef struct {
     SceneParams scene;
     SamplingParams sampling;
     FilterParams filter;
-    uint features;  // FEATURE_*
-    uint pad[3];
+    uint features, pad[3];  // FEATURE_*
 } RenderParams;
 
 // The work-items of one launch, filled in by the executor, and where it counts its rays.
@@ -374,16 +372,14 @@ typedef struct {
     uint counter;       // which RayCounter
 } LaunchRange;
 
-// Which entries of a list a sample set owns: those of set k are the `length` from first + k stride
-// on.
+// Entries of a list by sample set: those of set k are the `length` from first + k stride on.
 typedef struct {
     uint first, stride, length;
 } SetList;
 
 // The cells of the hemispheres that a launch samples, of the records in slots from `first` on.
 typedef struct {
-    uint first;
-    uint elevations, azimuths;
+    uint first, elevations, azimuths;
 } HemisphereGrid;
 
 // How irradiance records gather VPLs, and which of them are computed again after a change.

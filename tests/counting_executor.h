@@ -27,6 +27,8 @@ class CountingExecutor : public Executor {
     [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
     [[nodiscard]] const std::vector<Allocation>& allocations() const { return allocations_; }
     [[nodiscard]] const std::vector<std::string>& kernels() const { return kernels_; }
+    /// How many scenes were made.
+    [[nodiscard]] std::size_t scenes() const { return scenes_; }
     [[nodiscard]] const std::vector<std::uint32_t>& features() const { return features_; }
 
     [[nodiscard]] const DeviceInfo& device() const override { return inner_->device(); }
@@ -41,6 +43,7 @@ class CountingExecutor : public Executor {
         inner_->with_mapped(buffer, access, use);
     }
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
+        ++scenes_;
         return inner_->make_scene(geometry);
     }
     void update_scene(TracedScene& scene, const TracedGeometry& geometry) override {
@@ -52,7 +55,7 @@ class CountingExecutor : public Executor {
         inner_->build(kernels, features);
     }
     bool run(const Launch& launch, const std::function<bool(double done)>& keep_going) override {
-        runs_.emplace_back(kernel_name(launch.kernel), launch.first_item, launch.items);
+        runs_.emplace_back(kernel_name(launch.kernel), launch.options.first_item, launch.items);
         return inner_->run(launch, keep_going);
     }
     double take_milliseconds() override { return inner_->take_milliseconds(); }
@@ -64,6 +67,7 @@ class CountingExecutor : public Executor {
 
   private:
     std::unique_ptr<Executor> inner_;
+    std::size_t scenes_ = 0;
     std::vector<Run> runs_;
     std::vector<Allocation> allocations_;
     std::vector<std::string> kernels_;

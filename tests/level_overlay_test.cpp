@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "app/options.h"
-#include "app/overlay_output.h"
 #include "base/file.h"
 #include "frame/level_layers.h"
 #include "image/exr.h"
@@ -22,6 +21,7 @@
 #include "metrics/heat_map.h"
 #include "metrics/numeric.h"
 #include "run_program.h"
+#include "session/overlay_files.h"
 
 // Pictures of the scheduler's decisions: the layers, what overlays make of them, and the files.
 namespace weft {
@@ -199,12 +199,10 @@ TEST_F(LevelOverlayFiles, AreNotThereUnlessAskedFor) {
 TEST_F(LevelOverlayFiles, AreOfTheComponentsThatAdapt) {
     ASSERT_EQ(render({"--overlays", "--components", "direct", "-o", at("out.png")}).exit_code, 0);
     EXPECT_EQ(folder_.entry_count(), 1U + 2U);
-    RenderOptions options;
-    options.output = at("still.exr");
     Diagnostics diagnostics;
     Image image = picture("direct", {});
-    write_overlays(options, image, diagnostics);
-    write_overlays(options, image, diagnostics);
+    write_overlays(at("still.exr"), image, 0.0, diagnostics);
+    write_overlays(at("still.exr"), image, 0.0, diagnostics);
     EXPECT_EQ(diagnostics.warnings().size(), 1U) << "nothing adapts there";
     EXPECT_EQ(folder_.entry_count(), 1U + 2U);
 }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/overlay_output.h"
 
-#include <vector>
+#include <filesystem>
+#include <string>
 
 #include "app/command_line.h"
 #include "app/options.h"
 #include "base/error.h"
 #include "frame/level_overlay.h"
-#include "image/png.h"
 
 namespace weft {
 namespace {
@@ -36,27 +36,6 @@ void read_overlays(const CLI::App& command, RenderOptions& options) {
         throw usage_error("--overlays: shows adaptive sampling, expected --algorithm ais");
     if (options.stats && is_overlay_output(options.output, *options.stats))
         throw usage_error("--stats: names the same file as one of the pictures of --overlays");
-}
-
-std::filesystem::path overlay_output(const std::filesystem::path& output,
-                                     const std::string& layer) {
-    std::filesystem::path path = output;
-    return path.replace_filename(output.stem().string() + "." + layer + ".png");
-}
-
-void write_overlays(const RenderOptions& options, const Image& image, Diagnostics& diagnostics) {
-    const std::vector<std::string> layers = overlay_layers(image);
-    if (layers.empty())
-        diagnostics.warn("",
-                         "nothing in the scene is sampled adaptively, --overlays has nothing "
-                         "to show");
-    const double exposure = options.exposure_ev ? *options.exposure_ev : auto_exposure(image);
-    for (const std::string& layer : layers) {
-        Image overlay = level_overlay(image, layer, exposure);
-        overlay.metadata = image.metadata;
-        overlay.metadata["layer"] = layer;
-        write_png(overlay_output(options.output, layer), overlay, 0.0);
-    }
 }
 
 }  // namespace weft

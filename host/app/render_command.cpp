@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
+#include <memory>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "app/choose_executor.h"
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/overlay_output.h"
 #include "app/print.h"
-#include "app/render_path.h"
+#include "app/progress.h"
 #include "app/stats_json.h"
 #include "app/thread_limit.h"
 #include "base/file.h"
@@ -23,10 +24,11 @@
 #include "frame/camera_params.h"
 #include "frame/film_sums_file.h"
 #include "image/exr.h"
-#include "image/png.h"
 #include "scene/load_scene.h"
 #include "scene/moving_scene.h"
 #include "scene/pose_scene.h"
+#include "session/file_output.h"
+#include "session/render_session.h"
 
 namespace weft {
 namespace {
@@ -78,54 +80,9 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
     return settings;
 }
 
-/// How far a frame is, from what its stages cost as a rule.
-double share_of_frame(Stage stage, double done) {
-    constexpr double before_gather = 0.1;
-    constexpr double direct = 0.15;
-    if (stage == Stage::vpl_gather || stage == Stage::hemisphere_rays)
-        return before_gather + direct + 0.7 * done;
-    if (stage == Stage::area_lights || stage == Stage::distant_light)
-        return before_gather + direct * done;
-    if (stage == Stage::vpl_residual) return 0.95;
-    if (stage == Stage::reconstruction || stage == Stage::composition) return 0.97;
-    return before_gather * done * 0.5;
-}
-
-/// Stages that read no light, but that every later one builds on: the first frame has them whole.
-bool is_needed_by_all(Stage stage) {
-    return stage == Stage::primary_rays || stage == Stage::receivers;
-}
-
-/// Renders frames until the options' count, their time or the user ends it.
-bool render_frames(Renderer& renderer, const RenderOptions& options, Progress& progress,
-                   const Stopwatch& watch) {
-    const bool timed = options.time_seconds.has_value();
-    const std::uint32_t frames =
-        options.spp.value_or(timed ? std::numeric_limits<std::uint32_t>::max() : 1);
-    const double budget_ms = timed ? *options.time_seconds * 1000.0 : 0.0;
-    double shown = 0.0;
-    std::uint32_t frame = 0;
-    const KeepGoing keep_going = [&](Stage stage, double done) {
-        double fraction = (frame + share_of_frame(stage, done)) / frames;
-        if (timed) fraction = std::max(fraction, std::min(1.0, watch.total() / budget_ms));
-        shown = std::max(shown, fraction);
-        progress.update(shown, stage_name(stage));
-        // A first frame is finished even when the time is up: less than a picture helps nobody.
-        if (frame == 0 && is_needed_by_all(stage)) return true;
-        const bool out_of_time = timed && frame > 0 && watch.total() > budget_ms;
-        return !interrupt_flag() && !out_of_time;
-    };
-    // A first frame is begun in any case: without it there is no picture to keep.
-    for (; frame < frames && (frame == 0 || !interrupt_flag()); ++frame) {
-        if (timed && frame > 0 && watch.total() >= budget_ms) break;
-        if (!renderer.render_frame(keep_going)) break;
-    }
-    return !interrupt_flag();
-}
-
-void warn_about_nonfinite(const FrameRenderer& renderer, const RenderOptions& options,
+void warn_about_nonfinite(const RenderSession& session, const RenderOptions& options,
                           std::uint32_t width, Diagnostics& diagnostics) {
-    for (const NonfiniteSummary& found : nonfinite_of(renderer)) {
+    for (const NonfiniteSummary& found : session.stats().nonfinite()) {
         const std::string frame =
             options.frames
                 ? fmt::format(" of frame {}", options.frames->first + found.first_picture)
@@ -161,10 +118,9 @@ void check_media(const RenderOptions& options, const FlatScene& flat) {
 
 /// The options with what was chosen where the user chose nothing.
 RenderOptions effective(const RenderOptions& options, const RenderSettings& settings,
-                        const Camera& camera, const Executor& executor,
-                        const FrameRenderer& renderer) {
+                        const Camera& camera, const RenderSession& session) {
     RenderOptions used = options;
-    const DeviceInfo& device = executor.device();
+    const DeviceInfo& device = session.executor().device();
     used.backend = device.backend == "opencl"   ? Backend::opencl
                    : device.backend == "embree" ? Backend::embree
                                                 : Backend::native;
@@ -176,28 +132,11 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     used.components.emplace();
     if (settings.direct) used.components->emplace_back("direct");
     if (settings.indirect) used.components->emplace_back("indirect");
-    if (renderer.plan().media_light) used.components->emplace_back("media");
+    if (session.plan().media_light) used.components->emplace_back("media");
     used.components->insert(used.components->end(), settings.requested.begin(),
                             settings.requested.end());
-    if (!used.spp) used.spp = static_cast<std::uint32_t>(renderer.samples());
+    if (!used.spp) used.spp = static_cast<std::uint32_t>(session.samples());
     return used;
-}
-
-void write_picture(const RenderOptions& options, Image& image, const FrameRenderer& renderer) {
-    image.metadata["software"] = "weft " WEFT_VERSION;
-    image.metadata["scene"] = options.scene.filename().string();
-    image.metadata["algorithm"] = to_string(options.algorithm);
-    image.metadata["samples"] = std::to_string(renderer.samples());
-    image.metadata["seed"] = std::to_string(options.seed);
-    std::string extension = options.output.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png") {
-        write_png(options.output, image,
-                  options.exposure_ev ? *options.exposure_ev : auto_exposure(image));
-    } else {
-        write_exr(options.output, image);
-    }
 }
 
 void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
@@ -206,37 +145,64 @@ void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
     write_file_atomically(*options.stats, std::as_bytes(std::span(text)));
 }
 
-/// A renderer, and what makes one picture with it and returns whether the user let that end.
-struct PictureMaker {
-    std::unique_ptr<FrameRenderer> renderer;
-    std::function<bool(const RenderOptions&, Image&)> make;
+/// What of `wanted` the sums do not hold yet. Only a start that is there can be left out.
+SampleRange missing(SampleRange wanted, const std::vector<SampleRange>& have) {
+    for (const SampleRange& range : have)
+        if (range.first <= wanted.first && wanted.first < range.end)
+            wanted.first = std::min(range.end, wanted.end);
+    return wanted;
+}
+
+/// The files that a command line asks for, with the times and the progress of writing them.
+class CommandOutput : public FileOutput {
+  public:
+    CommandOutput(const RenderOptions& options, Progress& progress, Stopwatch& watch,
+                  RunTimes& times, Diagnostics& diagnostics)
+        : FileOutput({.file = options.output,
+                      .exposure_ev = options.exposure_ev,
+                      .overlays = options.overlays,
+                      .sums = options.resume,
+                      .with_sums = options.samples.has_value(),
+                      .scene = options.scene.filename().string()},
+                     diagnostics),
+          whole_only_(options.frames.has_value()),
+          progress_(progress),
+          watch_(watch),
+          times_(times) {}
+
+    /// A single image that is not complete is written all the same, one of several is not.
+    void write(SessionImage image) override {
+        times_.render_ms += watch_.lap();
+        if (!image.complete && whole_only_) return;
+        if (image.complete) progress_.update(1.0, "writing");
+        FileOutput::write(std::move(image));
+        times_.write_ms += watch_.lap();
+    }
+
+  private:
+    bool whole_only_;
+    Progress& progress_;
+    Stopwatch& watch_;
+    RunTimes& times_;
 };
 
-PictureMaker picture_maker(Executor& executor, const FlatScene& flat, const Camera& camera,
-                           const RenderOptions& options, const RenderSettings& settings,
-                           Progress& progress, const Stopwatch& watch) {
-    if (options.algorithm != Algorithm::path) {
-        auto renderer = std::make_unique<Renderer>(executor, flat, camera, settings);
-        const auto make = [&progress, &watch, used = renderer.get()](const RenderOptions& wanted,
-                                                                     Image& image) {
-            const bool complete = render_frames(*used, wanted, progress, watch);
-            image = used->image();
-            return complete;
-        };
-        return {std::move(renderer), make};
+/// The session that the options ask for. With --resume, path tracing goes on from the file where
+/// there is one. Throws Error (exit code 2) where that file is of another picture.
+RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene moving,
+                           const Camera& camera, const RenderOptions& options,
+                           const RenderSettings& settings) {
+    // Those who ask for statistics get all of them.
+    const std::size_t kept_frames = options.stats ? std::numeric_limits<std::size_t>::max()
+                                                  : RenderSession::default_kept_frames;
+    if (options.algorithm != Algorithm::path)
+        return {std::move(executor), std::move(moving), camera, settings, kept_frames};
+    FilmSums sums;
+    PathSettings left = path_settings(options, settings);
+    if (options.resume && std::filesystem::exists(*options.resume)) {
+        sums = sums_of(read_exr(*options.resume), options.resume->string());
+        left.samples = missing(left.samples, sums.ranges);
     }
-    auto renderer =
-        make_path_renderer(executor, flat, camera, options, path_settings(options, settings));
-    const auto make = [&progress, &watch, used = renderer.get()](const RenderOptions& wanted,
-                                                                 Image& image) {
-        const bool complete = render_path(*used, wanted, progress, watch);
-        const FilmSums sums = used->sums();
-        image = resolve_sums(sums);
-        write_checkpoint(sums, image, wanted);
-        if (wanted.samples) attach_sums(sums, image);
-        return complete;
-    };
-    return {std::move(renderer), make};
+    return {std::move(executor), std::move(moving), camera, left, kept_frames, std::move(sums)};
 }
 
 /// Where the camera stands in one frame of an animation.
@@ -270,47 +236,44 @@ void check_frames(MovingScene& moving, const Camera& camera, const RenderOptions
     }
 }
 
-/// The options of one picture: its file, and until when it may take, an equal share of what is
-/// left.
-RenderOptions options_of_frame(const RenderOptions& options, std::uint32_t frame,
-                               const Stopwatch& watch) {
-    RenderOptions used = options;
-    if (!options.frames) return used;
-    used.output = numbered_output(options.output, frame);
-    if (options.time_seconds) {
-        const double now = watch.total() / 1000.0;
-        used.time_seconds =
-            now + std::max(0.0, *options.time_seconds - now) / (options.frames->end - frame);
+/// What one picture may take: until a time, an equal share of what is left.
+RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
+                             const Stopwatch& watch, Progress& progress) {
+    RenderBudget budget;
+    budget.samples = options.spp;
+    budget.target_error = options.target_error;
+    budget.end_early = &interrupt_flag();
+    budget.progress = [&progress](const SessionProgress& now) {
+        progress.update(now.fraction, stage_name(now.stage));
+    };
+    budget.spent_ms = watch.total();
+    if (!options.time_seconds) return budget;
+    budget.time_ms = *options.time_seconds * 1000.0;
+    if (options.frames) {
+        const double now = budget.spent_ms / 1000.0;
+        budget.time_ms =
+            (now + std::max(0.0, *options.time_seconds - now) / (options.frames->end - frame)) *
+            1000.0;
     }
-    return used;
+    return budget;
 }
 
-/// Makes and writes all pictures, or until the user ends it: then a single one is written as it is,
-/// one of several is not. Returns how many are finished.
-std::uint32_t render_pictures(const PictureMaker& maker, MovingScene& moving, const Camera& camera,
-                              const RenderOptions& options, Progress& progress, Stopwatch& watch,
-                              RunTimes& times, Diagnostics& diagnostics) {
+/// Makes and writes all pictures, or until the user ends it. Returns how many are finished.
+std::uint32_t render_pictures(RenderSession& session, CommandOutput& output, const Camera& camera,
+                              const RenderOptions& options, Progress& progress,
+                              const Stopwatch& watch) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
     const std::uint32_t count = frames.end - frames.first;
     for (std::uint32_t done = 0; done < count; ++done) {
         const std::uint32_t frame = frames.first + done;
         if (done > 0 && interrupt_flag()) return done;
-        if (done > 0) {
-            moving.set_frame(frame);
-            if (moving.moves()) maker.renderer->update_scene();
-            maker.renderer->move_camera(camera_of_frame(moving.at_rest(), camera, options, frame));
-        }
+        if (done > 0)
+            session.set_frame(frame,
+                              camera_of_frame(session.scene().at_rest(), camera, options, frame));
         progress.begin_part(static_cast<double>(done) / count, 1.0 / count);
-        const RenderOptions wanted = options_of_frame(options, frame, watch);
-        Image image;
-        const bool complete = maker.make(wanted, image);
-        times.render_ms += watch.lap();
-        if (!complete && options.frames) return done;
-        if (complete) progress.update(1.0, "writing");
-        write_picture(wanted, image, *maker.renderer);
-        if (options.overlays) write_overlays(wanted, image, diagnostics);
-        times.write_ms += watch.lap();
-        if (!complete) return done;
+        if (options.frames) output.set_file(numbered_output(options.output, frame));
+        const RenderBudget budget = budget_of_frame(options, frame, watch, progress);
+        if (session.render(budget) != SessionEnd::complete) return done;
     }
     return count;
 }
@@ -344,21 +307,22 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     check_frames(moving, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");
-    const std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
+    std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
     times.open_device_ms = watch.lap();
     progress.update(0.0, "building");
     const FrameRange frames = options.frames.value_or(FrameRange{});
     if (options.frames) moving.set_frame(frames.first);
-    const PictureMaker maker =
-        picture_maker(*executor, flat, camera_of_frame(scene, camera, options, frames.first),
-                      options, settings, progress, watch);
+    const Camera first_camera = camera_of_frame(scene, camera, options, frames.first);
+    RenderSession session =
+        make_session(std::move(executor), std::move(moving), first_camera, options, settings);
+    CommandOutput output(options, progress, watch, times, diagnostics);
+    session.set_output(&output);
     const std::uint32_t finished =
-        render_pictures(maker, moving, camera, options, progress, watch, times, diagnostics);
-    const FrameRenderer& renderer = *maker.renderer;
+        render_pictures(session, output, camera, options, progress, watch);
     const std::uint32_t pictures = frames.end - frames.first;
     const bool complete = finished == pictures;
-    times.build_kernels_ms = kernel_build_ms(*executor);
-    times.build_bvh_ms = executor->scene_ms();
+    times.build_kernels_ms = kernel_build_ms(session.executor());
+    times.build_bvh_ms = session.executor().scene_ms();
     times.total_ms = watch.total();
     if (complete) progress.finish();
     if (!complete && options.frames)
@@ -367,10 +331,10 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     else if (!complete)
         diagnostics.warn("", fmt::format("interrupted, the picture holds what was done by then "
                                          "(samples: {})",
-                                         renderer.samples()));
-    warn_about_nonfinite(renderer, options, settings.width, diagnostics);
-    const RenderOptions used = effective(options, settings, camera, *executor, renderer);
-    write_stats(options, stats_json(used, *executor, renderer, flat, settings, times));
+                                         session.samples()));
+    warn_about_nonfinite(session, options, settings.width, diagnostics);
+    const RenderOptions used = effective(options, settings, camera, session);
+    write_stats(options, stats_json(used, session, settings, times));
     return complete ? ExitCode::success : ExitCode::interrupted;
 }
 

@@ -5,7 +5,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/limits.h"
 #include "device/native/embree_scene.h"
@@ -13,10 +12,6 @@
 
 namespace weft {
 namespace {
-
-// In the order of COMPONENT_*.
-constexpr std::array<const char*, COMPONENT_COUNT> component_names{"emission", "direct", "indirect",
-                                                                   "surface", "media"};
 
 nlohmann::json stage_json(const StageStats& stage) {
     nlohmann::json json{{"name", stage_name(stage.stage)},
@@ -31,8 +26,8 @@ nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
     nlohmann::json stages = nlohmann::json::array();
     for (const StageStats& stage : frame.stages) stages.push_back(stage_json(stage));
     nlohmann::json nonfinite;
-    for (std::size_t c = 0; c < component_names.size(); ++c)
-        nonfinite[component_names[c]] = frame.nonfinite[c].count;
+    for (std::size_t c = 0; c < frame.nonfinite.size(); ++c)
+        nonfinite[film_component_name(c)] = frame.nonfinite[c].count;
     nlohmann::json levels = nlohmann::json::object();
     for (const LevelStats& level : frame.levels)
         levels[level.component] = {
@@ -81,9 +76,9 @@ nlohmann::json scene_json(const FlatScene& scene, const Executor& executor) {
 }
 
 /// What took effect, as --preset reads it.
-Preset settings_of(const RenderSettings& settings, const FrameRenderer& renderer) {
+Preset settings_of(const RenderSettings& settings, const RenderSession& session) {
     const auto samples =
-        std::clamp<std::uint64_t>(renderer.samples(), 1, limits::max_samples_per_pixel);
+        std::clamp<std::uint64_t>(session.samples(), 1, limits::max_samples_per_pixel);
     return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples)};
 }
 
@@ -100,30 +95,6 @@ nlohmann::json plan_json(const FramePlan& plan) {
 
 }  // namespace
 
-std::vector<NonfiniteSummary> nonfinite_of(const FrameRenderer& renderer) {
-    std::vector<NonfiniteSummary> found;
-    for (std::size_t c = 0; c < component_names.size(); ++c) {
-        NonfiniteSummary sum;
-        sum.component = component_names[c];
-        std::uint32_t picture = 0;
-        std::uint32_t sample = 0;
-        for (const FrameStats& frame : renderer.stats()) {
-            const NonfiniteStats& stats = frame.nonfinite[c];
-            sample = frame.picture == picture ? sample : 0;
-            picture = frame.picture;
-            if (sum.count == 0 && stats.count > 0) {
-                sum.first_picture = picture;
-                sum.first_sample = sample;
-                sum.first_pixel = stats.first_pixel;
-            }
-            sum.count += stats.count;
-            ++sample;
-        }
-        if (sum.count > 0) found.push_back(sum);
-    }
-    return found;
-}
-
 nlohmann::json device_json(const DeviceInfo& device) {
     return {{"index", device.index},
             {"name", device.name},
@@ -135,9 +106,9 @@ nlohmann::json device_json(const DeviceInfo& device) {
             {"compute_units", device.compute_units}};
 }
 
-nlohmann::json stats_json(const RenderOptions& options, const Executor& executor,
-                          const FrameRenderer& renderer, const FlatScene& scene,
+nlohmann::json stats_json(const RenderOptions& options, const RenderSession& session,
                           const RenderSettings& settings, const RunTimes& times) {
+    const Executor& executor = session.executor();
     nlohmann::json kernels = nlohmann::json::array();
     for (const KernelBuild& build : executor.builds())
         kernels.push_back({{"name", build.name},
@@ -146,10 +117,10 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
                            {"from_cache", build.from_cache}});
     const std::uint32_t first_frame = options.frames ? options.frames->first : 0;
     nlohmann::json frames = nlohmann::json::array();
-    for (const FrameStats& frame : renderer.stats())
+    for (const FrameStats& frame : session.stats().last_frames())
         frames.push_back(frame_json(frame, first_frame));
     nlohmann::json nonfinite = nlohmann::json::object();
-    for (const NonfiniteSummary& found : nonfinite_of(renderer))
+    for (const NonfiniteSummary& found : session.stats().nonfinite())
         nonfinite[found.component] = {
             {"count", found.count},
             {"first_frame", first_frame + found.first_picture},
@@ -164,10 +135,10 @@ nlohmann::json stats_json(const RenderOptions& options, const Executor& executor
             {"seed", settings.seed},
             {"options", options_json(options)},
             {"size", {settings.width, settings.height}},
-            {"samples", renderer.samples()},
-            {"scene", scene_json(scene, executor)},
-            {"settings", preset_json(settings_of(settings, renderer))},
-            {"plan", plan_json(renderer.plan())},
+            {"samples", session.samples()},
+            {"scene", scene_json(session.scene().flat(), executor)},
+            {"settings", preset_json(settings_of(settings, session))},
+            {"plan", plan_json(session.plan())},
             {"kernels", kernels},
             {"times",
              {{"read_scene_ms", times.read_scene_ms},

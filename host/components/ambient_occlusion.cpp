@@ -97,6 +97,7 @@ void AmbientOcclusion::gather(FrameContext& frame, const InterleavedIrradiance::
 
 void AmbientOcclusion::reconstruct(FrameContext& frame) {
     irradiance_.reconstruct(frame);
+    frame.wait();
     const Stopwatch watch;
     if (frame.params.sampling.sample == 0) {
         std::fill(sums_.begin(), sums_.end(), 0.0);

@@ -89,6 +89,7 @@ void InstantCache::make_records(FrameContext& frame, const std::vector<std::uint
     pool_.set_states(CACHE_FRESH);
     gather_records(frame, name, Stage::irradiance_records, pool_, first, nullptr);
     if (frame.ended_early()) return;
+    frame.wait();
     watch.lap();
     const RecordPool::Contents made = pool_.read(first);
     store_.set(frame.executor, made.records);

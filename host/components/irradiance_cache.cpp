@@ -130,6 +130,7 @@ std::uint32_t IrradianceCache::make_records(FrameContext& frame,
 }
 
 void IrradianceCache::fill_store(FrameContext& frame, std::uint32_t first) {
+    frame.wait();
     Stopwatch watch;
     RecordPool::Contents all = pool_.read(0);
     const std::vector<float> planes = pool_.read_planes();

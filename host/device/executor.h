@@ -90,6 +90,9 @@ struct LaunchOptions {
     /// Where given, what it takes on the device is added here, by take_milliseconds at the latest,
     /// which must be called while it is there.
     double* milliseconds = nullptr;
+    /// Runs to its end even where the executor's user has cancelled all else: what it adds to must
+    /// get either all of it or nothing.
+    bool whole = false;
 };
 
 /// One kernel over [first_item, first_item + items). The executor cuts it into short launches, each
@@ -154,8 +157,13 @@ class Executor {
     virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;
 
     /// Runs all launches of `launch`, in order, after all earlier ones. `keep_going`, where given,
-    /// is asked between launches; when it says false the rest is left out. Returns whether all ran.
+    /// is told between launches which share is launched, and when it says false the rest is left
+    /// out. Returns whether all ran.
     virtual bool run(const Launch& launch, const std::function<bool(double done)>& keep_going) = 0;
+
+    /// Whether nothing more is wanted of what is under way: launches are left out, and host work
+    /// should end as soon as it can.
+    [[nodiscard]] virtual bool cancelled() const { return false; }
 
     /// Waits for everything launched and returns its milliseconds on the device since last asked.
     virtual double take_milliseconds() = 0;

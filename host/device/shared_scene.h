@@ -33,6 +33,7 @@ class SharedScene : public Executor {
         inner_.build(kernels, features);
     }
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
+    [[nodiscard]] bool cancelled() const override { return inner_.cancelled(); }
     double take_milliseconds() override { return inner_.take_milliseconds(); }
     [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
         return inner_.builds();

@@ -83,6 +83,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
                               const Steps& steps) {
     double host_ms = 0.0;
     const auto round = [&](const auto& decide) {
+        frame.wait();
         const Stopwatch watch;
         const bool any = take_round(frame, tiles, decide());
         host_ms += watch.total();

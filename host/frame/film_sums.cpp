@@ -155,7 +155,7 @@ Image resolve_sums(const FilmSums& sums) {
     return image;
 }
 
-double relative_error(const FilmSums& sums) {
+double relative_error(const FilmSums& sums, const std::function<bool()>& go_on) {
     const auto n = static_cast<double>(sums.samples());
     if (sums.samples() < least_samples) return std::numeric_limits<double>::infinity();
     constexpr double weight[3] = {0.2126, 0.7152, 0.0722};
@@ -163,6 +163,9 @@ double relative_error(const FilmSums& sums) {
     double variance = 0.0;
     bool varies = false;
     for (std::size_t pixel = 0; pixel < std::size_t{sums.width} * sums.height; ++pixel) {
+        constexpr std::size_t asked_after = 4096;  // pixels: about a millisecond
+        if (pixel % asked_after == 0 && go_on && !go_on())
+            return std::numeric_limits<double>::infinity();
         double deviation = 0.0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double mean = beauty_sum(sums, c, pixel) / n;

@@ -6,6 +6,7 @@
 #include "frame/adaptive_sampling.h"
 #include "frame/edge_samples.h"
 #include "frame/film.h"
+#include "frame/media_buffers.h"
 #include "frame/view_media.h"
 #include "kernels/receivers.h"
 #include "scene/mip_levels.h"
@@ -64,6 +65,13 @@ void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene
     write_buffer(executor, to.instances, flat.instances);
     write_buffer(executor, to.materials, flat.materials);
     upload_lights(executor, flat, scene);
+}
+
+std::shared_ptr<MediaBuffers> media_of(Executor& executor, const FlatScene& flat,
+                                       SceneBuffers& scene) {
+    if (!scene.media)
+        scene.media = std::make_shared<MediaBuffers>(upload_media(executor, flat.media));
+    return scene.media;
 }
 
 FrameBuffers::FrameBuffers() = default;
@@ -171,7 +179,8 @@ void FrameContext::run_bound(KernelId kernel, Stage stage, const char* component
                         {.items_per_launch = items.per_launch,
                          .first_item = items.first,
                          .counter = counter,
-                         .milliseconds = &stages_.back().ms}};
+                         .milliseconds = &stages_.back().ms,
+                         .whole = whole_launches}};
     const bool complete = executor.run(launch, [&](double done) {
         return finishing_ || !keep_going_ || keep_going_(stage, done);
     });

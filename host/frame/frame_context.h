@@ -33,9 +33,17 @@ struct SceneBuffers {
                 .positions = geometry.positions,
                 .triangle_list = geometry.triangle_list};
     }
+    /// Participating media, once something has asked for them: see media_of.
+    std::shared_ptr<owned::MediaTables> media;
 };
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
+
+/// The scene's media on the device, uploaded when first asked for. All users of the buffers look
+/// from one camera.
+[[nodiscard]] std::shared_ptr<owned::MediaTables> media_of(Executor& executor,
+                                                           const FlatScene& flat,
+                                                           SceneBuffers& scene);
 
 /// Brings them up to date with the scene they were made of after update_flat.
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
@@ -149,7 +157,7 @@ class FrameContext : public FrameInputs {
     /// nothing heavy runs any more. `arguments` is a struct of weft::kernels.
     template <class Kernel>
     void run(Stage stage, const char* component, const Kernel& arguments, const Items& items) {
-        if (items.count == 0 || (ended_early_ && !finishing_)) return;
+        if (items.count == 0 || (ended_early() && !finishing_)) return;
         ArgumentBinder binder(Kernel::id);
         arguments.bind_to(binder);
         run_bound(Kernel::id, stage, component, binder, items);
@@ -163,10 +171,12 @@ class FrameContext : public FrameInputs {
         finishing_ = before;
     }
 
-    [[nodiscard]] bool ended_early() const noexcept { return ended_early_; }
+    [[nodiscard]] bool ended_early() const { return ended_early_ || executor.cancelled(); }
     /// The stages so far, with what they counted.
     [[nodiscard]] const std::deque<StageStats>& stages();
-    /// Records work of the host between stages.
+    /// Waits for what still runs, so that the time of host work that follows is its own alone.
+    void wait() { (void)executor.take_milliseconds(); }
+    /// Records work of the host between stages; what ran on the device meanwhile must not count.
     void add_host_stage(Stage stage, const char* component, double ms);
 
     /// Pixels of the image.
@@ -181,6 +191,8 @@ class FrameContext : public FrameInputs {
     /// A sequence's first frame remembers nothing; a picture's first takes over what the pictures
     /// before it said.
     Begins begins = Begins::sequence;
+    /// Whether stages run to their end even if all else is cancelled: see LaunchOptions::whole.
+    bool whole_launches = false;
     /// Where given, its gains scale the thresholds of adaptive components.
     const FrameBudget* budget = nullptr;
 

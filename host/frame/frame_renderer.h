@@ -60,13 +60,24 @@ struct FrameStats {
 /// values that were not finite.
 [[nodiscard]] FrameStats frame_stats(FrameContext& frame, const Stopwatch& watch);
 
+/// What a display needs of a film: the sums of previews, or the exact ones of path tracing.
+struct FilmView {
+    const shared::RenderParams& params;  ///< the film's size and features
+    BufferRef<kinds::FilmHigh> high;
+    BufferRef<kinds::FilmLow> low;
+    BufferRef<kinds::FilmSums> sums;  ///< null for previews
+    std::uint64_t samples = 0;        ///< of every pixel
+    double unit = 1.0;                ///< that the film's light counts in
+};
+
 /// What makes a picture of a scene frame by frame, whatever the algorithm.
 class FrameRenderer {
   public:
     virtual ~FrameRenderer() = default;
 
     /// Adds a frame to the film; returns whether it was complete. See the algorithms' renderers for
-    /// what is kept where `keep_going` ends it early.
+    /// what is kept where `keep_going` ends it early. A frame that Executor::cancelled ends is
+    /// never in the film in part.
     virtual bool render_frame(const KeepGoing& keep_going) = 0;
 
     /// Begins the next picture: an empty film, seen from `camera`. Its first frame is that of a new
@@ -80,14 +91,20 @@ class FrameRenderer {
     /// Goes on with the scene as it is now: it has been changed where it lies (update_flat). The
     /// next picture has to be begun afterwards.
     virtual void update_scene() = 0;
+    /// The same where the owner of shared scene buffers has brought these up to date already.
+    virtual void follow_scene() = 0;
 
     /// Samples of every pixel in the film.
     [[nodiscard]] virtual std::uint64_t samples() const = 0;
     /// The mean of the film as layers.
     [[nodiscard]] virtual Image image() = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
-    /// Of all pictures, frame by frame.
+    /// Of all pictures, frame by frame, but for those that were taken.
     [[nodiscard]] virtual const std::vector<FrameStats>& stats() const = 0;
+    /// The same, which are forgotten here.
+    [[nodiscard]] virtual std::vector<FrameStats> take_stats() = 0;
+    /// The film, which has at least one sample, for the kernel that displays it.
+    [[nodiscard]] virtual FilmView film() = 0;
 };
 
 }  // namespace weft

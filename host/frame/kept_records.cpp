@@ -88,6 +88,7 @@ void KeptRecords::refresh(FrameContext& frame, const char* component) {
     stats_ = {};
     ++frame_;
     const bool begins = frame.begins != FrameContext::Begins::nothing;
+    if (begins) frame.wait();
     const Stopwatch watch;
     if (begins) motion_.observe(frame.executor, frame.scene);
     frame.add_host_stage(Stage::scene_changes, component, watch.total());
@@ -100,6 +101,7 @@ void KeptRecords::refresh(FrameContext& frame, const char* component) {
     if (frame.ended_early()) usable_ = false;
     if (!usable_) return;
     if (store_is_old_) {
+        frame.wait();
         const Stopwatch filling;
         fill_store(frame.executor);
         frame.add_host_stage(Stage::record_store, component, filling.total());

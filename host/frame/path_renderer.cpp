@@ -17,7 +17,6 @@
 namespace weft {
 namespace {
 
-constexpr double frame_ms = 500.0;
 constexpr std::uint32_t most_frame_samples = 256;
 // Powers of two beyond which light cannot be scaled: the scale and its square stay ordinary floats.
 constexpr double largest_exponent = 60.0;
@@ -61,6 +60,26 @@ class Digest {
   private:
     std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
+
+/// Adds what a part of a frame took to what the parts before it did.
+void add_part(FrameStats& whole, FrameStats part) {
+    if (whole.stages.empty()) {
+        whole = std::move(part);
+        return;
+    }
+    whole.ms += part.ms;
+    whole.rays += part.rays;
+    for (std::size_t i = 0; i < whole.stages.size() && i < part.stages.size(); ++i) {
+        whole.stages[i].ms += part.stages[i].ms;
+        whole.stages[i].rays += part.stages[i].rays;
+    }
+    for (std::size_t c = 0; c < whole.nonfinite.size(); ++c) {
+        if (whole.nonfinite[c].count == 0)
+            whole.nonfinite[c] = part.nonfinite[c];
+        else
+            whole.nonfinite[c].count += part.nonfinite[c].count;
+    }
+}
 
 }  // namespace
 
@@ -109,7 +128,16 @@ std::string picture_identity(const FlatScene& scene, const shared::RenderParams&
 
 PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Camera& camera,
                            const PathSettings& settings, FilmSums sums)
-    : executor_(executor), scene_(scene), settings_(settings), next_(settings.samples.first) {
+    : PathRenderer(executor, scene, nullptr, camera, settings, std::move(sums)) {}
+
+PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
+                           std::shared_ptr<SceneBuffers> uploaded, const Camera& camera,
+                           const PathSettings& settings, FilmSums sums)
+    : executor_(executor),
+      scene_(scene),
+      settings_(settings),
+      scene_buffers_(std::move(uploaded)),
+      next_(settings.samples.first) {
     const std::uint32_t features = path_features(scene, settings);
     params_ = scene_params(scene, camera, settings.width, settings.height);
     params_.features = features;
@@ -119,16 +147,17 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     film_.height = settings.height;
     film_.depth_unit = scene.units.scale;
     scale_light();
-    identify();
+    filter_textures();
 
     const std::size_t words = std::size_t{FILM_PIXEL_WORDS} * settings.width * settings.height;
-    if (sums.words.empty()) {
+    const bool continues = !sums.words.empty();
+    if (!continues) {
         sums = film_;
         sums.words.assign(words, 0);
     }
     std::vector<SampleRange> all = sums.ranges;
     all.push_back(settings.samples);
-    if (sums.picture != film_.picture || sums.words.size() != words)
+    if (continues && (sums.picture != picture() || sums.words.size() != words))
         throw Error(ExitCode::bad_input,
                     "the samples so far are of another picture, expected the same scene, size, "
                     "camera, seed and options");
@@ -136,9 +165,10 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Cam
     film_.ranges = sums.ranges;
 
     executor_.build(std::array{kernel()}, features);
-    scene_buffers_ = upload_scene(executor_, scene);
-    media_ = upload_media(executor_, scene.media);
-    set_media_camera(executor_, scene, camera, media_);
+    if (!scene_buffers_)
+        scene_buffers_ = std::make_shared<SceneBuffers>(upload_scene(executor_, scene));
+    media_ = media_of(executor_, scene, *scene_buffers_);
+    set_media_camera(executor_, scene, camera, *media_);
     sums_ = upload<kinds::FilmSums>(executor_, sums.words, "film");
     buffers_ = allocate_counters(executor_);
 }
@@ -147,10 +177,14 @@ KernelId PathRenderer::kernel() const noexcept {
     return scene_.media.present() ? KernelId::path_media : KernelId::path;
 }
 
-void PathRenderer::identify() {
+void PathRenderer::filter_textures() {
     // Previews average textures over a pixel; here the samples do, unless all are at the centre.
     params_.camera.texture_angle = settings_.through_centres ? params_.camera.pixel_angle : 0.0F;
-    film_.picture = picture_identity(scene_, params_, path_params_);
+}
+
+const std::string& PathRenderer::picture() {
+    if (!identity_) identity_ = picture_identity(scene_, params_, path_params_);
+    return *identity_;
 }
 
 void PathRenderer::scale_light() {
@@ -159,15 +193,27 @@ void PathRenderer::scale_light() {
 }
 
 void PathRenderer::update_scene() {
-    weft::update_scene(executor_, scene_, scene_buffers_);
+    weft::update_scene(executor_, scene_, *scene_buffers_);
+    follow_scene();
+}
+
+void PathRenderer::follow_scene() {
+    open_.reset();
+    identity_.reset();
     set_scene(scene_, params_);
     scale_light();
+    const std::uint32_t features = path_features(scene_, settings_);
+    if (features == params_.features) return;
+    params_.features = features;
+    executor_.build(std::array{kernel()}, features);
 }
 
 void PathRenderer::set_camera(const Camera& camera) {
     weft::set_camera(camera, scene_.units, params_);
-    set_media_camera(executor_, scene_, camera, media_);
-    identify();
+    set_media_camera(executor_, scene_, camera, *media_);
+    filter_textures();
+    open_.reset();
+    identity_.reset();
     film_.ranges.clear();
     next_ = settings_.samples.first;
     ++picture_;
@@ -178,35 +224,49 @@ void PathRenderer::set_camera(const Camera& camera) {
 
 std::uint32_t PathRenderer::frame_samples() const noexcept {
     if (samples_left() == 0) return 0;
-    const double wanted = ms_per_sample_ > 0.0 ? frame_ms / ms_per_sample_ : 1.0;
+    const double wanted = ms_per_sample_ > 0.0 ? settings_.frame_ms / ms_per_sample_ : 1.0;
     return std::min(samples_left(), static_cast<std::uint32_t>(std::clamp(
                                         wanted, 1.0, static_cast<double>(most_frame_samples))));
 }
 
 bool PathRenderer::render_frame(const KeepGoing& keep_going) {
-    const std::uint32_t count = frame_samples();
-    if (count == 0) return false;
-    const Stopwatch watch;
-    const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
-    params_.sampling.sample = next_;
-    path_params_.samples = count;
+    if (!open_) {
+        const std::uint32_t count = frame_samples();
+        if (count == 0) return false;
+        open_.emplace().count = count;
+    }
     bool wanted = true;
     // Asked all the same, so that progress is seen.
     const KeepGoing listen = [&](Stage stage, double done) {
         if (keep_going) wanted = keep_going(stage, done) && wanted;
         return true;
     };
-    FrameContext frame(inputs, params_, listen);
+    return go_on(listen, false) && wanted && samples_left() > 0;
+}
+
+bool PathRenderer::go_on(const KeepGoing& keep_going, bool whole) {
+    const Stopwatch watch;
+    const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
+    params_.sampling.sample = next_;
+    path_params_.samples = open_->count;
+    const std::uint32_t pixels = settings_.width * settings_.height;
+    const std::uint32_t first = open_->pixel;
+    const KeepGoing follow = [&](Stage stage, double done) {
+        open_->pixel = first + static_cast<std::uint32_t>(std::lround(done * (pixels - first)));
+        return keep_going(stage, static_cast<double>(open_->pixel) / pixels);
+    };
+    FrameContext frame(inputs, params_, follow);
+    frame.whole_launches = whole;
     // Launches of few samples at a time: a work-item of many would hold up everything else.
     constexpr std::uint32_t items = 1U << 14;
-    const FrameContext::Items all{.count = frame.pixels(),
-                                  .per_launch = std::max(64U, items / count)};
+    const FrameContext::Items all{.count = pixels - first,
+                                  .per_launch = std::max(64U, items / open_->count)};
     if (scene_.media.present())
         frame.run(Stage::paths, "",
-                  kernels::path_media{.scene = *scene_buffers_.traced,
-                                      .geometry = view(scene_buffers_.geometry),
-                                      .light_table = view(scene_buffers_.light_table),
-                                      .media_tables = view(media_),
+                  kernels::path_media{.scene = *scene_buffers_->traced,
+                                      .geometry = view(scene_buffers_->geometry),
+                                      .light_table = view(scene_buffers_->light_table),
+                                      .media_tables = view(*media_),
                                       .path_params = path_params_,
                                       .film_sums = sums_,
                                       .counters = buffers_.counters,
@@ -214,29 +274,49 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
                   all);
     else
         frame.run(Stage::paths, "",
-                  kernels::path{.scene = *scene_buffers_.traced,
-                                .geometry = view(scene_buffers_.geometry),
-                                .light_table = view(scene_buffers_.light_table),
+                  kernels::path{.scene = *scene_buffers_->traced,
+                                .geometry = view(scene_buffers_->geometry),
+                                .light_table = view(scene_buffers_->light_table),
                                 .path_params = path_params_,
                                 .film_sums = sums_,
                                 .counters = buffers_.counters,
                                 .nonfinite = buffers_.nonfinite},
                   all);
-    stats_.push_back(frame_stats(frame, watch));
+    add_part(open_->stats, frame_stats(frame, watch));
+    if (open_->pixel < pixels) return false;
+    finish_frame();
+    return true;
+}
+
+void PathRenderer::finish_frame() {
+    const std::uint32_t count = open_->count;
+    stats_.push_back(std::move(open_->stats));
+    open_.reset();
     stats_.back().picture = picture_;
     std::vector<SampleRange> ranges = film_.ranges;
     ranges.push_back({next_, next_ + count});
     film_.ranges = joined(std::move(ranges));
     next_ += count;
     ms_per_sample_ = stats_.back().ms / count;
-    return wanted && samples_left() > 0;
 }
 
 FilmSums PathRenderer::sums() {
+    if (open_) (void)go_on([](Stage, double) { return true; }, true);
     FilmSums sums = film_;
+    sums.picture = picture();
     sums.words =
         read_buffer(executor_, sums_, std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height);
     return sums;
+}
+
+FilmView PathRenderer::film() {
+    if (open_) (void)go_on([](Stage, double) { return true; }, true);
+    return {.params = params_,
+            .high = {},
+            .low = {},
+            .sums = sums_,
+            .samples = film_.samples(),
+            .unit = std::ldexp(1.0, film_.light_exponent)};
 }
 
 }  // namespace weft

@@ -104,12 +104,18 @@ std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
                    const RenderSettings& settings)
+    : Renderer(executor, scene, std::make_shared<SceneBuffers>(upload_scene(executor, scene)),
+               camera, settings) {}
+
+Renderer::Renderer(Executor& executor, const FlatScene& scene,
+                   std::shared_ptr<SceneBuffers> uploaded, const Camera& camera,
+                   const RenderSettings& settings)
     : executor_(executor),
       scene_(scene),
       camera_(camera),
       settings_(settings),
       plan_(plan_for(scene, settings)),
-      scene_buffers_(upload_scene(executor, scene)),
+      scene_buffers_(std::move(uploaded)),
       budget_(plan_.adaptive ? settings.frame_time_ms : 0.0) {
     set_up();
 }
@@ -125,7 +131,8 @@ void Renderer::set_up() {
                               needs.tiles);
     if (plan_.media)
         buffers_.view_media = std::make_unique<ViewMedia>(
-            executor_, scene_, camera_, std::size_t{settings_.width} * settings_.height, features);
+            executor_, scene_, media_of(executor_, scene_, *scene_buffers_), camera_,
+            std::size_t{settings_.width} * settings_.height, features);
     components_ = make_components(settings_.components, {.executor = executor_,
                                                          .scene = scene_,
                                                          .plan = plan_,
@@ -175,9 +182,14 @@ void Renderer::set_camera(const Camera& camera) {
 }
 
 void Renderer::update_scene() {
-    weft::update_scene(executor_, scene_, scene_buffers_);
+    weft::update_scene(executor_, scene_, *scene_buffers_);
+    follow_scene();
+}
+
+void Renderer::follow_scene() {
     const FramePlan plan = plan_for(scene_, settings_);
-    if (!same_lights(plan, plan_)) {
+    if (!same_lights(plan, plan_) ||
+        features_of(scene_, plan_, settings_.components) != base_params_.features) {
         plan_ = plan;
         set_up();
     }
@@ -209,8 +221,8 @@ shared::RenderParams Renderer::params_of_frame(std::uint32_t frame) const {
 void Renderer::trace_primary(FrameContext& frame) {
     const GBuffer& gbuffer = buffers_.gbuffer;
     frame.run(Stage::primary_rays, "",
-              kernels::gbuffer{.scene = *scene_buffers_.traced,
-                               .geometry = view(scene_buffers_.geometry),
+              kernels::gbuffer{.scene = *scene_buffers_->traced,
+                               .geometry = view(scene_buffers_->geometry),
                                .gb_ids = gbuffer.gb_ids,
                                .gb_position = gbuffer.gb_position,
                                .gb_normal = gbuffer.gb_normal,
@@ -233,6 +245,8 @@ void Renderer::trace_primary(FrameContext& frame) {
 
 void Renderer::compose(FrameContext& frame) {
     if (buffers_.edges) buffers_.edges->find(frame);
+    // A film that other frames are in gets all of this one or nothing.
+    frame.whole_launches = true;
     frame.run(Stage::composition, "",
               kernels::compose{.surfaces = view(buffers_.gbuffer),
                                .composed = buffers_.composed(),
@@ -243,12 +257,13 @@ void Renderer::compose(FrameContext& frame) {
                                .edge_masks = buffers_.edges ? buffers_.edges->masks()
                                                             : BufferRef<kinds::EdgeMasks>()},
               {pixel_runs(settings_.width, settings_.height, executor_.lanes())});
+    frame.whole_launches = frame.begins == FrameContext::Begins::nothing;
     if (buffers_.edges) buffers_.edges->sample(frame);
 }
 
 bool Renderer::render_frame(const KeepGoing& keep_going) {
     const Stopwatch watch;
-    const FrameInputs inputs{executor_, scene_, scene_buffers_, buffers_, plan_};
+    const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
     const std::uint32_t number = frames_in_film_;
     FrameContext frame(inputs, params_of_frame(number), keep_going);
     frame.budget = &budget_;
@@ -256,16 +271,30 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
                    : picture_ == sequence_ ? FrameContext::Begins::sequence
                                            : FrameContext::Begins::picture;
     frame.run_whole([&] { trace_primary(frame); });
-    for (const ActiveComponent& active : components_) active.component->sample(frame);
+    for (const ActiveComponent& active : components_) {
+        if (executor_.cancelled()) return false;
+        active.component->sample(frame);
+    }
     if (frame.ended_early() && number > 0) return false;
-    frame.run_whole([&] {
-        for (const ActiveComponent& active : components_) active.component->reconstruct(frame);
-        compose(frame);
-    });
+    if (!finish(frame)) return false;
     ++frames_in_film_;
     record(frame, watch);
     if (!frame.ended_early()) budget_.spend(stats_.back().ms, threshold_scopes());
     return !frame.ended_early();
+}
+
+bool Renderer::finish(FrameContext& frame) {
+    bool written = false;
+    frame.run_whole([&] {
+        for (const ActiveComponent& active : components_) {
+            if (executor_.cancelled()) return;
+            active.component->reconstruct(frame);
+        }
+        if (executor_.cancelled()) return;
+        compose(frame);
+        written = frame.whole_launches || !buffers_.edges || !executor_.cancelled();
+    });
+    return written;
 }
 
 std::vector<ThresholdScope> Renderer::threshold_scopes() const {
@@ -292,6 +321,14 @@ void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
         stage.rays = std::uint64_t{settings_.width} * settings_.height;
         stats_.back().rays += stage.rays;
     }
+}
+
+FilmView Renderer::film() {
+    return {.params = base_params_,
+            .high = buffers_.film_high,
+            .low = buffers_.film_low,
+            .sums = {},
+            .samples = frames_in_film_};
 }
 
 Image Renderer::image() {

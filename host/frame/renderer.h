@@ -4,8 +4,10 @@
 #define WEFT_FRAME_RENDERER_H
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "components/component.h"
@@ -47,17 +49,22 @@ class Renderer : public FrameRenderer {
     /// for.
     Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
              const RenderSettings& settings);
+    /// The same on a scene that has been uploaded, by others perhaps.
+    Renderer(Executor& executor, const FlatScene& scene, std::shared_ptr<SceneBuffers> uploaded,
+             const Camera& camera, const RenderSettings& settings);
     Renderer(const Renderer&) = delete;  // its components refer to it
     Renderer& operator=(const Renderer&) = delete;
 
     /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
-    /// it got and a later one is dropped; returns whether it was complete.
+    /// it got and a later one is dropped; returns whether it was complete. Any frame is dropped
+    /// that was cancelled.
     bool render_frame(const KeepGoing& keep_going) override;
 
     void set_camera(const Camera& camera) override;
     void move_camera(const Camera& camera) override;
     /// Keeps the plan, unless the scene has other lights now than it was made for.
     void update_scene() override;
+    void follow_scene() override;
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
     /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth;
@@ -65,6 +72,10 @@ class Renderer : public FrameRenderer {
     [[nodiscard]] Image image() override;
     [[nodiscard]] const FramePlan& plan() const override { return plan_; }
     [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
+    [[nodiscard]] std::vector<FrameStats> take_stats() override {
+        return std::exchange(stats_, {});
+    }
+    [[nodiscard]] FilmView film() override;
 
   private:
     /// Makes everything that depends on the plan.
@@ -72,6 +83,8 @@ class Renderer : public FrameRenderer {
     void set_params(std::uint32_t features);
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
+    /// The components' results to the film; returns whether all of it got there.
+    bool finish(FrameContext& frame);
     void record(FrameContext& frame, const Stopwatch& watch);
     /// Of the last frame.
     [[nodiscard]] std::vector<ThresholdScope> threshold_scopes() const;
@@ -83,7 +96,7 @@ class Renderer : public FrameRenderer {
     RenderSettings settings_;
     FramePlan plan_;
     WorkList work_;
-    SceneBuffers scene_buffers_;
+    std::shared_ptr<SceneBuffers> scene_buffers_;
     FrameBuffers buffers_;
     std::vector<ActiveComponent> components_;
     bool all_receivers_ = true;  ///< whether a frame runs receivers.cl over its whole work list

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <span>
+#include <utility>
 
 namespace weft {
 namespace {
@@ -17,9 +18,10 @@ void fill(Executor& executor, Buffer& plane, const shared::float4& value) {
 
 }  // namespace
 
-ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& camera,
-                     std::size_t pixels, std::uint32_t features)
-    : media_(upload_media(executor, scene.media)),
+ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene,
+                     std::shared_ptr<MediaBuffers> media, const Camera& camera, std::size_t pixels,
+                     std::uint32_t features)
+    : media_(std::move(media)),
       left_(allocate<kinds::Transmittances>(executor, pixels, "transmittance of view rays")),
       inside_(allocate<kinds::EnclosingMedia>(executor, pixels, "surroundings of view rays")) {
     set_camera(executor, scene, camera);
@@ -33,14 +35,14 @@ ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene, const Camera& c
 }
 
 void ViewMedia::set_camera(Executor& executor, const FlatScene& scene, const Camera& camera) {
-    set_media_camera(executor, scene, camera, media_);
+    set_media_camera(executor, scene, camera, *media_);
 }
 
 void ViewMedia::find(FrameContext& frame) const {
     // Shading normals and emission of the ends are filled once.
     frame.run(Stage::view_media, "",
               kernels::view_media{.surfaces = view(frame.buffers.gbuffer),
-                                  .media_tables = view(media_),
+                                  .media_tables = view(*media_),
                                   .view_left = left_,
                                   .view_glow = glow_,
                                   .view_inside = inside_,

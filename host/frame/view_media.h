@@ -12,15 +12,15 @@ namespace weft {
 class ViewMedia {
   public:
     /// With FEATURE_AIRLIGHT among the features also the ends of view rays.
-    ViewMedia(Executor& executor, const FlatScene& scene, const Camera& camera, std::size_t pixels,
-              std::uint32_t features);
+    ViewMedia(Executor& executor, const FlatScene& scene, std::shared_ptr<MediaBuffers> media,
+              const Camera& camera, std::size_t pixels, std::uint32_t features);
 
     void set_camera(Executor& executor, const FlatScene& scene, const Camera& camera);
 
     /// Launches view_media.cl on the frame's G-buffer.
     void find(FrameContext& frame) const;
 
-    [[nodiscard]] const MediaBuffers& media() const { return media_; }
+    [[nodiscard]] const MediaBuffers& media() const { return *media_; }
     /// By pixel, float4: what media leave of light from the end of its view ray.
     [[nodiscard]] BufferRef<kinds::Transmittances> left() const { return left_; }
     /// By pixel, float4: what media emit towards the camera; null where none emits.
@@ -32,7 +32,7 @@ class ViewMedia {
     [[nodiscard]] const GBuffer& ends() const { return ends_; }
 
   private:
-    MediaBuffers media_;
+    std::shared_ptr<MediaBuffers> media_;
     DeviceBuffer<kinds::Transmittances> left_;
     DeviceBuffer<kinds::MediaEmission> glow_;
     DeviceBuffer<kinds::EnclosingMedia> inside_;

@@ -37,6 +37,39 @@ void check_reach(const Scene& scene, const KernelUnits& units, const std::string
                                                 " lies too far from the scene at rest");
 }
 
+/// Whether update_flat can follow what instances have become: only those that may move are
+/// elsewhere. Lets the others that are move from now on.
+bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& now) {
+    if (before.size() != now.size()) return false;
+    bool can_follow = true;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const Instance& old = before[i];
+        Instance& instance = now[i];
+        const bool is_elsewhere = old.to_world != instance.to_world ||
+                                  old.flip_normals != instance.flip_normals ||
+                                  old.present != instance.present;
+        if (is_elsewhere && !instance.may_move) instance.may_move = true;
+        can_follow = can_follow && old.mesh == instance.mesh && old.material == instance.material &&
+                     old.may_move == instance.may_move && old.deformation == instance.deformation;
+    }
+    return can_follow;
+}
+
+/// Whether they differ by colours alone.
+bool same_materials(const std::vector<Material>& before, const std::vector<Material>& now) {
+    return std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                      [](const Material& a, const Material& b) {
+                          return a.albedo_texture == b.albedo_texture && a.two_sided == b.two_sided;
+                      });
+}
+
+/// Whether they are as many lights of the same kinds.
+bool same_lights(const std::vector<PunctualLight>& before, const std::vector<PunctualLight>& now) {
+    return std::equal(
+        before.begin(), before.end(), now.begin(), now.end(),
+        [](const PunctualLight& a, const PunctualLight& b) { return a.type == b.type; });
+}
+
 }  // namespace
 
 MovingScene::MovingScene(Scene scene, EditTimeline edits, double frame_rate)
@@ -64,6 +97,70 @@ void MovingScene::set_frame(std::uint32_t frame) {
     if (!moves_) return;
     pose(frame);
     update_flat(posed_, flat_);
+    frame_ = frame;
+    posed_once_ = true;
+}
+
+void MovingScene::flatten_anew() {
+    validate_scene(rest_);
+    FlatScene flat = flatten(rest_);
+    std::swap(flat, flat_);
+    const bool moves = std::exchange(moves_, !edits_.edits.empty() || is_animated(rest_));
+    try {
+        if (moves_) posed_ = rest_;
+        if (posed_once_) set_frame(frame_);
+    } catch (...) {
+        std::swap(flat, flat_);
+        moves_ = moves;
+        throw;
+    }
+}
+
+void MovingScene::update_in_place() {
+    if (moves_ && posed_once_) {
+        set_frame(frame_);
+        return;
+    }
+    const std::string when = "after an edit";
+    validate_pose(rest_, when);
+    check_reach(rest_, flat_.units, when);
+    update_flat(rest_, flat_);
+}
+
+bool MovingScene::edit(const std::function<void(const SceneParts&)>& change) {
+    const std::vector<Instance> instances = rest_.instances;
+    const std::vector<Material> materials = rest_.materials;
+    const std::vector<PunctualLight> lights = rest_.lights;
+    const std::optional<Environment> environment = rest_.environment;
+    try {
+        change({rest_.instances, rest_.materials, rest_.lights, rest_.environment});
+        const bool moved_all_may = let_moved_move(instances, rest_.instances);
+        const bool in_place = moved_all_may && same_materials(materials, rest_.materials) &&
+                              same_lights(lights, rest_.lights) &&
+                              environment.has_value() == rest_.environment.has_value();
+        if (in_place)
+            update_in_place();
+        else
+            flatten_anew();
+        return in_place;
+    } catch (...) {
+        rest_.instances = instances;
+        rest_.materials = materials;
+        rest_.lights = lights;
+        rest_.environment = environment;
+        throw;
+    }
+}
+
+void MovingScene::rebuild(const std::function<void(Scene&)>& change) {
+    Scene before = rest_;
+    try {
+        change(rest_);
+        flatten_anew();
+    } catch (...) {
+        rest_ = std::move(before);
+        throw;
+    }
 }
 
 }  // namespace weft

@@ -4,11 +4,22 @@
 #define WEFT_SCENE_MOVING_SCENE_H
 
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "scene/flat_scene.h"
 #include "scene/scene_edits.h"
 
 namespace weft {
+
+/// What of a scene can be edited without a copy of all its meshes and textures.
+struct SceneParts {
+    std::vector<Instance>& instances;
+    std::vector<Material>& materials;
+    std::vector<PunctualLight>& lights;
+    std::optional<Environment>& environment;
+};
 
 /// A scene over the frames of its animation and of edits, flattened. What it is at a frame does not
 /// depend on the frames before.
@@ -27,16 +38,31 @@ class MovingScene {
     /// of a light or material unusable; the scene stays what it was.
     void set_frame(std::uint32_t frame);
 
+    /// Changes the scene at rest, and what it is in the frame it was brought to. Returns whether
+    /// the flattened scene is the old one brought up to date (update_flat): while places of
+    /// instances that may move, lights and colours change. Else it has been flattened anew, with
+    /// all its memory; instances that were moved may move from then on. Edits of frames refer to
+    /// what is there by index. Throws Error (exit code 2) as validate_scene, validate_pose and
+    /// set_frame do; the scene stays what it was.
+    bool edit(const std::function<void(const SceneParts&)>& change);
+    /// The same for changes of anything, meshes and textures included; always flattens anew.
+    void rebuild(const std::function<void(Scene&)>& change);
+
     [[nodiscard]] const Scene& at_rest() const { return rest_; }
-    /// Stays the same object. Its vertices and triangles keep their places in memory.
+    /// Stays the same object. Its vertices and triangles keep their places in memory, unless an
+    /// edit flattens anew.
     [[nodiscard]] const FlatScene& flat() const { return flat_; }
 
   private:
     void pose(std::uint32_t frame);
+    void flatten_anew();
+    void update_in_place();
 
     Scene rest_, posed_;
     EditTimeline edits_;
     double frame_rate_;
+    std::uint32_t frame_ = 0;  ///< the scene was brought to this one
+    bool posed_once_ = false;  ///< else it is at rest
     bool moves_;
     FlatScene flat_;
 };

@@ -20,6 +20,7 @@
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
 #include "device/kernel_signature.h"
+#include "device/launch_pacer.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
 #include "device/native/native_variants.h"
@@ -92,7 +93,8 @@ class NativeExecutor : public Executor {
           threads_(threads),
           variant_(choose_variant(lanes)),
           device_(native_device_info(traversal, lanes)),
-          arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+          arena_(threads > 0 ? threads : tbb::task_arena::automatic),
+          pacer_(static_cast<std::uint32_t>(arena_.max_concurrency())) {
         device_.compute_units = static_cast<std::uint32_t>(arena_.max_concurrency());
     }
 
@@ -174,6 +176,7 @@ class NativeExecutor : public Executor {
     IsaVariant variant_;
     DeviceInfo device_;
     tbb::task_arena arena_;
+    LaunchPacer pacer_;
     std::size_t allocated_ = 0;
     std::vector<KernelBuild> builds_;
     std::optional<BvhStats> bvh_;
@@ -209,19 +212,22 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
         options.items_per_launch > 0 ? options.items_per_launch : kernel_chunk(launch.kernel);
     const Stopwatch watch;
     bool complete = true;
-    for (std::uint32_t first = 0; first < launch.items; first += chunk) {
+    for (std::uint32_t first = 0; first < launch.items;) {
         range.first = options.first_item + first;
-        range.count = std::min(chunk, launch.items - first);
+        range.count = std::min(pacer_.items(launch.kernel, chunk), launch.items - first);
         // Few ranges per thread keep the scheduler's cost small; a work-item of a packet kernel is
         // itself some thousand rays.
         const std::uint32_t grain = std::max<std::uint32_t>(1, range.count / 256);
+        const Stopwatch of_launch;
         arena_.execute([&] {
             tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, range.count, grain),
                               [&](const tbb::blocked_range<std::uint32_t>& items) {
                                   kernel.run(arguments.data(), items.begin(), items.end());
                               });
         });
-        const double done = static_cast<double>(first + range.count) / launch.items;
+        pacer_.took(launch.kernel, chunk, range.count, of_launch.total());
+        first += range.count;
+        const double done = static_cast<double>(first) / launch.items;
         if (keep_going && !keep_going(done)) {
             complete = false;
             break;

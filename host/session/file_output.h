@@ -1,0 +1,46 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SESSION_FILE_OUTPUT_H
+#define WEFT_SESSION_FILE_OUTPUT_H
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "session/output_driver.h"
+
+namespace weft {
+
+/// Which files an image becomes.
+struct FileOutputSettings {
+    std::filesystem::path file;         ///< a PNG file where it ends in .png, in any case, else EXR
+    std::optional<double> exposure_ev;  ///< stops, for PNG; empty means automatic
+    bool overlays = false;              ///< of ais: also what was sampled, and why
+    std::optional<std::filesystem::path> sums;  ///< EXR file that path tracing saves its sums to
+    bool with_sums = false;                     ///< of path tracing: `file` gets its sums, too
+    std::string scene;                          ///< its name, for the metadata
+};
+
+/// Writes files.
+class FileOutput : public OutputDriver {
+  public:
+    explicit FileOutput(FileOutputSettings settings, Diagnostics& diagnostics)
+        : settings_(std::move(settings)), diagnostics_(diagnostics) {}
+
+    /// Writes the next images to another file.
+    void set_file(std::filesystem::path file) { settings_.file = std::move(file); }
+
+    /// Throws Error (exit code 5), like `save`.
+    void write(SessionImage image) override;
+    [[nodiscard]] std::optional<double> save_interval_ms() const override;
+    void save(const FilmSums& sums, const Image& image) override;
+
+  private:
+    FileOutputSettings settings_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,45 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SESSION_OUTPUT_DRIVER_H
+#define WEFT_SESSION_OUTPUT_DRIVER_H
+
+#include <cstdint>
+#include <optional>
+
+#include "frame/film_sums.h"
+#include "image/image.h"
+#include "schedule/algorithm.h"
+
+namespace weft {
+
+/// What a session has rendered.
+struct SessionImage {
+    Image image;                   ///< all layers
+    std::optional<FilmSums> sums;  ///< of path tracing
+    Algorithm algorithm{};
+    std::uint64_t samples = 0;  ///< of every pixel
+    std::uint32_t seed = 0;
+    bool complete = true;  ///< else the user has ended it early
+};
+
+/// Receives what a session has rendered: files, a test.
+class OutputDriver {
+  public:
+    virtual ~OutputDriver() = default;
+
+    /// Takes the image that RenderSession::render has come to.
+    virtual void write(SessionImage image) = 0;
+
+    /// Milliseconds after which `save` is called again while path tracing goes on; empty: never,
+    /// not even at its end.
+    [[nodiscard]] virtual std::optional<double> save_interval_ms() const { return {}; }
+    /// Takes the sums of path tracing, from which a later run can go on, and their image.
+    virtual void save(const FilmSums& sums, const Image& image) {
+        (void)sums;
+        (void)image;
+    }
+};
+
+}  // namespace weft
+
+#endif

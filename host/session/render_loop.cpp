@@ -1,0 +1,151 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "base/stopwatch.h"
+#include "session/render_session.h"
+
+// How RenderSession spends a budget.
+namespace weft {
+namespace {
+
+/// How far a frame is, from what its stages cost as a rule.
+double share_of_frame(Stage stage, double done) {
+    constexpr double before_gather = 0.1;
+    constexpr double direct = 0.15;
+    if (stage == Stage::vpl_gather || stage == Stage::hemisphere_rays)
+        return before_gather + direct + 0.7 * done;
+    if (stage == Stage::area_lights || stage == Stage::distant_light)
+        return before_gather + direct * done;
+    if (stage == Stage::vpl_residual) return 0.95;
+    if (stage == Stage::reconstruction || stage == Stage::composition) return 0.97;
+    return before_gather * done * 0.5;
+}
+
+/// Stages that read no light, but that every later one builds on: the first frame has them whole.
+bool is_needed_by_all(Stage stage) {
+    return stage == Stage::primary_rays || stage == Stage::receivers;
+}
+
+/// The time that a call has taken so far, of its budget.
+class Clock {
+  public:
+    explicit Clock(const RenderBudget& budget) : budget_(budget) {}
+
+    [[nodiscard]] double ms() const { return budget_.spent_ms + watch_.total(); }
+    /// Of all the time there is, at most 1.
+    [[nodiscard]] double share() const { return std::min(1.0, ms() / *budget_.time_ms); }
+
+  private:
+    const RenderBudget& budget_;
+    Stopwatch watch_;
+};
+
+bool is_ended(const RenderBudget& budget) {
+    return budget.end_early != nullptr && *budget.end_early;
+}
+
+/// Whether an image's error is small enough. Looked at after 16, 32, 64 ... samples: reading it
+/// costs as much as some samples do, and looking often would end by luck.
+class ErrorTarget {
+  public:
+    explicit ErrorTarget(const std::optional<double>& target) : target_(target) {}
+
+    bool reached(PathRenderer& renderer, const Executor& executor) {
+        if (!target_ || renderer.has_open_frame() || renderer.samples() < next_look_) return false;
+        next_look_ = 2 * renderer.samples();
+        return relative_error(renderer.sums(), [&] { return !executor.cancelled(); }) <= *target_;
+    }
+
+  private:
+    std::optional<double> target_;
+    std::uint64_t next_look_ = 16;
+};
+
+}  // namespace
+
+SessionEnd RenderSession::render(const RenderBudget& budget) {
+    SessionEnd end{};
+    {
+        const CancellableExecutor::Scope cancelling(executor_);
+        end = path_ != nullptr ? render_path(budget) : render_preview(budget);
+    }
+    if (executor_.take_request()) return SessionEnd::cancelled;
+    hand_over(end == SessionEnd::complete);
+    return end;
+}
+
+bool RenderSession::render_frame(const KeepGoing& keep_going) {
+    const std::uint64_t before = renderer_->samples();
+    const bool go_on = renderer_->render_frame(keep_going);
+    stats_.add(renderer_->take_stats());
+    if (display_ != nullptr && renderer_->samples() > before && !executor_.cancelled())
+        resolve_.show(renderer_->film(), *display_);
+    return go_on;
+}
+
+SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
+    const Clock clock(budget);
+    const bool timed = budget.time_ms.has_value();
+    auto frame = static_cast<std::uint32_t>(renderer_->samples());
+    const std::uint32_t frames =
+        budget.samples.value_or(timed ? std::numeric_limits<std::uint32_t>::max() : frame + 1);
+    double shown = 0.0;
+    const KeepGoing keep_going = [&](Stage stage, double done) {
+        double fraction = (frame + share_of_frame(stage, done)) / frames;
+        if (timed) fraction = std::max(fraction, clock.share());
+        shown = std::max(shown, fraction);
+        if (budget.progress) budget.progress({shown, stage});
+        // A first frame is finished even when the time is up: less than an image helps nobody.
+        if (frame == 0 && is_needed_by_all(stage)) return true;
+        const bool out_of_time = timed && frame > 0 && clock.ms() > *budget.time_ms;
+        return !is_ended(budget) && !out_of_time;
+    };
+    // A first frame is begun in any case: without it there is no image to keep.
+    for (; frame < frames && (frame == 0 || !is_ended(budget)); ++frame) {
+        if (timed && frame > 0 && clock.ms() >= *budget.time_ms) break;
+        if (!render_frame(keep_going)) break;
+    }
+    return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
+}
+
+SessionEnd RenderSession::render_path(const RenderBudget& budget) {
+    const Clock clock(budget);
+    const std::uint32_t all = path_->samples_left();
+    ErrorTarget target(budget.target_error);
+    const std::optional<double> interval =
+        output_ != nullptr ? output_->save_interval_ms() : std::nullopt;
+    double saved = clock.ms();
+    const auto share_done = [&] {
+        if (budget.time_ms) return clock.share();
+        return all > 0 ? static_cast<double>(all - path_->samples_left()) / all : 1.0;
+    };
+    const KeepGoing keep_going = [&](Stage stage, double) {
+        if (budget.progress) budget.progress({share_done(), stage});
+        return !is_ended(budget);
+    };
+    while (path_->samples_left() > 0 && !is_ended(budget)) {
+        const bool late = budget.time_ms && path_->samples() > 0 &&
+                          clock.ms() + path_->next_frame_ms() > *budget.time_ms;
+        if (late || target.reached(*path_, executor_)) break;
+        if (!render_frame(keep_going)) break;
+        if (interval && clock.ms() - saved > *interval) {
+            const FilmSums sums = path_->sums();
+            output_->save(sums, resolve_sums(sums));
+            saved = clock.ms();
+        }
+    }
+    return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
+}
+
+void RenderSession::hand_over(bool complete) {
+    if (output_ == nullptr) return;
+    SessionImage result = image();
+    result.complete = complete;
+    if (result.sums && output_->save_interval_ms()) output_->save(*result.sums, result.image);
+    output_->write(std::move(result));
+}
+
+}  // namespace weft

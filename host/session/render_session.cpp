@@ -1,0 +1,116 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/render_session.h"
+
+#include <utility>
+
+namespace weft {
+
+RenderSession::RenderSession(std::unique_ptr<Executor> executor, MovingScene scene,
+                             const Camera& camera, const ImageSettings& settings,
+                             std::size_t kept_frames)
+    : RenderSession(std::move(executor), std::move(scene), camera, settings, kept_frames, {}) {}
+
+RenderSession::RenderSession(std::unique_ptr<Executor> executor, MovingScene scene,
+                             const Camera& camera, const ImageSettings& settings,
+                             std::size_t kept_frames, FilmSums sums)
+    : executor_(std::move(executor)),
+      scene_(std::move(scene)),
+      camera_(camera),
+      settings_(settings),
+      stats_(kept_frames),
+      resolve_(executor_) {
+    upload();
+    make_renderer(std::move(sums));
+}
+
+void RenderSession::upload() {
+    buffers_ = std::make_shared<SceneBuffers>(upload_scene(executor_, scene_.flat()));
+}
+
+void RenderSession::make_renderer(FilmSums sums) {
+    // Two at once would need the memory of both.
+    path_ = nullptr;
+    renderer_.reset();
+    stats_.begin_renderer();
+    if (const auto* const preview = std::get_if<RenderSettings>(&settings_)) {
+        renderer_ =
+            std::make_unique<Renderer>(executor_, scene_.flat(), buffers_, camera_, *preview);
+        return;
+    }
+    auto path = std::make_unique<PathRenderer>(executor_, scene_.flat(), buffers_, camera_,
+                                               std::get<PathSettings>(settings_), std::move(sums));
+    path_ = path.get();
+    renderer_ = std::move(path);
+}
+
+void RenderSession::set_camera(const Camera& camera) {
+    camera_ = camera;
+    renderer_->set_camera(camera);
+}
+
+void RenderSession::move_camera(const Camera& camera) {
+    camera_ = camera;
+    renderer_->move_camera(camera);
+}
+
+void RenderSession::set_frame(std::uint32_t frame, const Camera& camera) {
+    scene_.set_frame(frame);
+    if (scene_.moves()) follow_scene();
+    move_camera(camera);
+}
+
+void RenderSession::set_settings(const ImageSettings& settings) {
+    settings_ = settings;
+    make_renderer({});
+}
+
+void RenderSession::resize(std::uint32_t width, std::uint32_t height) {
+    std::visit(
+        [&](auto& settings) {
+            settings.width = width;
+            settings.height = height;
+        },
+        settings_);
+    make_renderer({});
+}
+
+void RenderSession::follow_scene() {
+    update_scene(executor_, scene_.flat(), *buffers_);
+    renderer_->follow_scene();
+}
+
+void RenderSession::edit(const std::function<void(const SceneParts&)>& change) {
+    if (scene_.edit(change)) {
+        follow_scene();
+        move_camera(camera_);
+        return;
+    }
+    upload();
+    make_renderer({});
+}
+
+void RenderSession::rebuild(const std::function<void(Scene&)>& change) {
+    scene_.rebuild(change);
+    upload();
+    make_renderer({});
+}
+
+SessionImage RenderSession::image() {
+    SessionImage result;
+    if (path_ != nullptr) {
+        result.sums = path_->sums();
+        result.image = resolve_sums(*result.sums);
+        result.algorithm = Algorithm::path;
+        result.seed = std::get<PathSettings>(settings_).seed;
+    } else {
+        result.image = renderer_->image();
+        result.algorithm = std::get<RenderSettings>(settings_).algorithm;
+        result.seed = std::get<RenderSettings>(settings_).seed;
+    }
+    stats_.add(renderer_->take_stats());
+    result.samples = renderer_->samples();
+    return result;
+}
+
+}  // namespace weft

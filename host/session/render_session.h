@@ -1,0 +1,138 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SESSION_RENDER_SESSION_H
+#define WEFT_SESSION_RENDER_SESSION_H
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "device/cancellable_executor.h"
+#include "frame/path_renderer.h"
+#include "frame/renderer.h"
+#include "scene/moving_scene.h"
+#include "session/display_resolve.h"
+#include "session/output_driver.h"
+#include "session/session_stats.h"
+
+namespace weft {
+
+/// What image to make: a preview, or a path-traced one.
+using ImageSettings = std::variant<RenderSettings, PathSettings>;
+
+/// How far RenderSession::render has come.
+struct SessionProgress {
+    double fraction = 0.0;  ///< of the call, never falling
+    Stage stage{};
+};
+
+/// Until when to render. What is empty sets no limit; with no limit at all a preview gets one
+/// sample more, and path tracing all of its samples.
+struct RenderBudget {
+    std::optional<std::uint32_t> samples;  ///< of every pixel of a preview, those before included
+    std::optional<double> time_ms;
+    double spent_ms = 0.0;               ///< of that time, before the call
+    std::optional<double> target_error;  ///< of path tracing: see relative_error
+    /// Ends rendering early once it is set, but with an image: the first sample goes as far as it
+    /// has to for that, and is shown with the light that it has. May be null.
+    const std::atomic<bool>* end_early = nullptr;
+    /// Called often, by the thread that renders. May be empty.
+    std::function<void(const SessionProgress&)> progress;
+};
+
+enum class SessionEnd : std::uint8_t {
+    complete,     ///< the budget is spent
+    ended_early,  ///< RenderBudget::end_early
+    cancelled,    ///< RenderSession::cancel
+};
+
+/// Renders one scene on one device for as long as anyone is interested: image after image, while
+/// the camera, the scene, the size or the algorithm change. The scene is uploaded once. All but
+/// cancel() belongs to one thread at a time. Failures are Errors, as those of Executor.
+class RenderSession {
+  public:
+    static constexpr std::size_t default_kept_frames = 4096;
+
+    /// Uploads the scene and prepares the first image. `kept_frames`: of which the statistics
+    /// remember each one.
+    RenderSession(std::unique_ptr<Executor> executor, MovingScene scene, const Camera& camera,
+                  const ImageSettings& settings, std::size_t kept_frames = default_kept_frames);
+    /// The same, where path tracing goes on from `sums`; see PathRenderer.
+    RenderSession(std::unique_ptr<Executor> executor, MovingScene scene, const Camera& camera,
+                  const ImageSettings& settings, std::size_t kept_frames, FilmSums sums);
+    RenderSession(const RenderSession&) = delete;
+    RenderSession& operator=(const RenderSession&) = delete;
+
+    /// Receives each image that `render` comes to; may be null. Must outlive its use.
+    void set_output(OutputDriver* output) { output_ = output; }
+    /// Receives 8-bit images meanwhile; may be null, which costs nothing. Must outlive its use.
+    void set_display(DisplayDriver* display) { display_ = display; }
+
+    /// Adds samples to the image until the budget is spent, shows it after each frame, and hands
+    /// it to the output. A cancelled call hands over nothing: the image is the mean of the frames
+    /// that were complete, and the next call goes on from there.
+    SessionEnd render(const RenderBudget& budget);
+    /// Ends the call of `render` that is under way, or else the next one, within 50 ms or as soon
+    /// as the launches that have begun are done. From any thread.
+    void cancel() noexcept { executor_.request_cancel(); }
+
+    /// Begins another image, seen from elsewhere; knows nothing of those before.
+    void set_camera(const Camera& camera);
+    /// Begins the next image of a sequence, which may go on from what those before told.
+    void move_camera(const Camera& camera);
+    /// Begins the next image of a sequence: the scene in another frame of its animation. Throws as
+    /// MovingScene::set_frame does.
+    void set_frame(std::uint32_t frame, const Camera& camera);
+    /// Begins an image by other settings, without another upload of the scene.
+    void set_settings(const ImageSettings& settings);
+    /// The same of another size, in pixels.
+    void resize(std::uint32_t width, std::uint32_t height);
+    /// Changes instances, materials and lights, and begins the next image of the sequence; uploads
+    /// what has to be. Throws as MovingScene::edit does, and nothing has changed.
+    void edit(const std::function<void(const SceneParts&)>& change);
+    /// Changes anything in the scene and begins another image; uploads all of the scene. Throws as
+    /// MovingScene::rebuild does, and nothing has changed.
+    void rebuild(const std::function<void(Scene&)>& change);
+
+    /// What has been rendered so far, of at least one sample; a path-traced frame that was
+    /// cancelled is finished first.
+    [[nodiscard]] SessionImage image();
+    [[nodiscard]] std::uint64_t samples() const { return renderer_->samples(); }
+    [[nodiscard]] const FramePlan& plan() const { return renderer_->plan(); }
+    [[nodiscard]] const Camera& camera() const { return camera_; }
+    [[nodiscard]] const ImageSettings& settings() const { return settings_; }
+    [[nodiscard]] const MovingScene& scene() const { return scene_; }
+    [[nodiscard]] const Executor& executor() const { return executor_; }
+    [[nodiscard]] const SessionStats& stats() const { return stats_; }
+
+  private:
+    void upload();
+    void make_renderer(FilmSums sums);
+    /// Where the scene has changed in place.
+    void follow_scene();
+    SessionEnd render_preview(const RenderBudget& budget);
+    SessionEnd render_path(const RenderBudget& budget);
+    /// One frame; returns what the renderer does.
+    bool render_frame(const KeepGoing& keep_going);
+    void hand_over(bool complete);
+
+    CancellableExecutor executor_;
+    MovingScene scene_;
+    Camera camera_;
+    ImageSettings settings_;
+    std::shared_ptr<SceneBuffers> buffers_;
+    std::unique_ptr<FrameRenderer> renderer_;
+    PathRenderer* path_ = nullptr;  ///< the same, where it is one
+    SessionStats stats_;
+    DisplayResolve resolve_;
+    OutputDriver* output_ = nullptr;
+    DisplayDriver* display_ = nullptr;
+};
+
+}  // namespace weft
+
+#endif
