@@ -59,7 +59,9 @@ bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& 
 bool same_materials(const std::vector<Material>& before, const std::vector<Material>& now) {
     return std::equal(before.begin(), before.end(), now.begin(), now.end(),
                       [](const Material& a, const Material& b) {
-                          return a.albedo_texture == b.albedo_texture && a.two_sided == b.two_sided;
+                          return a.surface.index() == b.surface.index() &&
+                                 albedo_texture(a) == albedo_texture(b) &&
+                                 a.two_sided == b.two_sided;
                       });
 }
 
