@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "frame/camera_params.h"
+#include "frame/surface_features.h"
 
 namespace weft {
 namespace {
@@ -84,10 +85,7 @@ void add_part(FrameStats& whole, FrameStats part) {
 }  // namespace
 
 std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings) {
-    constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
-                                          FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
-                                          FEATURE_ENVIRONMENT;
-    return (scene.features & of_surfaces) | scene.media.features() |
+    return surface_features(scene) | scene.media.features() |
            (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }

@@ -11,6 +11,7 @@
 #include "frame/camera_params.h"
 #include "frame/edge_samples.h"
 #include "frame/film.h"
+#include "frame/surface_features.h"
 #include "frame/view_media.h"
 
 namespace weft {
@@ -95,11 +96,8 @@ std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const Componen
 
 std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
                           std::span<const ComponentKind> kinds) {
-    constexpr std::uint32_t of_surfaces = FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS |
-                                          FEATURE_SMOOTH_NORMALS | FEATURE_ONE_SIDED |
-                                          FEATURE_ENVIRONMENT;
     const std::uint32_t of_media = plan.media ? FEATURE_MEDIA | scene.media.features() : 0U;
-    return (scene.features & of_surfaces) | of_media | needs_of(plan, kinds).features;
+    return surface_features(scene) | of_media | needs_of(plan, kinds).features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,

@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <charconv>
+#include <map>
+#include <set>
 #include <string_view>
-#include <utility>
 
 #include "device/opencl/program_cache.h"
 #include "device/opencl/program_source.h"
@@ -14,35 +15,30 @@
 namespace weft {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::uint32_t>, 16> feature_names{{
-    {"FEATURE_TEXTURES", FEATURE_TEXTURES},
-    {"FEATURE_VERTEX_COLOURS", FEATURE_VERTEX_COLOURS},
-    {"FEATURE_SMOOTH_NORMALS", FEATURE_SMOOTH_NORMALS},
-    {"FEATURE_ENVIRONMENT", FEATURE_ENVIRONMENT},
-    {"FEATURE_DIRECTIONAL_LIGHTS", FEATURE_DIRECTIONAL_LIGHTS},
-    {"FEATURE_ONE_SIDED", FEATURE_ONE_SIDED},
-    {"FEATURE_INDIRECT", FEATURE_INDIRECT},
-    {"FEATURE_SAMPLED_DIRECT", FEATURE_SAMPLED_DIRECT},
-    {"FEATURE_EXACT_DIRECT", FEATURE_EXACT_DIRECT},
-    {"FEATURE_DENSITY_GRIDS", FEATURE_DENSITY_GRIDS},
-    {"FEATURE_MEDIA", FEATURE_MEDIA},
-    {"FEATURE_AIRLIGHT", FEATURE_AIRLIGHT},
-    {"FEATURE_EMISSIVE_MEDIA", FEATURE_EMISSIVE_MEDIA},
-    {"FEATURE_CONVEX_MEDIA", FEATURE_CONVEX_MEDIA},
-    {"FEATURE_TEMPORAL", FEATURE_TEMPORAL},
-    {"FEATURE_HEMISPHERES", FEATURE_HEMISPHERES},
-}};
-
-/// The features that `source` asks about, beyond their definitions.
-std::uint32_t asked_features(const std::string& source) {
-    std::uint32_t asked = 0;
-    for (const auto& [name, bit] : feature_names) {
-        const std::size_t definition = source.find(name);
-        if (definition != std::string::npos &&
-            source.find(name, definition + 1) != std::string::npos)
-            asked |= bit;
+/// The features that `source` asks about: names of FEATURE_ bits that occur beyond their
+/// definition.
+std::uint32_t asked_features(std::string_view source) {
+    constexpr std::string_view prefix = "FEATURE_";
+    constexpr std::string_view definition = "#define ";
+    std::map<std::string_view, std::uint32_t> bits;
+    std::set<std::string_view> asked;
+    for (std::size_t at = source.find(prefix); at != std::string_view::npos;
+         at = source.find(prefix, at + 1)) {
+        const std::size_t end =
+            source.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at);
+        const std::string_view name = source.substr(at, end - at);
+        if (!source.substr(0, at).ends_with(definition)) {
+            asked.insert(name);
+        } else if (end != std::string_view::npos) {
+            std::uint32_t bit = 0;
+            std::from_chars(source.data() + end + 1, source.data() + source.size(), bit);
+            bits.emplace(name, bit);
+        }
     }
-    return asked;
+    std::uint32_t all = 0;
+    for (const auto& [name, bit] : bits)
+        if (asked.contains(name)) all |= bit;
+    return all;
 }
 
 std::string build_options(const cl::Device& device, const ProgramSettings& settings,
