@@ -28,9 +28,10 @@ static inline void put(GLOBAL float* r, float3 v) {
 }
 
 // Everything that kernels/bsdf and kernels/light say about six numbers in [0, 1).
-KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights, GLOBAL const EmissiveTriangle* emissive,
-                      GLOBAL const float4* positions, GLOBAL const Triangle* triangles,
-                      GLOBAL const float* xs, GLOBAL float* results, uint count, uint kinds) {
+KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
+                           GLOBAL const EmissiveTriangle* emissive, GLOBAL const float4* positions,
+                           GLOBAL const Triangle* triangles, GLOBAL const float* xs,
+                           GLOBAL float* results, uint count, uint kinds) {
     const uint i = GLOBAL_ID;
     if (i >= count) return;
     GLOBAL const float* x = xs + i * 6u;

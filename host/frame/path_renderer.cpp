@@ -257,8 +257,8 @@ bool PathRenderer::go_on(const KeepGoing& keep_going, bool whole) {
     frame.whole_launches = whole;
     // Launches of few samples at a time: a work-item of many would hold up everything else.
     constexpr std::uint32_t items = 1U << 14;
-    const FrameContext::Items all{.count = pixels - first,
-                                  .per_launch = std::max(64U, items / open_->count)};
+    const FrameContext::Items all{
+        .count = pixels - first, .per_launch = std::max(64U, items / open_->count), .first = first};
     if (scene_.media.present())
         frame.run(Stage::paths, "",
                   kernels::path_media{.scene = *scene_buffers_->traced,

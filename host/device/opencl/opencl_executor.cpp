@@ -12,12 +12,12 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/large_memory.h"
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
 #include "device/kernel_signature.h"
 #include "device/launch_pacer.h"
 #include "device/opencl/compile_ahead.h"
+#include "device/opencl/opencl_buffer.h"
 #include "device/opencl/opencl_program.h"
 
 namespace weft {
@@ -31,37 +31,6 @@ constexpr std::uint32_t gpu_chunk_factor = 16;
 /// Where a kernel takes its range: after what all kernels of a sample share.
 constexpr cl_uint range_argument = 1;
 
-[[noreturn]] void rethrow(const cl::Error& error, const std::string& action) {
-    const bool memory =
-        error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_HOST_MEMORY;
-    throw Error(
-        memory ? ExitCode::out_of_memory : ExitCode::device,
-        fmt::format("OpenCL: {} failed in {} (error {})", action, error.what(), error.err()));
-}
-
-/// On a processor the memory is the host's own.
-class OpenClBuffer : public Buffer {
-  public:
-    OpenClBuffer(const cl::Context& context, bool on_host, std::size_t bytes, std::size_t& total)
-        : Buffer(bytes), total_(total) {
-        if (on_host) host_.emplace(bytes);
-        memory_ = cl::Buffer(
-            context, CL_MEM_READ_WRITE | (on_host ? CL_MEM_USE_HOST_PTR : CL_MEM_ALLOC_HOST_PTR),
-            bytes, on_host ? host_->data() : nullptr);
-        total_ += bytes;
-    }
-    ~OpenClBuffer() override { total_ -= bytes(); }
-    OpenClBuffer(const OpenClBuffer&) = delete;
-    OpenClBuffer& operator=(const OpenClBuffer&) = delete;
-
-    [[nodiscard]] const cl::Buffer& memory() const noexcept { return memory_; }
-
-  private:
-    std::optional<LargeMemory> host_;  // outlives what refers to it
-    cl::Buffer memory_;
-    std::size_t& total_;
-};
-
 class OpenClTracedScene : public TracedScene {
   public:
     TracedGeometry geometry;
@@ -70,10 +39,6 @@ class OpenClTracedScene : public TracedScene {
     std::unique_ptr<Buffer> leaves;
     bool resting_on_device = false;  ///< they hold what updates of the BVH leave alone
 };
-
-const cl::Buffer& memory_of(const Buffer& buffer) {
-    return dynamic_cast<const OpenClBuffer&>(buffer).memory();
-}
 
 template <class T>
 std::span<const std::byte> bytes_of(const LargeVector<T>& values) noexcept {
