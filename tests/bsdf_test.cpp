@@ -123,8 +123,9 @@ TEST(Bsdf, FurnaceReflectsTheAlbedo) {
     for (const auto& [name, bsdf] : all_bsdfs())
         for (const float3 out : outs())
             for (int c = 0; c < 3; ++c) {
-                const double reflected = hemisphere_integral(
-                    [&](float3 in) { return value_of(bsdf, out, in, c) * double(in.z); });
+                const double reflected = hemisphere_integral([&, &bsdf = bsdf](float3 in) {
+                    return value_of(bsdf, out, in, c) * double(in.z);
+                });
                 EXPECT_NEAR(reflected, channel(native::bsdf_albedo(&bsdf, out), c), 1e-5)
                     << name << " channel " << c;
                 EXPECT_LE(reflected, 1.0 + 1e-5) << name << " channel " << c;
@@ -183,8 +184,9 @@ TEST(Bsdf, WeightsAreValueTimesCosineOverDensity) {
 TEST(Bsdf, DensitiesIntegrateToOne) {
     for (const auto& [name, bsdf] : all_bsdfs())
         for (const float3 out : outs())
-            EXPECT_NEAR(hemisphere_integral(
-                            [&](float3 in) { return double(native::bsdf_pdf(&bsdf, out, in)); }),
+            EXPECT_NEAR(hemisphere_integral([&, &bsdf = bsdf](float3 in) {
+                            return double(native::bsdf_pdf(&bsdf, out, in));
+                        }),
                         1.0, 1e-5)
                 << name;
 }
@@ -193,9 +195,10 @@ TEST(Bsdf, DirectionsHaveTheirDensity) {
     for (const auto& [name, bsdf] : all_bsdfs())
         for (const float3 out : outs())
             EXPECT_LT(
-                std::abs(normal_of_sampler(
-                    bsdf, out,
-                    [&](float u, float v) { return native::bsdf_sample(&bsdf, out, u, v).in; })),
+                std::abs(normal_of_sampler(bsdf, out,
+                                           [&, &bsdf = bsdf](float u, float v) {
+                                               return native::bsdf_sample(&bsdf, out, u, v).in;
+                                           })),
                 limit)
                 << name;
 }

@@ -231,7 +231,7 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
     if (!open_) {
         const std::uint32_t count = frame_samples();
         if (count == 0) return false;
-        open_.emplace().count = count;
+        open_ = OpenFrame{count, 0, {}};
     }
     bool wanted = true;
     // Asked all the same, so that progress is seen.

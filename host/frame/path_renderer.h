@@ -78,8 +78,8 @@ class PathRenderer : public FrameRenderer {
   private:
     /// A frame under way: samples [next_, next_ + count) of the pixels before `pixel`.
     struct OpenFrame {
-        std::uint32_t count = 0;
-        std::uint32_t pixel = 0;
+        std::uint32_t count;
+        std::uint32_t pixel;
         FrameStats stats;  ///< of its parts so far
     };
 
