@@ -155,7 +155,7 @@ Image resolve_sums(const FilmSums& sums) {
     return image;
 }
 
-double relative_error(const FilmSums& sums, const std::function<bool()>& go_on) {
+double relative_error(const FilmSums& sums, const std::function<bool()>& keep_going) {
     const auto n = static_cast<double>(sums.samples());
     if (sums.samples() < least_samples) return std::numeric_limits<double>::infinity();
     constexpr double weight[3] = {0.2126, 0.7152, 0.0722};
@@ -164,7 +164,7 @@ double relative_error(const FilmSums& sums, const std::function<bool()>& go_on) 
     bool varies = false;
     for (std::size_t pixel = 0; pixel < std::size_t{sums.width} * sums.height; ++pixel) {
         constexpr std::size_t asked_after = 4096;  // pixels: about a millisecond
-        if (pixel % asked_after == 0 && go_on && !go_on())
+        if (pixel % asked_after == 0 && keep_going && !keep_going())
             return std::numeric_limits<double>::infinity();
         double deviation = 0.0;
         for (std::size_t c = 0; c < 3; ++c) {

@@ -50,9 +50,10 @@ void add_sums(FilmSums& whole, const FilmSums& part);
 [[nodiscard]] Image resolve_sums(const FilmSums& sums);
 
 /// Estimated standard error of the picture's mean luminance, relative to it; infinite where that
-/// cannot be told yet: of fewer than 16 samples, or of fewer than 1024 that all agree. `go_on` is
-/// asked now and then, if given; where it says no, the result is infinite as well.
-[[nodiscard]] double relative_error(const FilmSums& sums, const std::function<bool()>& go_on = {});
+/// cannot be told yet: of fewer than 16 samples, or of fewer than 1024 that all agree. `keep_going`
+/// is asked now and then, if given; where it says no, the result is infinite as well.
+[[nodiscard]] double relative_error(const FilmSums& sums,
+                                    const std::function<bool()>& keep_going = {});
 
 }  // namespace weft
 

@@ -140,18 +140,18 @@ BufferRef<kinds::EnclosingMedia> FrameBuffers::view_inside() const {
 }
 
 groups::ComposedLight FrameBuffers::composed() const {
-    BufferRef<kinds::Transmittances> left;
-    BufferRef<kinds::MediaEmission> glow;
+    BufferRef<kinds::Transmittances> transmittance;
+    BufferRef<kinds::MediaEmission> emission;
     if (view_media) {
-        left = view_media->left();
-        glow = view_media->glow();
+        transmittance = view_media->left();
+        emission = view_media->glow();
     }
     return {.pixel_slot = pixel_slot,
             .direct = irradiance.direct,
             .exact_irradiance = irradiance.exact_direct,
             .indirect = irradiance.indirect,
-            .view_left = left,
-            .view_glow = glow,
+            .view_left = transmittance,
+            .view_glow = emission,
             .media_light = irradiance.media};
 }
 

@@ -239,10 +239,10 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
         if (keep_going) wanted = keep_going(stage, done) && wanted;
         return true;
     };
-    return go_on(listen, false) && wanted && samples_left() > 0;
+    return continue_frame(listen, false) && wanted && samples_left() > 0;
 }
 
-bool PathRenderer::go_on(const KeepGoing& keep_going, bool whole) {
+bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
     const Stopwatch watch;
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
     params_.sampling.sample = next_;
@@ -299,7 +299,7 @@ void PathRenderer::finish_frame() {
 }
 
 FilmSums PathRenderer::sums() {
-    if (open_) (void)go_on([](Stage, double) { return true; }, true);
+    if (open_) (void)continue_frame([](Stage, double) { return true; }, true);
     FilmSums sums = film_;
     sums.picture = picture();
     sums.words =
@@ -308,7 +308,7 @@ FilmSums PathRenderer::sums() {
 }
 
 FilmView PathRenderer::film() {
-    if (open_) (void)go_on([](Stage, double) { return true; }, true);
+    if (open_) (void)continue_frame([](Stage, double) { return true; }, true);
     return {.params = params_,
             .high = {},
             .low = {},

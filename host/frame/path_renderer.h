@@ -85,7 +85,7 @@ class PathRenderer : public FrameRenderer {
 
     /// Renders what is left of the open frame, `whole`: whatever is cancelled; returns whether that
     /// came to an end.
-    bool go_on(const KeepGoing& keep_going, bool whole);
+    bool continue_frame(const KeepGoing& keep_going, bool whole);
     void finish_frame();
     void filter_textures();
     [[nodiscard]] const std::string& picture();

@@ -79,11 +79,11 @@ SessionEnd RenderSession::render(const RenderBudget& budget) {
 
 bool RenderSession::render_frame(const KeepGoing& keep_going) {
     const std::uint64_t before = renderer_->samples();
-    const bool go_on = renderer_->render_frame(keep_going);
+    const bool more = renderer_->render_frame(keep_going);
     stats_.add(renderer_->take_stats());
     if (display_ != nullptr && renderer_->samples() > before && !executor_.cancelled())
         resolve_.show(renderer_->film(), *display_);
-    return go_on;
+    return more;
 }
 
 SessionEnd RenderSession::render_preview(const RenderBudget& budget) {

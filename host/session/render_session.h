@@ -76,8 +76,8 @@ class RenderSession {
     /// it to the output. A cancelled call hands over nothing: the image is the mean of the frames
     /// that were complete, and the next call goes on from there.
     SessionEnd render(const RenderBudget& budget);
-    /// Ends the call of `render` that is under way, or else the next one, within 50 ms or as soon
-    /// as the launches that have begun are done. From any thread.
+    /// Ends the call of `render` that is under way, or else the next one, as soon as the launches
+    /// that have begun are done. From any thread.
     void cancel() noexcept { executor_.request_cancel(); }
 
     /// Begins another image, seen from elsewhere; knows nothing of those before.
