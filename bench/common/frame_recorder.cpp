@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "device/forwarding_executor.h"
 #include "device/kernel_signature.h"
 #include "frame/renderer.h"
 
@@ -12,45 +13,25 @@ namespace weft::bench {
 namespace {
 
 /// Passes everything on to another executor, keeping inputs of the launches of interest.
-class FrameRecorder : public Executor {
+class FrameRecorder : public ForwardingExecutor {
   public:
-    explicit FrameRecorder(Executor& inner) : inner_(inner) {}
+    using ForwardingExecutor::ForwardingExecutor;
 
-    [[nodiscard]] const DeviceInfo& device() const override { return inner_.device(); }
-    [[nodiscard]] std::uint32_t lanes() const override { return inner_.lanes(); }
-    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
-                                                   std::string_view what) override {
-        return inner_.allocate(bytes, what);
-    }
-    void with_mapped(Buffer& buffer, Access access,
-                     const std::function<void(std::span<std::byte>)>& use) override {
-        inner_.with_mapped(buffer, access, use);
-    }
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
         frame_.box_padding = geometry.box_padding;
-        frame_.scene = inner_.make_scene(geometry);
+        frame_.scene = inner().make_scene(geometry);
         return std::make_unique<Placeholder>();
     }
     void update_scene(TracedScene&, const TracedGeometry& geometry) override {
         frame_.box_padding = geometry.box_padding;
-        inner_.update_scene(*frame_.scene, geometry);
-    }
-    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
-        inner_.build(kernels, features);
+        inner().update_scene(*frame_.scene, geometry);
     }
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override {
         if (launch.kernel == KernelId::vpl_gather) keep_gather(launch);
         Launch passed = launch;
         if (launch.scene != nullptr) passed.scene = frame_.scene.get();
-        return inner_.run(passed, keep_going);
+        return inner().run(passed, keep_going);
     }
-    double take_milliseconds() override { return inner_.take_milliseconds(); }
-    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
-        return inner_.builds();
-    }
-    [[nodiscard]] const BvhStats* bvh() const override { return inner_.bvh(); }
-    [[nodiscard]] double scene_ms() const override { return inner_.scene_ms(); }
-    [[nodiscard]] std::size_t allocated_bytes() const override { return inner_.allocated_bytes(); }
 
     [[nodiscard]] RecordedFrame take() { return std::move(frame_); }
 
@@ -61,7 +42,7 @@ class FrameRecorder : public Executor {
     template <class T>
     std::vector<T> contents(const Launch& launch, std::string_view name) {
         Buffer& buffer = *argument_of(launch, name).buffer;
-        return read_buffer<T>(inner_, buffer, buffer.bytes() / sizeof(T));
+        return read_buffer<T>(inner(), buffer, buffer.bytes() / sizeof(T));
     }
     template <class T>
     static T value_of(const Launch& launch, std::string_view name) {
@@ -78,7 +59,6 @@ class FrameRecorder : public Executor {
         frame_.vpls = contents<shared::Vpl>(launch, "vpls");
     }
 
-    Executor& inner_;
     RecordedFrame frame_;
 };
 

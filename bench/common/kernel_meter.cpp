@@ -32,7 +32,7 @@ void KernelUse::add(const KernelUse& other) {
 void KernelMeter::with_mapped(Buffer& buffer, Access access,
                               const std::function<void(std::span<std::byte>)>& use) {
     (access == Access::read ? read_bytes_ : written_bytes_) += buffer.bytes();
-    inner_.with_mapped(buffer, access, use);
+    inner().with_mapped(buffer, access, use);
 }
 
 bool KernelMeter::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
@@ -44,7 +44,7 @@ bool KernelMeter::run(const Launch& launch, const std::function<bool(double)>& k
     use.bound_bytes = bytes_of(launch.arguments);
     Launch passed = launch;
     passed.options.milliseconds = &use.ms;
-    return inner_.run(passed, [&](double done) {
+    return inner().run(passed, [&](double done) {
         ++use.launches;
         return !keep_going || keep_going(done);
     });
@@ -53,7 +53,7 @@ bool KernelMeter::run(const Launch& launch, const std::function<bool(double)>& k
 double KernelMeter::take_milliseconds() {
     // Where waiting fails, what a run took has nowhere to be added.
     const std::vector<Wanted> wanted = std::exchange(wanted_, {});
-    const double ms = inner_.take_milliseconds();
+    const double ms = inner().take_milliseconds();
     for (const auto& [run, milliseconds] : wanted) *milliseconds += runs_[run].ms;
     return ms;
 }

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "device/executor.h"
+#include "device/forwarding_executor.h"
 #include "frame/frame_renderer.h"
 
 namespace weft::bench {
@@ -38,39 +38,17 @@ struct Metered {
 };
 
 /// Passes everything on to another executor and takes down what each kernel took there.
-class KernelMeter : public Executor {
+class KernelMeter : public ForwardingExecutor {
   public:
-    /// `inner` must outlive it.
-    explicit KernelMeter(Executor& inner) : inner_(inner) {}
+    using ForwardingExecutor::ForwardingExecutor;
 
     /// Waits for what still runs; returns what went through since last asked.
     [[nodiscard]] Metered take();
 
-    [[nodiscard]] const DeviceInfo& device() const override { return inner_.device(); }
-    [[nodiscard]] std::uint32_t lanes() const override { return inner_.lanes(); }
-    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
-                                                   std::string_view what) override {
-        return inner_.allocate(bytes, what);
-    }
     void with_mapped(Buffer& buffer, Access access,
                      const std::function<void(std::span<std::byte>)>& use) override;
-    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
-        return inner_.make_scene(geometry);
-    }
-    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override {
-        inner_.update_scene(scene, geometry);
-    }
-    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
-        inner_.build(kernels, features);
-    }
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
     double take_milliseconds() override;
-    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
-        return inner_.builds();
-    }
-    [[nodiscard]] const BvhStats* bvh() const override { return inner_.bvh(); }
-    [[nodiscard]] double scene_ms() const override { return inner_.scene_ms(); }
-    [[nodiscard]] std::size_t allocated_bytes() const override { return inner_.allocated_bytes(); }
 
   private:
     /// Where the caller wants the time of a run.
@@ -79,7 +57,6 @@ class KernelMeter : public Executor {
         double* milliseconds;
     };
 
-    Executor& inner_;
     std::deque<KernelUse> runs_;  ///< none moves: the inner executor adds its time there
     std::vector<Wanted> wanted_;
     std::uint64_t read_bytes_ = 0;

@@ -5,9 +5,9 @@
 namespace weft {
 
 bool CancellableExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
-    if (launch.options.whole) return inner_->run(launch, keep_going);
+    if (launch.options.whole) return inner().run(launch, keep_going);
     if (cancelled()) return false;
-    return inner_->run(launch, [&](double done) {
+    return inner().run(launch, [&](double done) {
         const bool wanted = !keep_going || keep_going(done);
         return wanted && !cancelled();
     });

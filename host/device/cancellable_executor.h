@@ -6,15 +6,16 @@
 #include <atomic>
 #include <memory>
 
-#include "device/executor.h"
+#include "device/forwarding_executor.h"
 
 namespace weft {
 
 /// Passes everything on to another executor, and lets another thread cancel what runs on it: no
 /// further launch begins then, whoever asks for it, but for those that are `whole`.
-class CancellableExecutor : public Executor {
+class CancellableExecutor : public ForwardingExecutor {
   public:
-    explicit CancellableExecutor(std::unique_ptr<Executor> inner) : inner_(std::move(inner)) {}
+    explicit CancellableExecutor(std::unique_ptr<Executor> inner)
+        : ForwardingExecutor(*inner), owned_(std::move(inner)) {}
 
     /// Asks for an end. From any thread, at any time.
     void request_cancel() noexcept { requested_ = true; }
@@ -40,36 +41,8 @@ class CancellableExecutor : public Executor {
     [[nodiscard]] bool cancelled() const override { return heeding_ && requested_; }
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
 
-    [[nodiscard]] const DeviceInfo& device() const override { return inner_->device(); }
-    [[nodiscard]] std::uint32_t lanes() const override { return inner_->lanes(); }
-    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
-                                                   std::string_view what) override {
-        return inner_->allocate(bytes, what);
-    }
-    void with_mapped(Buffer& buffer, Access access,
-                     const std::function<void(std::span<std::byte>)>& use) override {
-        inner_->with_mapped(buffer, access, use);
-    }
-    [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override {
-        return inner_->make_scene(geometry);
-    }
-    void update_scene(TracedScene& scene, const TracedGeometry& geometry) override {
-        inner_->update_scene(scene, geometry);
-    }
-    void compile(std::span<const KernelUse> uses) override { inner_->compile(uses); }
-    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
-        inner_->build(kernels, features);
-    }
-    double take_milliseconds() override { return inner_->take_milliseconds(); }
-    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
-        return inner_->builds();
-    }
-    [[nodiscard]] const BvhStats* bvh() const override { return inner_->bvh(); }
-    [[nodiscard]] double scene_ms() const override { return inner_->scene_ms(); }
-    [[nodiscard]] std::size_t allocated_bytes() const override { return inner_->allocated_bytes(); }
-
   private:
-    std::unique_ptr<Executor> inner_;
+    std::unique_ptr<Executor> owned_;
     std::atomic<bool> requested_{false};
     bool heeding_ = false;  ///< of the thread that runs launches
 };

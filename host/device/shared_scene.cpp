@@ -11,18 +11,18 @@ class Placeholder : public TracedScene {};
 }  // namespace
 
 std::unique_ptr<TracedScene> SharedScene::make_scene(const TracedGeometry& geometry) {
-    if (!scene_) scene_ = inner_.make_scene(geometry);
+    if (!scene_) scene_ = inner().make_scene(geometry);
     return std::make_unique<Placeholder>();
 }
 
 void SharedScene::update_scene(TracedScene&, const TracedGeometry& geometry) {
-    inner_.update_scene(*scene_, geometry);
+    inner().update_scene(*scene_, geometry);
 }
 
 bool SharedScene::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
     Launch passed = launch;
     if (launch.scene != nullptr) passed.scene = scene_.get();
-    return inner_.run(passed, keep_going);
+    return inner().run(passed, keep_going);
 }
 
 }  // namespace weft

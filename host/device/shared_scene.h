@@ -5,45 +5,22 @@
 
 #include <memory>
 
-#include "device/executor.h"
+#include "device/forwarding_executor.h"
 
 namespace weft {
 
 /// Passes everything on to another executor, but builds the acceleration structure once: all that
 /// is made of one scene traces the same, as long as this executor lives.
-class SharedScene : public Executor {
+class SharedScene : public ForwardingExecutor {
   public:
-    /// `inner` must outlive it.
-    explicit SharedScene(Executor& inner) : inner_(inner) {}
+    using ForwardingExecutor::ForwardingExecutor;
 
-    [[nodiscard]] const DeviceInfo& device() const override { return inner_.device(); }
-    [[nodiscard]] std::uint32_t lanes() const override { return inner_.lanes(); }
-    [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
-                                                   std::string_view what) override {
-        return inner_.allocate(bytes, what);
-    }
-    void with_mapped(Buffer& buffer, Access access,
-                     const std::function<void(std::span<std::byte>)>& use) override {
-        inner_.with_mapped(buffer, access, use);
-    }
     /// Every call has to be given the same geometry; the first one builds.
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
     void update_scene(TracedScene& scene, const TracedGeometry& geometry) override;
-    void build(std::span<const KernelId> kernels, std::uint32_t features) override {
-        inner_.build(kernels, features);
-    }
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
-    [[nodiscard]] bool cancelled() const override { return inner_.cancelled(); }
-    double take_milliseconds() override { return inner_.take_milliseconds(); }
-    [[nodiscard]] const std::vector<KernelBuild>& builds() const override {
-        return inner_.builds();
-    }
-    [[nodiscard]] const BvhStats* bvh() const override { return inner_.bvh(); }
-    [[nodiscard]] double scene_ms() const override { return inner_.scene_ms(); }
-    [[nodiscard]] std::size_t allocated_bytes() const override { return inner_.allocated_bytes(); }
 
   private:
-    Executor& inner_;
     std::unique_ptr<TracedScene> scene_;
 };
 
