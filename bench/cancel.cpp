@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long a session takes to end once it is cancelled: from RenderSession::cancel at random
-// moments to the return of RenderSession::render, by algorithm and backend.
+// This measures how long a session takes to end once it is cancelled: from RenderSession::cancel at
+// random moments to the return of RenderSession::render, by algorithm and backend.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <filesystem>
 #include <future>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -105,7 +107,8 @@ struct Latencies {
     std::vector<double> ms;  ///< from each request to the end
 };
 
-/// Cancels rendering at random moments of its first two frames.
+/// Cancels rendering at random moments within the time of two first frames, or 50 ms if that is
+/// longer.
 Latencies measure(RenderSession& session, std::uint32_t points) {
     Latencies found;
     RenderBudget whole;
@@ -127,8 +130,12 @@ Latencies measure(RenderSession& session, std::uint32_t points) {
         std::promise<std::chrono::steady_clock::time_point> ended;
         std::thread renders([&] {
             begun.set_value();
-            (void)session.render(endless);
-            ended.set_value(std::chrono::steady_clock::now());
+            try {
+                (void)session.render(endless);
+                ended.set_value(std::chrono::steady_clock::now());
+            } catch (...) {
+                ended.set_exception(std::current_exception());
+            }
         });
         begun.get_future().wait();
         std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(moments(random)));
@@ -155,7 +162,8 @@ nlohmann::json row_json(const std::string& backend, const std::string& algorithm
 void run(const Settings& settings) {
     const auto limit = limit_threads(settings.threads);
     nlohmann::json rows = nlohmann::json::array();
-    print(fmt::format("{} at {}x{}, cancelled {} times each, milliseconds\n", settings.scene,
+    const std::string scene_name = std::filesystem::path(settings.scene).filename().string();
+    print(fmt::format("{} at {}x{}, cancelled {} times each, milliseconds\n", scene_name,
                       settings.size, settings.size, settings.point_count()));
     print(fmt::format("{:<9}{:<18}{:>9}{:>9}{:>9}{:>9}\n", "backend", "algorithm", "frame",
                       "median", "95 %", "most"));
@@ -180,7 +188,7 @@ void run(const Settings& settings) {
     write_json(settings.json, {{"benchmark", "cancel"},
                                {"machine", machine_json(settings.threads)},
                                {"versions", versions_json()},
-                               {"scene", settings.scene},
+                               {"scene", scene_name},
                                {"size", settings.size},
                                {"points", settings.point_count()},
                                {"rows", rows}});

@@ -15,8 +15,8 @@
 
 WEFT_KERNEL(ambient_occlusion)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
     uint stride = slots;
     uint open = 0u;
     uint rays = 0u;

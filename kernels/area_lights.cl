@@ -32,8 +32,8 @@ static inline uint add_lamp(Scene scene, const RenderParams* params, const Media
 
 WEFT_KERNEL(area_lights)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     LAMP_MAKE(lamps);

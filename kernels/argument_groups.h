@@ -51,9 +51,9 @@
 // Light as the components leave it; what a frame does not have is never read.
 #define GROUP_ComposedLight(X)                         \
     X(READS, PixelSlots, pixel_slot)                   \
-    X(MAY_READ, ReconstructedLight, direct)                    \
+    X(MAY_READ, ReconstructedLight, direct)            \
     X(MAY_READ, SlotLight, exact_irradiance)           \
-    X(MAY_READ, ReconstructedLight, indirect)                  \
+    X(MAY_READ, ReconstructedLight, indirect)          \
     X(MAY_READ, Transmittances, view_left)             \
     X(MAY_READ, MediaEmission, view_glow)              \
     X(MAY_READ, ReconstructedLight, media_light)

@@ -70,8 +70,8 @@ static inline int any_near_moved(const RecordUpdate* update, const BoundedPacket
 
 WEFT_KERNEL(cache_doubts)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint number = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint number = range.first + WORK_ITEM(range);
     uint slot = number * (uint)LANES;
     SCENE_MAKE(moved);
     BoundedPacket packet = load_packet(&params, receiver_planes, slots, slot);

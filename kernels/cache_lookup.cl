@@ -267,8 +267,8 @@ static inline void store_means_of(const RenderParams* params, const CachedTile* 
 
 WEFT_KERNEL(cache_lookup)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint number = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint number = range.first + WORK_ITEM(range);
     uint columns = tile_columns(&params);
     uint left = number % columns * TILE_EDGE;
     uint top = number / columns * TILE_EDGE;

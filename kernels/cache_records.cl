@@ -159,8 +159,8 @@ static inline uint finish_records(const RenderParams* params, uint moved_count, 
 
 WEFT_KERNEL(cache_records)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint number = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint number = range.first + WORK_ITEM(range);
     uint slot = number * (uint)LANES;
     uint state = HAS(&params, FEATURE_TEMPORAL) ? states[number] : CACHE_FRESH;
     if (state == CACHE_KEEP) return;

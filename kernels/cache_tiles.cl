@@ -9,8 +9,8 @@
 
 WEFT_KERNEL(cache_tiles)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint tile = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint tile = range.first + WORK_ITEM(range);
     uint columns = tile_columns(&params);
     uint left = tile % columns * TILE_EDGE;
     uint top = tile / columns * TILE_EDGE;

@@ -83,7 +83,7 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
     reflectance.x = LAMBERT_REFLECTANCE(sample->albedo.x);
     reflectance.y = LAMBERT_REFLECTANCE(sample->albedo.y);
     reflectance.z = LAMBERT_REFLECTANCE(sample->albedo.z);
-    // Of pixel_light: no component hands over radiance.
+    // As in no_pixel_light: no component hands over radiance yet.
     WFloat3 direct_radiance = black();
     WFloat3 indirect_radiance = black();
     if (HAS(params, FEATURE_MEDIA)) {
@@ -166,10 +166,10 @@ static inline void add_wide_sample(const RenderParams* params, GLOBAL float* fil
 
 WEFT_KERNEL(compose)
 {
-    if (GLOBAL_ID >= range.count) return;
+    if (WORK_ITEM(range) >= range.count) return;
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
-    PixelRun run = pixel_run(&params, range.first + GLOBAL_ID);
+    PixelRun run = pixel_run(&params, range.first + WORK_ITEM(range));
     uint edges = params.sampling.edge_samples != 0u ? run_bits(&params, edge_masks, &run) : 0u;
     if (run.count == LANES) {
         WideSample sample;

@@ -23,8 +23,8 @@ static inline float3 distant_transmittance(const RenderParams* params, const Med
 
 WEFT_KERNEL(distant_light)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
     uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);

@@ -99,8 +99,8 @@ static inline uint row_differs(const TileTriangles* tile, int y, int dx, int dy)
 
 WEFT_KERNEL(edge_masks)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint tile = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint tile = range.first + WORK_ITEM(range);
     int width = (int)params.camera.width;
     int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
     int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;

@@ -9,6 +9,7 @@
 #include "film.h"
 #include "kernel.h"
 #include "light/environment.h"
+#include "sampling.h"
 #include "surface.h"
 #include "trace.h"
 
@@ -225,13 +226,13 @@ static inline void trace_edge_rays(const RenderParams* params, Scene scene, Edge
 
 WEFT_KERNEL(edge_samples)
 {
-    if (GLOBAL_ID >= range.count) return;
+    if (WORK_ITEM(range) >= range.count) return;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
     uint pixels = edge_pixels_of_item((uint)LANES, params.sampling.edge_samples);
-    uint first = (range.first + GLOBAL_ID) * pixels;
+    uint first = (range.first + WORK_ITEM(range)) * pixels;
     uint end = first + pixels < edge_pixel_count ? first + pixels : edge_pixel_count;
     EdgeRays rays;
     make_edge_rays(&params, edge_pixels, first, end, &rays);

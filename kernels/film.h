@@ -12,8 +12,8 @@
 #include "discontinuity.h"
 #include "guard.h"
 
-// Fills in IrradianceBuffers from the arguments of GROUP_ComposedLight; those that a frame does not
-// have are never read.
+// Fills in IrradianceBuffers from `slots` and the arguments of GROUP_ComposedLight; those that a
+// frame does not have are never read.
 #define IRRADIANCE_MAKE(name)                 \
     IrradianceBuffers name;                   \
     name.pixel_slot = pixel_slot;             \
@@ -107,7 +107,7 @@ static inline PixelLight pixel_light(const RenderParams* params, const Irradianc
     return light;
 }
 
-/// What a surface of that light sends to the camera; `depth` in kernel units.
+/// What a surface under that light sends to the camera; `depth` in kernel units.
 static inline FilmSample film_sample(const RenderParams* params, GLOBAL NonfiniteCounter* nonfinite,
                                      uint pixel, float3 emission, float3 albedo, PixelLight light,
                                      float3 normal, float depth) {

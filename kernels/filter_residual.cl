@@ -8,8 +8,8 @@
 
 WEFT_KERNEL(filter_residual)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint pixel = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
     if (pixel_is_lit(gb_ids, gb_albedo, pixel) == 0) return;
     PixelSurface surface = pixel_surface(&params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
     float4 residual = window_mean(&params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,

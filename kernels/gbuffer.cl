@@ -48,8 +48,8 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
 
 WEFT_KERNEL(gbuffer)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint block = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint block = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     float3 origin = xyz(params.camera.origin);

@@ -59,8 +59,8 @@ static inline float4 trace_cell(const RenderParams* params, const PathScene* wor
 
 WEFT_KERNEL(hemisphere_rays)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     uint elevations = grid.elevations;
     uint azimuths = grid.azimuths;
     uint cell = item % (elevations * azimuths);

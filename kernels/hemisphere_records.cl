@@ -167,8 +167,8 @@ static inline void store_gradient(const Gradient* gradient, float scale, uint pl
 
 WEFT_KERNEL(hemisphere_records)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     uint slot = grid.first + item;
     uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;

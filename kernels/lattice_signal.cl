@@ -13,8 +13,8 @@
 
 WEFT_KERNEL(lattice_signal)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint point = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint point = range.first + WORK_ITEM(range);
     int stride = (int)lattice_stride;
     int width = (int)params.camera.width;
     int height = (int)params.camera.height;

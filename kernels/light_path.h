@@ -94,7 +94,7 @@ static inline int follow(const RenderParams* params, Hit hit, const Geometry* ge
     return 1;
 }
 
-/// Flux without what is no number: one bad value would reach every pixel that sees its VPL.
+/// The flux, or 0 where it is not finite: one bad value would reach every pixel that sees its VPL.
 static inline float3 finite_flux(float3 flux) {
     return is_finite3(flux) != 0 ? flux : f3(0.0f, 0.0f, 0.0f);
 }

@@ -60,8 +60,8 @@ static inline void store_punctual(const RenderParams* params, LightRecord light,
 
 WEFT_KERNEL(light_samples)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     GEOMETRY_MAKE(geometry);
     uint area_samples = params.sampling.sets * light_sampling.per_set;
     if (item < area_samples) {

@@ -106,8 +106,8 @@ static inline float3 environment_light(const RenderParams* params, Scene scene, 
 
 WEFT_KERNEL(media_distant)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
     ViewRay ray = view_ray(&params, end_position, end_albedo, slot_pixel[slot]);
     if (ray.valid == 0) return;
     SCENE_MAKE(scene);

@@ -100,8 +100,8 @@ static inline void add_place(const RenderParams* params, Scene scene, const Medi
 
 WEFT_KERNEL(media_gather)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ViewPacket view = load_views(&params, slot_pixel, end_position, end_albedo, slot);

@@ -51,8 +51,8 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
 
 WEFT_KERNEL(path)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint pixel = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
     uint pixels = params.camera.width * params.camera.height;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);

@@ -46,7 +46,7 @@ static inline LightSample sample_lights(const RenderParams* params, const Geomet
                                         const Surface* surface, float3 origin, float choice,
                                         float u, float v) {
     float probability;
-    LightRecord light = lights[choose_for_surface(lights, count, choice, &probability)];
+    LightRecord light = lights[choose_for_next_event(lights, count, choice, &probability)];
     LitPoint lit = lit_point(surface);
     return light_at_surface(params, geometry, light, emissive, &lit, origin, probability, u, v);
 }

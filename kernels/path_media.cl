@@ -175,8 +175,8 @@ static inline int go_on(const RenderParams* params, const PathScene* world, cons
 
 WEFT_KERNEL(path_media)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint pixel = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
     uint pixels = params.camera.width * params.camera.height;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);

@@ -115,7 +115,7 @@ static inline ChosenPoint choose_point(const PathScene* world, Random* random) {
     float u = next_random(random);
     float v = next_random(random);
     float probability;
-    uint index = choose_for_surface(world->lights, world->light_count, choice, &probability);
+    uint index = choose_for_next_event(world->lights, world->light_count, choice, &probability);
     return point_on_light(&world->geometry, world->lights[index], world->emissive, probability, u,
                           v);
 }
@@ -147,7 +147,7 @@ static inline float3 light_scattered_at(const RenderParams* params, const PathSc
                                                        stretch->length, chosen->point.position),
                                           at->t);
     float phase = phase_function(stretch->medium.anisotropy, stretch->direction, light.direction);
-    if (light.solid > 0.0f) density += at->free * (phase / light.solid);
+    if (light.pdf > 0.0f) density += at->free * (phase / light.pdf);
     if (!(density > 0.0f)) return none;
     ++*rays;
     int seen = light.distance < RAY_INFINITY
@@ -180,13 +180,13 @@ static inline float met_weight(const PathScene* world, const MediaPath* path,
     if (path->kind == RAY_OF_CAMERA) return 1.0f;
     if (path->kind == RAY_OF_SURFACE)
         return emission_weight(world, surface, path->direction, t, path->density);
-    float solid = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
-                                path->direction, t);
-    if (!(solid > 0.0f)) return 1.0f;
+    float pdf = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
+                              path->direction, t);
+    if (!(pdf > 0.0f)) return 1.0f;
     float angular = angular_density(angular_view(path->stretch.origin, path->stretch.direction,
                                                  path->stretch.length, surface->position),
                                     path->along);
-    float other = solid / path->density;
+    float other = pdf / path->density;
     return 1.0f / (1.0f + other + other * (angular / path->free_density));
 }
 

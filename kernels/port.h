@@ -4,7 +4,8 @@
 // The one place that knows whether kernels are compiled as OpenCL C 1.2 by a device or as C++ by
 // the host compiler. Everything below looks the same to a kernel on both sides:
 //
-//   GLOBAL CONSTANT_TABLE VALUE_ARGUMENT KERNEL_ENTRY GLOBAL_ID    address spaces and entry points
+//   GLOBAL CONSTANT_TABLE VALUE_ARGUMENT KERNEL_ENTRY             address spaces and entry points
+//   GLOBAL_ID WORK_ITEM(range)                                    indices of work-items
 //   f3(x,y,z) f4(x,y,z,w)                                         constructors
 //   as_bits(f) from_bits(u) square_root(f) absolute(f)            scalar built-ins
 //   WFloat WMask (LANES rays), NFloat NMask (NODE_WIDTH children) wide values, touched only through

@@ -15,6 +15,7 @@ typedef unsigned char uchar;
 #define VALUE_ARGUMENT(type, name) const type& name
 #define KERNEL_ENTRY static
 #define GLOBAL_ID current_global_id
+#define WORK_ITEM(range) GLOBAL_ID
 
 static thread_local uint current_global_id;
 

@@ -17,6 +17,12 @@
 #define VALUE_ARGUMENT(type, name) const type name
 #define KERNEL_ENTRY __kernel __attribute__((reqd_work_group_size(LOCAL_SIZE, 1, 1)))
 #define GLOBAL_ID ((uint)get_global_id(0))
+// Which item of its range a work-item takes. Drivers for processors give each thread groups that
+// are neighbours, so that a launch with few items would keep one thread busy: work group g takes
+// the items of group (g * spread) mod (number of groups).
+#define WORK_ITEM(range)                                                                   \
+    ((uint)get_group_id(0) * (range).spread % (uint)get_num_groups(0) * (uint)LOCAL_SIZE + \
+     (uint)get_local_id(0))
 
 #define f3(x, y, z) ((float3)((x), (y), (z)))
 #define f4(x, y, z, w) ((float4)((x), (y), (z), (w)))

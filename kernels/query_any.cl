@@ -8,8 +8,8 @@
 
 WEFT_KERNEL(query_any)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint i = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint i = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     float4 origin = ray_origin[i];
     blocked[i] = trace_any(scene, xyz(origin), xyz(ray_direction[i]), origin.w);

@@ -8,8 +8,8 @@
 
 WEFT_KERNEL(query_closest)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint i = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint i = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     float4 origin = ray_origin[i];
     Hit hit = trace_closest(scene, xyz(origin), xyz(ray_direction[i]), origin.w);

@@ -9,8 +9,8 @@
 
 WEFT_KERNEL(query_closest_packet)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint first = (range.first + GLOBAL_ID) * (uint)LANES;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint first = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     PacketDirections directions;
     uint active = 0u;

@@ -10,8 +10,8 @@
 
 WEFT_KERNEL(query_packet)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     WFloat3 d;
     d.x = wide_load(rays, slot);

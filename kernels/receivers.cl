@@ -11,8 +11,8 @@
 
 WEFT_KERNEL(receivers)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
     uint pixel = slot_pixel[slot];
     float valid = 0.0f;
     float3 position = f3(0.0f, 0.0f, 0.0f);

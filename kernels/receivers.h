@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Planes of the de-interleaved receivers, one after another, each as long as the work list. Those
-// of normals exist only where the scene has smooth ones or media, the last one only where it has
+// The de-interleaved receivers are planes, one after another, each of `slots` floats. Those of
+// normals exist only where the scene has smooth ones or media, the last one only where it has
 // media.
 #ifndef WEFT_RECEIVERS_H
 #define WEFT_RECEIVERS_H

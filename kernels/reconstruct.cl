@@ -8,8 +8,8 @@
 
 WEFT_KERNEL(reconstruct)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint tile = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint tile = range.first + WORK_ITEM(range);
     int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
     int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;
     TileWindow window;

@@ -216,8 +216,8 @@ static inline void reconstruct_at(const RenderParams* params, GLOBAL const uint*
 
 WEFT_KERNEL(reconstruct_tiles)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint tile = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint tile = range.first + WORK_ITEM(range);
     TileRecord record = tiles[tile];
     int left = (int)(tile % tile_columns(&params)) * TILE_EDGE;
     int top = (int)(tile / tile_columns(&params)) * TILE_EDGE;

@@ -33,8 +33,8 @@ static inline float film_light(const RenderParams* params, uint samples, GLOBAL 
 
 WEFT_KERNEL(resolve_display)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint pixel = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
     float3 light;
     light.x = film_light(&params, samples, film_high, film_low, pixel, 0u) * exposure;
     light.y = film_light(&params, samples, film_high, film_low, pixel, 1u) * exposure;

@@ -6,6 +6,10 @@
 #include "display.h"
 #include "kernel.h"
 
+#if FILM_SUM_SHIFT % 2 != 0 || FILM_SUM_SHIFT >= 64
+#error "film_sum_value halves FILM_SUM_SHIFT"
+#endif
+
 // The words of a sum as one number.
 typedef struct {
     uint word[FILM_SUM_WORDS];
@@ -24,7 +28,7 @@ static inline void add_film_sum(GLOBAL const uint* sums, uint pixels, uint plane
     }
 }
 
-/// A sum in its unit, to the rounding of a few floats; 0 where it is negative.
+/// The value of a sum in its unit, within a few ulp; 0 where it is negative.
 static inline float film_sum_value(const FilmSum* sum) {
     if (sum->word[FILM_SUM_WORDS - 1u] >> 31 != 0u) return 0.0f;
     float value = 0.0f;
@@ -47,8 +51,8 @@ static inline float sums_light(GLOBAL const uint* sums, uint pixels, uint pixel,
 
 WEFT_KERNEL(resolve_display_sums)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint pixel = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
     uint pixels = params.camera.width * params.camera.height;
     float3 light;
     light.x = sums_light(film_sums, pixels, pixel, 0u) * exposure;

@@ -26,8 +26,8 @@ static inline WWords disputed(GLOBAL const uint* seen, GLOBAL const uint* hidden
 
 WEFT_KERNEL(shadow_edges)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     uint runs = (params.camera.width + (uint)LANES - 1u) / (uint)LANES;
     uint word = item / (runs * params.camera.height);
     uint x = item % runs * (uint)LANES;

@@ -85,8 +85,8 @@ static inline void store_shadows(const RenderParams* params, GLOBAL const uint* 
 
 WEFT_KERNEL(shadow_probes)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     LAMP_MAKE(lamps);

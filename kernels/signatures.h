@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The arguments of every kernel, declared once: ARGUMENTS_<kernel>(X) is a list of
-// X(mode, kind, name). From it come the kernel's definition (WEFT_KERNEL below), the typed struct
-// that the host fills in (host/device/launch.h) and the checks of both backends. Modes:
+// X(mode, kind, name). From it come the kernel's definition (WEFT_KERNEL of kernel.h), the typed
+// struct that the host fills in (host/device/launch.h) and the checks of both backends. Modes:
 //
 //   READS, WRITES          a buffer of a kind of buffers.def; WRITES may read as well
 //   MAY_READ, MAY_WRITE    the same, of which the features of a launch may have no use
@@ -60,7 +60,7 @@
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(GROUP, MediaTables, media_tables)                \
-    X(MAY_READ, PathsKnown, path_doubts)               \
+    X(MAY_READ, PathsKnown, known_segments)            \
     X(MAY_WRITE, PathCache, path_memory)               \
     X(MAY_WRITE, VplChanges, vpl_changes)              \
     X(WRITES, VirtualLights, vpls)                     \
@@ -72,7 +72,7 @@
     X(GROUP, LightTable, light_table)                  \
     X(GROUP, MediaTables, media_tables)                \
     X(READS, PathCache, path_memory)                   \
-    X(WRITES, PathsKnown, path_doubts)                 \
+    X(WRITES, PathsKnown, known_segments)              \
     X(WRITES, RayCounters, counters)
 
 #define ARGUMENTS_vpl_gather(X)                        \
@@ -216,7 +216,7 @@
 #define ARGUMENTS_cache_tiles(X)                       \
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(WRITES, TileBounds, tile_boxes)                  \
-    X(WRITES, ReconstructedLight, filtered)                    \
+    X(WRITES, ReconstructedLight, filtered)            \
     X(WRITES, MissingPixels, missing)
 
 #define ARGUMENTS_cache_lookup(X)                      \
@@ -227,7 +227,7 @@
     X(READS, Records, records)                         \
     X(READS, RecordBounds, boxes)                      \
     X(WRITES, RecordsUsed, used)                       \
-    X(WRITES, ReconstructedLight, filtered)                    \
+    X(WRITES, ReconstructedLight, filtered)            \
     X(WRITES, MissingPixels, missing)                  \
     X(WRITES, RayCounters, counters)
 

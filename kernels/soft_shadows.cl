@@ -164,8 +164,8 @@ static inline uint look_again(Scene scene, const RenderParams* params, const Sec
 
 WEFT_KERNEL(soft_shadows)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     LAMP_MAKE(lamps);

@@ -83,8 +83,9 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
         if (dot3(smooth, surface.normal) > 0.0f) surface.shading = smooth;
     }
     surface.back = -direction;
-    surface.bsdf.lobe = material.lobe;
+    surface.bsdf.lobe = HAS(params, FEATURE_LOBES) ? material.lobe : (uint)LOBE_LAMBERT;
     surface.bsdf.albedo = xyz(material.albedo);
+    surface.bsdf.parameters = material.parameters;
     if (HAS(params, FEATURE_TEXTURES) && material.texture != NO_TRIANGLE) {
         // A cone of width w covers w^2 / cos of the surface.
         float slant = absolute(dot3(direction, facet->doubled_area));

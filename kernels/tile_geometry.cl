@@ -120,8 +120,8 @@ static inline void served_at_border(const RenderParams* params, GLOBAL const uin
 
 WEFT_KERNEL(tile_geometry)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint tile = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint tile = range.first + WORK_ITEM(range);
     uint columns = tile_columns(&params);
     int left = (int)(tile % columns) * TILE_EDGE;
     int top = (int)(tile / columns) * TILE_EDGE;

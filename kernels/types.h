@@ -34,6 +34,7 @@
 #define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
 #define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records outlast their frame
 #define FEATURE_HEMISPHERES 131072u  // irradiance records hold what hemispheres of rays have found
+#define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -75,15 +76,13 @@ typedef struct {
 #define MATERIAL_EMITS 2u
 #define MATERIAL_EMITS_BOTH_SIDES 4u
 
-// Kinds of lobes (bsdf/bsdf.h).
-#define LOBE_LAMBERT 0u
-
 typedef struct {
-    float4 albedo;    // rgb, of LOBE_LAMBERT
-    float4 emission;  // rgb, W/(m^2 sr)
+    float4 albedo;      // rgb, of the diffuse part of a surface
+    float4 emission;    // rgb, W/(m^2 sr)
+    float4 parameters;  // of lobes other than Lambert's, as each defines them
     uint flags;
     uint texture;  // index or NO_TRIANGLE
-    uint lobe;     // LOBE_*
+    uint lobe;     // LOBE_* of bsdf/lobe.h
     uint pad;
 } MaterialRecord;
 
@@ -370,6 +369,7 @@ typedef struct {
 typedef struct {
     uint first, count;  // [first, first + count)
     uint counter;       // which RayCounter
+    uint spread;        // of its work groups, see WORK_ITEM: coprime to their number
 } LaunchRange;
 
 // Entries of a list by sample set: those of set k are the `length` from first + k stride on.

@@ -86,8 +86,8 @@ static inline void pass_stretch(const RenderParams* params, const Media* media,
 
 WEFT_KERNEL(view_media)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint pixel = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
     MEDIA_MAKE(through);
     float3 direction =
         camera_direction(&params, (float)(pixel % params.camera.width) + params.camera.jitter_x,

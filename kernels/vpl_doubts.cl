@@ -12,8 +12,8 @@
 
 WEFT_KERNEL(vpl_doubts)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     uint set = item / params.sampling.paths_per_set;
     uint path_in_set = item % params.sampling.paths_per_set;
     uint index = path_index(&params, item);
@@ -41,6 +41,6 @@ WEFT_KERNEL(vpl_doubts)
         if (known < params.sampling.bounces)
             scatter_light_path(&params, &vertex, known - 1u, index, &path);
     }
-    path_doubts[item] = known;
+    known_segments[item] = known;
     count_rays(counters + range.counter, rays);
 }

@@ -17,8 +17,8 @@
 
 WEFT_KERNEL(vpl_gather)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = (range.first + GLOBAL_ID) * (uint)LANES;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);

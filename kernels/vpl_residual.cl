@@ -70,8 +70,8 @@ static inline PathLight trace_residual(const RenderParams* params, const PathSce
 
 WEFT_KERNEL(vpl_residual)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint slot = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
     uint stride = slots;
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);

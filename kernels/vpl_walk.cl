@@ -72,8 +72,8 @@ static inline uint change_of(const Vpl* before, GLOBAL const Vpl* vpl) {
 
 WEFT_KERNEL(vpl_walk)
 {
-    if (GLOBAL_ID >= range.count) return;
-    uint item = range.first + GLOBAL_ID;
+    if (WORK_ITEM(range) >= range.count) return;
+    uint item = range.first + WORK_ITEM(range);
     uint set = item / params.sampling.paths_per_set;
     uint path_in_set = item % params.sampling.paths_per_set;
     uint index = path_index(&params, item);
@@ -86,7 +86,7 @@ WEFT_KERNEL(vpl_walk)
     uint block = params.sampling.sample * params.sampling.sets + set;
     uint known = 0u;
     if (HAS(&params, FEATURE_TEMPORAL)) {
-        known = path_doubts[item];
+        known = known_segments[item];
         remember_start(&path, item, path_memory);
     }
     uint rays = 0u;

@@ -116,7 +116,7 @@ int added(const ServerCheck& check, const ProgramRecipe& recipe) {
     const cl::Buffer buffer(context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, sizeof(values),
                             values.data());
     const shared::RenderParams params{};
-    const shared::LaunchRange range{0, 8, 0};
+    const shared::LaunchRange range{0, 8, 0, 1};
     kernel.setArg(0, sizeof(params), &params);
     kernel.setArg(1, sizeof(range), &range);
     kernel.setArg(2, buffer);

@@ -3,6 +3,7 @@
 #ifndef WEFT_TESTS_COUNTING_EXECUTOR_H
 #define WEFT_TESTS_COUNTING_EXECUTOR_H
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +14,24 @@
 #include "device/forwarding_executor.h"
 
 namespace weft::test {
+
+/// Runs a launch in quarters and asks after each whether to go on. Backends size their launches by
+/// time, so that what ends after a number of theirs would end elsewhere in each run.
+inline bool run_in_quarters(Executor& executor, const Launch& launch,
+                            const std::function<bool(double done)>& keep_going) {
+    constexpr std::uint32_t parts = 4;
+    for (std::uint32_t part = 0; part < parts; ++part) {
+        const std::uint32_t first = part * launch.items / parts;
+        const std::uint32_t end = (part + 1) * launch.items / parts;
+        if (first == end) continue;
+        Launch quarter = launch;
+        quarter.items = end - first;
+        quarter.options.first_item += first;
+        (void)executor.run(quarter, {});
+        if (keep_going && !keep_going(static_cast<double>(end) / launch.items)) return false;
+    }
+    return true;
+}
 
 /// An executor that writes down what it is asked to do.
 class CountingExecutor : public ForwardingExecutor {

@@ -158,7 +158,8 @@ class Resume(unittest.TestCase):
         self.assertEqual(self.earlier(), {"a": 1})
         self.assertEqual(self.earlier(resume=False), {})
         self.assertEqual(self.earlier(programs={"before": "2"}), {})
-        for changes in ({"settings": {"size": 64}}, {"benchmark": "peers"}, {"results": []}):
+        for changes in ({"settings": {"size": 64}}, {"settings": {"size": 32, "scenes": "1"}},
+                        {"benchmark": "peers"}, {"results": []}):
             with self.assertRaises(builds.Failure):
                 self.earlier(**changes)
 

@@ -32,8 +32,7 @@ constexpr int samples = 200'000;
 constexpr float radius = 2.0F;  // of the scene
 constexpr double limit = 4.9;
 
-/// A square of edge 1 at z = 1 that shines down, made of two triangles, one of which is one third
-/// of the entries' order away: positions, triangles, and what kernels know of them.
+/// A square of edge 1 at z = 1 that shines down: its two triangles, and what kernels know of them.
 struct SquareLight {
     std::vector<native::float4> positions = {f4(-0.5F, -0.5F, 1, 0), f4(0.5F, -0.5F, 1, 0),
                                              f4(0.5F, 0.5F, 1, 0), f4(-0.5F, 0.5F, 1, 0)};

@@ -163,15 +163,15 @@ TEST(Progressive, FramesEndedEarlyAreDroppedAndChangeNothing) {
     const RenderSettings settings = settings_of(Algorithm::igi, 3);
     for (const Backend backend : test::backends()) {
         const auto expected = after_each_frame(backend, settings, 3);
-        // Ended at every stage in turn.
-        for (const Stage stage : {Stage::primary_rays, Stage::receivers, Stage::light_samples,
-                                  Stage::area_lights, Stage::vpl_walk, Stage::vpl_gather}) {
+        // Ended at every stage in turn but those that a frame always has.
+        for (const Stage stage :
+             {Stage::light_samples, Stage::area_lights, Stage::vpl_walk, Stage::vpl_gather}) {
             Renderer renderer(test::shared_executor(backend), room(), camera(), settings);
             ASSERT_TRUE(renderer.render_frame({}));
             ASSERT_TRUE(renderer.render_frame({}));
             const bool complete =
                 renderer.render_frame([&](Stage running, double) { return running != stage; });
-            if (complete) continue;  // a stage of one launch has nothing to leave out
+            ASSERT_FALSE(complete) << stage_name(stage);
             EXPECT_EQ(renderer.samples(), 2U) << stage_name(stage);
             EXPECT_EQ(test::differing_values(renderer.image(), expected[1]), 0U)
                 << stage_name(stage);

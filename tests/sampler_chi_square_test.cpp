@@ -262,7 +262,7 @@ TEST(SamplerChiSquare, LightsAreChosenByTheirProbabilities) {
     native::Random random = native::make_random(1, 2, 5);
     for (std::uint32_t i = 0; i < samples; ++i) {
         float probability = -1.0F;
-        const std::uint32_t chosen = native::choose_for_surface(
+        const std::uint32_t chosen = native::choose_for_next_event(
             lights.data(), count, native::next_random(&random), &probability);
         ASSERT_GT(weights.at(chosen), 0.0) << chosen;
         ASSERT_EQ(probability, lights[chosen].choice_probability);

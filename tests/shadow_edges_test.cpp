@@ -143,7 +143,7 @@ std::vector<std::uint32_t> written_edges(Executor& executor, const Looks& looks)
         executor, std::vector<std::uint32_t>(values + guard, untouched), "edges");
     const std::uint32_t lanes = executor.lanes();
     const std::uint32_t runs = (camera.width + lanes - 1) / lanes * camera.height;
-    // Launches of 100 work-items end in the middle of rows and of words.
+    // Launches have at most 100 work-items, so that they end in the middle of rows and of words.
     EXPECT_TRUE(run_kernel(executor, params,
                            kernels::shadow_edges{.pixel_shadows = shadows, .shadow_edges = edges},
                            runs * looks.words(), {.items_per_launch = 100}));

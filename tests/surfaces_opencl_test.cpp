@@ -83,7 +83,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     surface.normal = f3(0.0f, 0.0f, 1.0f);
     surface.shading = normalize3(f3(0.2f * x[5], 0.1f, 1.0f));
     float probability;
-    const uint other = choose_for_surface(lights, kinds, 0.8f * x[5], &probability);
+    const uint other = choose_for_next_event(lights, kinds, 0.8f * x[5], &probability);
     const LightSample found =
         light_at_surface(&params, &geometry, lights[other], emissive, &surface,
                          surface.position, probability, x[0], x[1]);
@@ -102,7 +102,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     put(r + 47, place.direction);
     put(r + 50, place.target);
     r[53] = place.distance;
-    r[54] = place.solid;
+    r[54] = place.pdf;
     put(r + 55, environment_radiance(&params, in) * environment_local_direction(x[0], x[1]));
 }
 )

@@ -19,7 +19,7 @@ namespace {
 
 using test::Backend;
 
-/// An executor whose buffers are full of one byte at first.
+/// An executor whose buffers are full of one byte at first, and whose launches are quarters.
 class PatternedExecutor : public test::CountingExecutor {
   public:
     PatternedExecutor(std::unique_ptr<Executor> inner, std::byte pattern)
@@ -31,6 +31,9 @@ class PatternedExecutor : public test::CountingExecutor {
         with_mapped(*buffer, Access::write,
                     [&](std::span<std::byte> all) { std::fill(all.begin(), all.end(), pattern_); });
         return buffer;
+    }
+    bool run(const Launch& launch, const std::function<bool(double done)>& keep_going) override {
+        return test::run_in_quarters(inner(), launch, keep_going);
     }
 
   private:

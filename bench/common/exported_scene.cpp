@@ -155,6 +155,7 @@ json materials_json(const Scene& scene, const FlatScene& flat) {
         const bool emits = (record.flags & MATERIAL_EMITS) != 0;
         list.push_back(
             {{"name", scene.materials[m].name},
+             {"lambertian", is_lambertian(scene.materials[m])},
              {"reflectance", colour_json(record.albedo)},
              {"texture", texture},
              {"radiance", emits ? colour_json(record.emission) : json{0, 0, 0}},

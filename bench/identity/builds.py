@@ -84,8 +84,8 @@ def write_json(path, value):
 
 
 def earlier_results(path, report, resume):
-    """The results of the run that the file holds, or none. Raises Failure where it was another
-    one: of other programs, scenes or settings."""
+    """The results of the run that the file holds; none where that was of other programs. Raises
+    Failure where its scenes or settings were others."""
     if not resume or not path.exists():
         return {}
     try:

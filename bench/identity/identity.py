@@ -20,7 +20,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"
 import frame_speed  # noqa: E402
 from builds import (EDITS, Failure, EXIT_OUTPUT, EXIT_USAGE, earlier_results,  # noqa: E402
                     program_digest, run, write_json)
-from pictures import BACKENDS, KINDS, MORE_KINDS, Pictures, all_cases, name_of  # noqa: E402
+from pictures import (BACKENDS, KINDS, MORE_KINDS, Pictures, all_cases, name_of,  # noqa: E402
+                      scenes_digest)
 from processor import processor  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -112,7 +113,8 @@ def complete(parser, args):
 
 
 def new_report(args, benchmark, **settings):
-    settings = {"size": args.size, "threads": args.threads, "options": args.options, **settings}
+    settings = {"scenes": scenes_digest(args.scenes), "size": args.size,
+                "threads": args.threads, "options": args.options, **settings}
     versions = {key: run([program, "--version"]).strip()
                 for key, program in (("before", args.before), ("after", args.weft))}
     machine = {"processor": processor(), "hardware_threads": os.cpu_count()}

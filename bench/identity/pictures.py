@@ -65,14 +65,18 @@ def all_cases(folder, scenes, kinds, backends):
             if (moves(folder, scene) if "--frames" in known[kind] else not scene.endswith(EDITS))]
 
 
+def scenes_digest(folder):
+    """Of all files that scenes are made of."""
+    return digest(part for file in sorted(folder.iterdir()) if file.suffix in SCENE_FILES
+                  for part in (file.name, file.read_bytes()))
+
+
 class Pictures:
     """Renders the pictures of cases, in the settings of a run."""
 
     def __init__(self, args):
         self.args = args
-        self.scenes_digest = digest(part for file in sorted(args.scenes.iterdir())
-                                    if file.suffix in SCENE_FILES
-                                    for part in (file.name, file.read_bytes()))
+        self.scenes_digest = scenes_digest(args.scenes)
 
     def options(self, case):
         """All that decides what a picture shows, but for the scene."""

@@ -91,10 +91,15 @@ class ExportedScene:
         return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
     def refuse(self, *kinds):
-        """Raises NotExpressible where the scene holds any of these: keys of `held`."""
+        """Raises NotExpressible where the scene holds any of these: keys of `held`, and what no
+        renderer's program has been taught yet.
+        """
+        kinds += ("surfaces that are not Lambertian",)
         held = {"lights without area": bool(self.lights),
                 "textures": bool(self.textures),
                 "vertex colours": any(mesh.colours is not None for mesh in self.meshes),
+                "surfaces that are not Lambertian": not all(material.get("lambertian", True)
+                                                            for material in self.materials),
                 "media": bool(self.media),
                 "media with density grids": any(not medium["homogeneous"]
                                                 for medium in self.media),

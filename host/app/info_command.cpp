@@ -18,7 +18,7 @@ namespace {
 
 /// What the scene calls for, in words.
 std::vector<std::string> effects_of(const FlatScene& flat) {
-    constexpr std::array<std::pair<std::uint32_t, const char*>, 8> names{{
+    constexpr std::array<std::pair<std::uint32_t, const char*>, 9> names{{
         {FEATURE_AREA_LIGHTS, "area lights"},
         {FEATURE_PUNCTUAL_LIGHTS, "point lights"},
         {FEATURE_DIRECTIONAL_LIGHTS, "directional lights"},
@@ -27,6 +27,7 @@ std::vector<std::string> effects_of(const FlatScene& flat) {
         {FEATURE_VERTEX_COLOURS, "vertex colours"},
         {FEATURE_SMOOTH_NORMALS, "smooth normals"},
         {FEATURE_ONE_SIDED, "one-sided surfaces"},
+        {FEATURE_LOBES, "surfaces that are not Lambertian"},
     }};
     std::vector<std::string> effects;
     for (const auto& [bit, name] : names)

@@ -28,7 +28,7 @@ enum class KernelId : std::uint32_t {
 
 [[nodiscard]] std::string_view kernel_name(KernelId kernel);
 
-/// Work-items of one launch on a CPU device.
+/// The most work-items of one launch on a CPU device, whose shape drivers compile for.
 [[nodiscard]] std::uint32_t kernel_chunk(KernelId kernel);
 
 /// What a device is, for users and reports.
@@ -84,7 +84,7 @@ struct LaunchArgument {
 
 /// How a kernel is run.
 struct LaunchOptions {
-    std::uint32_t items_per_launch = 0;  ///< 0: the kernel's own chunk
+    std::uint32_t items_per_launch = 0;  ///< at most; 0: the kernel's own chunk
     std::uint32_t first_item = 0;
     std::uint32_t counter = 0;  ///< which shared::RayCounter counts its rays
     /// Where given, what it takes on the device is added here, by take_milliseconds at the latest,

@@ -20,7 +20,7 @@ struct alignas(16) float4 {
 static_assert(sizeof(BvhNode) == 256);
 static_assert(sizeof(Triangle) == 16);
 static_assert(sizeof(InstanceRecord) == 16);
-static_assert(sizeof(MaterialRecord) == 48);
+static_assert(sizeof(MaterialRecord) == 64);
 static_assert(sizeof(TextureRecord) == 16);
 static_assert(sizeof(LightRecord) == 112);
 static_assert(sizeof(EmissiveTriangle) == 16);
@@ -38,7 +38,7 @@ static_assert(sizeof(LightSampling) == 16);
 static_assert(sizeof(SamplingParams) == 144);
 static_assert(sizeof(FilterParams) == 16);
 static_assert(sizeof(RenderParams) == 352);
-static_assert(sizeof(LaunchRange) == 12);
+static_assert(sizeof(LaunchRange) == 16);
 static_assert(sizeof(SetList) == 12);
 static_assert(sizeof(HemisphereGrid) == 12);
 static_assert(sizeof(RecordUpdate) == 16);

@@ -149,7 +149,7 @@ class FrameContext : public FrameInputs {
     /// How a stage's work-items are divided.
     struct Items {
         std::uint32_t count;
-        std::uint32_t per_launch = 0;  ///< 0: the kernel's own chunk
+        std::uint32_t per_launch = 0;  ///< at most; 0: the kernel's own chunk
         std::uint32_t first = 0;
     };
 

@@ -83,8 +83,8 @@ class PathRenderer : public FrameRenderer {
         FrameStats stats;  ///< of its parts so far
     };
 
-    /// Renders what is left of the open frame, `whole`: whatever is cancelled; returns whether that
-    /// came to an end.
+    /// Renders the rest of the open frame and returns whether it got to its end. With `whole` no
+    /// cancel stops it.
     bool continue_frame(const KeepGoing& keep_going, bool whole);
     void finish_frame();
     void filter_textures();

@@ -13,7 +13,7 @@ namespace weft {
 /// FEATURE_* of what rays find, surfaces and the environment, which every algorithm has to know.
 [[nodiscard]] inline std::uint32_t surface_features(const FlatScene& scene) {
     return scene.features & (FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS | FEATURE_SMOOTH_NORMALS |
-                             FEATURE_ONE_SIDED | FEATURE_ENVIRONMENT);
+                             FEATURE_ONE_SIDED | FEATURE_LOBES | FEATURE_ENVIRONMENT);
 }
 
 }  // namespace weft

@@ -31,7 +31,7 @@ void run_walk(FrameContext& frame, const char* component, BufferRef<kinds::Paths
                                 .geometry = view(frame.scene_buffers.geometry),
                                 .light_table = view(frame.scene_buffers.light_table),
                                 .media_tables = frame.buffers.media(),
-                                .path_doubts = known,
+                                .known_segments = known,
                                 .path_memory = memory,
                                 .vpl_changes = changes,
                                 .vpls = frame.buffers.vpls,
@@ -66,7 +66,7 @@ void walk_vpls(FrameContext& frame, const char* component) {
 LightPaths::LightPaths(Executor& executor, const FramePlan& plan)
     : paths_(plan.sets * plan.paths_per_set),
       vpls_(plan.sets * plan.vpls_per_set),
-      known_(allocate<kinds::PathsKnown>(executor, paths_, "doubts about light paths")),
+      known_(allocate<kinds::PathsKnown>(executor, paths_, "known segments of light paths")),
       memory_(allocate<kinds::PathCache>(executor, 2 * std::size_t{paths_} + vpls_,
                                          "memory of light paths")),
       changes_(allocate<kinds::VplChanges>(executor, vpls_, "changes of VPLs")) {}
@@ -80,7 +80,7 @@ void LightPaths::walk(FrameContext& frame, const char* component, const SceneMot
                                       .light_table = view(frame.scene_buffers.light_table),
                                       .media_tables = frame.buffers.media(),
                                       .path_memory = memory_,
-                                      .path_doubts = known_,
+                                      .known_segments = known_,
                                       .counters = frame.buffers.counters},
                   {paths_});
     } else {

@@ -22,6 +22,7 @@ struct Attributes {
     bool uvs = false;
     bool colours = false;
     bool one_sided = false;
+    bool lobes = false;  ///< other than Lambert's
 };
 
 Attributes attributes_of(const Scene& scene) {
@@ -34,6 +35,7 @@ Attributes attributes_of(const Scene& scene) {
         found.uvs |= !mesh.uvs.empty() && albedo_texture(material) >= 0;
         found.colours |= !mesh.colours.empty();
         found.one_sided |= !material.two_sided;
+        found.lobes |= !is_lambertian(material);
     }
     return found;
 }
@@ -189,18 +191,16 @@ void append_textures(const Scene& scene, FlatScene& flat) {
     }
 }
 
-/// One overload for each kind of parameters: its lobe, and what that reads of the record.
-void set_lobe(const DiffuseSurface& surface, bool textures, shared::MaterialRecord& record) {
-    record.lobe = LOBE_LAMBERT;
-    record.albedo = {surface.albedo.r, surface.albedo.g, surface.albedo.b, 0.0F};
-    record.texture = textures && surface.albedo_texture >= 0
-                         ? static_cast<std::uint32_t>(surface.albedo_texture)
-                         : NO_TRIANGLE;
-}
-
 shared::MaterialRecord material_record(const Material& material, bool textures) {
     shared::MaterialRecord record{};
-    std::visit([&](const auto& surface) { set_lobe(surface, textures, record); }, material.surface);
+    record.lobe = lobe_of(material);
+    const glm::vec3 albedo = diffuse_albedo(material);
+    record.albedo = {albedo.r, albedo.g, albedo.b, 0.0F};
+    const int texture = albedo_texture(material);
+    record.texture = textures && texture >= 0 ? static_cast<std::uint32_t>(texture) : NO_TRIANGLE;
+    const glm::vec4 parameters =
+        std::visit([](const auto& surface) { return lobe_parameters(surface); }, material.surface);
+    record.parameters = {parameters.x, parameters.y, parameters.z, parameters.w};
     const glm::vec3& radiance = material.emission.radiance;
     record.emission = {radiance.r, radiance.g, radiance.b, 0.0F};
     record.flags = (material.two_sided ? MATERIAL_TWO_SIDED : 0U) |
@@ -325,7 +325,8 @@ FlatScene flatten(const Scene& scene) {
     flat.features = (attributes.uvs ? FEATURE_TEXTURES : 0U) |
                     (attributes.colours ? FEATURE_VERTEX_COLOURS : 0U) |
                     (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
-                    (attributes.one_sided ? FEATURE_ONE_SIDED : 0U);
+                    (attributes.one_sided ? FEATURE_ONE_SIDED : 0U) |
+                    (attributes.lobes ? FEATURE_LOBES : 0U);
     flat.texture_means = texture_means(scene);
     flat.resting_areas.resize(scene.materials.size());
     add_areas(flat, std::span(flat.triangles).first(flat.first_moving_triangle),

@@ -5,34 +5,31 @@
 namespace weft {
 namespace {
 
-/// One overload for each kind of parameters: what of it is diffuse.
-const DiffuseSurface& diffuse_part(const DiffuseSurface& surface) {
-    return surface;
+DiffuseSurface& diffuse_part(Material& material) {
+    return std::visit([](auto& surface) -> DiffuseSurface& { return weft::diffuse_part(surface); },
+                      material.surface);
 }
 
-DiffuseSurface& diffuse_part(DiffuseSurface& surface) {
-    return surface;
+DiffuseSurface diffuse_part(const Material& material) {
+    return std::visit([](auto surface) { return weft::diffuse_part(surface); }, material.surface);
 }
 
 }  // namespace
 
 glm::vec3 diffuse_albedo(const Material& material) {
-    return std::visit([](const auto& surface) { return diffuse_part(surface).albedo; },
-                      material.surface);
+    return diffuse_part(material).albedo;
 }
 
 int albedo_texture(const Material& material) {
-    return std::visit([](const auto& surface) { return diffuse_part(surface).albedo_texture; },
-                      material.surface);
+    return diffuse_part(material).albedo_texture;
 }
 
 void set_diffuse_albedo(Material& material, const glm::vec3& albedo) {
-    std::visit([&](auto& surface) { diffuse_part(surface).albedo = albedo; }, material.surface);
+    diffuse_part(material).albedo = albedo;
 }
 
 void set_albedo_texture(Material& material, int texture) {
-    std::visit([&](auto& surface) { diffuse_part(surface).albedo_texture = texture; },
-               material.surface);
+    diffuse_part(material).albedo_texture = texture;
 }
 
 }  // namespace weft

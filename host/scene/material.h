@@ -3,20 +3,27 @@
 #ifndef WEFT_SCENE_MATERIAL_H
 #define WEFT_SCENE_MATERIAL_H
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <variant>
 
+#include "kernels/bsdf/lobes.h"
+#include "scene/surface/diffuse_surface.h"
+
 namespace weft {
 
-/// A Lambertian surface: it reflects the same radiance in all directions.
-struct DiffuseSurface {
-    glm::vec3 albedo{0.8F};   ///< factor in [0,1], multiplied with texture and vertex colour
-    int albedo_texture = -1;  ///< index into Scene::textures, or -1
+/// The variant of all types but the first: lists by macro begin with a comma.
+template <class First, class... Others>
+struct VariantOfOthers {
+    using type = std::variant<Others...>;
 };
 
-/// How a surface scatters light: the parameters of one kind of lobe (docs/adding-a-lobe.md).
-using SurfaceParameters = std::variant<DiffuseSurface>;
+/// How a surface scatters light: the parameters of one lobe, in the order of
+/// kernels/bsdf/lobes.h (docs/adding-a-lobe.md).
+#define WEFT_SURFACE_ENTRY(NUMBER, name, surface) , surface
+using SurfaceParameters = VariantOfOthers<void ALL_LOBES(WEFT_SURFACE_ENTRY)>::type;
+#undef WEFT_SURFACE_ENTRY
 
 /// What a surface emits.
 struct Emission {
@@ -32,14 +39,25 @@ struct Material {
     bool two_sided = true;  ///< scatters on both sides; else its back is black
 };
 
+/// The number of a material's lobe: LOBE_* of kernels/bsdf/lobe.h.
+[[nodiscard]] inline std::uint32_t lobe_of(const Material& material) {
+    return static_cast<std::uint32_t>(material.surface.index());
+}
+
+/// Whether it reflects by Lambert's law alone.
+[[nodiscard]] inline bool is_lambertian(const Material& material) {
+    return std::holds_alternative<DiffuseSurface>(material.surface);
+}
+
 /// The factor in [0,1] with which a surface reflects diffusely, without texture and vertex colour.
 [[nodiscard]] glm::vec3 diffuse_albedo(const Material& material);
 
 /// Index into Scene::textures of what that is multiplied with, or -1.
 [[nodiscard]] int albedo_texture(const Material& material);
 
-/// Replace the one and the other.
+/// Replaces diffuse_albedo, [0,1].
 void set_diffuse_albedo(Material& material, const glm::vec3& albedo);
+/// Replaces albedo_texture; -1 for none.
 void set_albedo_texture(Material& material, int texture);
 
 }  // namespace weft

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -37,6 +38,23 @@ void check_reach(const Scene& scene, const KernelUnits& units, const std::string
                                                 " lies too far from the scene at rest");
 }
 
+/// Edits name what they change by index: all of it has to be there still.
+void check_targets(const EditTimeline& timeline, const Scene& scene) {
+    for (const SceneEdit& edit : timeline.edits) {
+        const std::size_t count = edit.is_of_object() ? scene.instances.size()
+                                  : std::holds_alternative<LightChange>(edit.change)
+                                      ? scene.lights.size()
+                                      : scene.materials.size();
+        if (std::any_of(edit.targets.begin(), edit.targets.end(),
+                        [&](std::uint32_t target) { return target >= count; }))
+            throw input_error(edit.place, "changes what is no longer in the scene");
+    }
+}
+
+bool same_attachment(const Attachment& a, const Attachment& b) {
+    return a.node == b.node && a.to_node == b.to_node;
+}
+
 /// Whether update_flat can follow what instances have become: only those that may move are
 /// elsewhere. Lets the others that are move from now on.
 bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& now) {
@@ -50,7 +68,8 @@ bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& 
                                   old.present != instance.present;
         if (is_elsewhere && !instance.may_move) instance.may_move = true;
         can_follow = can_follow && old.mesh == instance.mesh && old.material == instance.material &&
-                     old.may_move == instance.may_move && old.deformation == instance.deformation;
+                     old.may_move == instance.may_move && old.deformation == instance.deformation &&
+                     same_attachment(old.motion, instance.motion);
     }
     return can_follow;
 }
@@ -59,17 +78,18 @@ bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& 
 bool same_materials(const std::vector<Material>& before, const std::vector<Material>& now) {
     return std::equal(before.begin(), before.end(), now.begin(), now.end(),
                       [](const Material& a, const Material& b) {
-                          return a.surface.index() == b.surface.index() &&
+                          return lobe_of(a) == lobe_of(b) &&
                                  albedo_texture(a) == albedo_texture(b) &&
                                  a.two_sided == b.two_sided;
                       });
 }
 
-/// Whether they are as many lights of the same kinds.
+/// Whether they are as many lights of the same kinds, carried by the same nodes.
 bool same_lights(const std::vector<PunctualLight>& before, const std::vector<PunctualLight>& now) {
-    return std::equal(
-        before.begin(), before.end(), now.begin(), now.end(),
-        [](const PunctualLight& a, const PunctualLight& b) { return a.type == b.type; });
+    return std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                      [](const PunctualLight& a, const PunctualLight& b) {
+                          return a.type == b.type && same_attachment(a.motion, b.motion);
+                      });
 }
 
 }  // namespace
@@ -105,15 +125,17 @@ void MovingScene::set_frame(std::uint32_t frame) {
 
 void MovingScene::flatten_anew() {
     validate_scene(rest_);
+    check_targets(edits_, rest_);
     FlatScene flat = flatten(rest_);
     std::swap(flat, flat_);
     const bool moves = std::exchange(moves_, !edits_.edits.empty() || is_animated(rest_));
+    Scene posed = std::exchange(posed_, moves_ ? rest_ : Scene{});
     try {
-        if (moves_) posed_ = rest_;
         if (posed_once_) set_frame(frame_);
     } catch (...) {
         std::swap(flat, flat_);
         moves_ = moves;
+        posed_ = std::move(posed);
         throw;
     }
 }

@@ -39,11 +39,11 @@ class MovingScene {
     void set_frame(std::uint32_t frame);
 
     /// Changes the scene at rest, and what it is in the frame it was brought to. Returns whether
-    /// the flattened scene is the old one brought up to date (update_flat): while places of
-    /// instances that may move, lights and colours change. Else it has been flattened anew, with
-    /// all its memory; instances that were moved may move from then on. Edits of frames refer to
-    /// what is there by index. Throws Error (exit code 2) as validate_scene, validate_pose and
-    /// set_frame do; the scene stays what it was.
+    /// the old flattened scene could be brought up to date (update_flat), as it can where only
+    /// places of instances that may move, lights and colours have changed. Else it has been
+    /// flattened anew, with all its memory; instances that were moved may move from then on. Throws
+    /// Error (exit code 2) as validate_scene, validate_pose and set_frame do, and where a frame's
+    /// edits change what is no longer there; the scene stays what it was.
     bool edit(const std::function<void(const SceneParts&)>& change);
     /// The same for changes of anything, meshes and textures included; always flattens anew.
     void rebuild(const std::function<void(Scene&)>& change);

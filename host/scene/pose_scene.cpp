@@ -64,6 +64,7 @@ void pose_scene(const Scene& rest, double time, Scene& posed) {
     posed.instances = rest.instances;
     posed.lights = rest.lights;
     posed.materials = rest.materials;
+    posed.environment = rest.environment;
     for (Instance& instance : posed.instances)
         if (instance.motion.moves())
             instance.to_world = to_world_at(rest.animation, instance.motion, time);

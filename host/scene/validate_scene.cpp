@@ -59,8 +59,7 @@ class Validator {
         check(scene_.animation);
         validate_deformations(scene_);
         check_media();
-        require(!scene_.environment || not_negative(scene_.environment->radiance), "environment",
-                "has a radiance that is negative or not finite");
+        check_environment();
         if (scene_.film) check(*scene_.film);
     }
 
@@ -77,6 +76,7 @@ class Validator {
             if (!mesh.positions.empty()) check_extent(box_of(mesh), instance.to_world, object);
         }
         for (const PunctualLight& light : scene_.lights) check(light);
+        check_environment();
     }
 
     void check(const Camera& camera, const std::string& when) const {
@@ -89,6 +89,11 @@ class Validator {
   private:
     void require(bool holds, const std::string& object, const char* message) const {
         if (!holds) throw input_error(scene_.source, object + " " + message);
+    }
+
+    void check_environment() const {
+        require(!scene_.environment || not_negative(scene_.environment->radiance), "environment",
+                "has a radiance that is negative or not finite");
     }
 
     void check(const Texture& texture) const {
@@ -104,6 +109,9 @@ class Validator {
     void check(const Material& material) const {
         const std::string object = "material " + quote(material.name);
         require(in_unit_cube(diffuse_albedo(material)), object, "has an albedo outside [0, 1]");
+        if (const char* const problem = std::visit(
+                [](const auto& surface) { return lobe_problem(surface); }, material.surface))
+            require(false, object, problem);
         require(not_negative(material.emission.radiance), object,
                 "has an emission that is negative or not finite");
         const int texture = albedo_texture(material);

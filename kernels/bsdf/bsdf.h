@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How surfaces scatter light: the one place that knows which lobes there are
-// (docs/adding-a-lobe.md).
+// How surfaces scatter light, whatever their lobe (docs/adding-a-lobe.md): each function here calls
+// the one of the lobe that has its name.
 //
 // Directions are unit vectors in the frame of the surface, about +z, its normal (local_direction,
 // turn_to): `out` leads to where light goes, to the camera for a path from there, and `in` to where
@@ -11,94 +11,76 @@
 #define WEFT_BSDF_BSDF_H
 
 #include "bsdf/lambert.h"
-#include "types.h"
+#include "bsdf/lobe.h"
 
-// What lobes do with light. Those that are diffuse send it all over the hemisphere: only their part
-// is held by virtual lights, irradiance records and the albedo of the G-buffer.
-#define BSDF_DIFFUSE 1u
-#define BSDF_REFLECTION 2u
-
-// A surface's way to scatter light.
-typedef struct {
-    uint lobe;      // LOBE_*
-    float3 albedo;  // of LOBE_LAMBERT: share of the light that is reflected, by channel
-} Bsdf;
-
-// A value, 1/sr: `colour` times `share`. They are apart because products are rounded: a path
-// multiplies what it carries by the colour, then by the light, and by the share last.
-typedef struct {
-    float3 colour;
-    float share;
-} BsdfValue;
-
-// A direction that light may come from.
-typedef struct {
-    float3 in;
-    float3 weight;  // value times cosine over density: what a path's throughput is multiplied by
-    float pdf;      // density of `in`, 1/sr
-    uint flags;     // BSDF_* of the lobe that was sampled
-} BsdfSample;
+// Each is a case of a switch over the lobe, which returns what the lobe's function of that name
+// does. They use the parameters of the functions below by their names.
+#define LOBE_FLAGS(NUMBER, name, surface) \
+    case LOBE_##NUMBER:                   \
+        return name##_flags(bsdf);
+#define LOBE_EVAL(NUMBER, name, surface) \
+    case LOBE_##NUMBER:                  \
+        return name##_eval(bsdf, out, in);
+#define LOBE_PDF(NUMBER, name, surface) \
+    case LOBE_##NUMBER:                 \
+        return name##_pdf(bsdf, out, in);
+#define LOBE_SAMPLE(NUMBER, name, surface) \
+    case LOBE_##NUMBER:                    \
+        return name##_sample(bsdf, out, u, v);
+#define LOBE_ALBEDO(NUMBER, name, surface) \
+    case LOBE_##NUMBER:                    \
+        return name##_albedo(bsdf, out);
+#define LOBE_DIFFUSE_ALBEDO(NUMBER, name, surface) \
+    case LOBE_##NUMBER:                            \
+        return name##_diffuse_albedo(bsdf);
 
 /// What the BSDF does with light: BSDF_*.
 static inline uint bsdf_flags(const Bsdf* bsdf) {
     switch (bsdf->lobe) {
-        case LOBE_LAMBERT:
         default:
-            return BSDF_DIFFUSE | BSDF_REFLECTION;
+            ALL_LOBES(LOBE_FLAGS)
     }
 }
 
-/// Radiance towards `out` per irradiance from `in`.
+/// Radiance towards `out` per irradiance from `in`; 0 where `in` is not above the surface.
 static inline BsdfValue bsdf_eval(const Bsdf* bsdf, float3 out, float3 in) {
-    BsdfValue value;
     switch (bsdf->lobe) {
-        case LOBE_LAMBERT:
         default:
-            value.colour = bsdf->albedo;
-            value.share = lambert_eval(in);
+            ALL_LOBES(LOBE_EVAL)
     }
-    return value;
 }
 
-/// Density with which bsdf_sample chooses `in`, 1/sr.
+/// Density with which bsdf_sample chooses `in`, 1/sr; 0 where `in` is not above the surface.
 static inline float bsdf_pdf(const Bsdf* bsdf, float3 out, float3 in) {
     switch (bsdf->lobe) {
-        case LOBE_LAMBERT:
         default:
-            return lambert_pdf(in);
+            ALL_LOBES(LOBE_PDF)
     }
 }
 
 /// Chooses `in` for `out` by u and v, uniform in [0, 1).
 static inline BsdfSample bsdf_sample(const Bsdf* bsdf, float3 out, float u, float v) {
-    BsdfSample sample;
     switch (bsdf->lobe) {
-        case LOBE_LAMBERT:
         default:
-            sample.in = lambert_sample(u, v);
-            sample.weight = bsdf->albedo;
-            sample.pdf = lambert_pdf(sample.in);
-            sample.flags = BSDF_DIFFUSE | BSDF_REFLECTION;
+            ALL_LOBES(LOBE_SAMPLE)
     }
-    return sample;
 }
 
 /// Share of the light towards `out` that the BSDF scatters, by channel, all directions together: by
 /// that Russian roulette decides. For a lobe without a closed form an estimate is enough.
 static inline float3 bsdf_albedo(const Bsdf* bsdf, float3 out) {
     switch (bsdf->lobe) {
-        case LOBE_LAMBERT:
         default:
-            return bsdf->albedo;
+            ALL_LOBES(LOBE_ALBEDO)
     }
 }
 
-/// The part of it that lobes with BSDF_DIFFUSE scatter.
+/// Albedo of the Lambertian surface that stands for the BSDF where no outgoing direction is known:
+/// a mean over all `out`. Black for lobes without BSDF_DIFFUSE.
 static inline float3 bsdf_diffuse_albedo(const Bsdf* bsdf) {
     switch (bsdf->lobe) {
-        case LOBE_LAMBERT:
         default:
-            return bsdf->albedo;
+            ALL_LOBES(LOBE_DIFFUSE_ALBEDO)
     }
 }
 

@@ -4,32 +4,49 @@
 // Lambert's law: a diffuse surface reflects the same radiance in all directions, which is its
 // albedo over pi times the irradiance. Whatever takes a surface to be diffuse takes the law from
 // here.
-//
-// Directions are local: about +z, the normal. `in` leads to where the light comes from.
 #ifndef WEFT_BSDF_LAMBERT_H
 #define WEFT_BSDF_LAMBERT_H
 
+#include "bsdf/lobe.h"
 #include "sampling.h"
 
-/// Radiance that an albedo makes of irradiance 1, of one number: a float, a float3 or a WFloat.
+/// Radiance that a surface reflects by irradiance 1; its albedo is a float, a float3 or a WFloat.
 #define LAMBERT_REFLECTANCE(albedo) ((albedo)*M_INV_PI)
 
 /// The albedo with which irradiance and the radiance reflected are the same number.
 #define LAMBERT_ALBEDO_OF_ONE M_ONE_PI
 
-/// Radiance per irradiance of an albedo of 1 for light from `in`, 1/sr; 0 from below the surface.
-static inline float lambert_eval(float3 in) {
-    return in.z > 0.0f ? M_INV_PI : 0.0f;
+static inline uint lambert_flags(const Bsdf* bsdf) {
+    return BSDF_DIFFUSE | BSDF_REFLECTION;
 }
 
-/// Density of lambert_sample, 1/sr.
-static inline float lambert_pdf(float3 in) {
+static inline BsdfValue lambert_eval(const Bsdf* bsdf, float3 out, float3 in) {
+    BsdfValue value;
+    value.colour = bsdf->albedo;
+    value.share = in.z > 0.0f ? M_INV_PI : 0.0f;
+    return value;
+}
+
+static inline float lambert_pdf(const Bsdf* bsdf, float3 out, float3 in) {
     return in.z > 0.0f ? cosine_pdf(in.z) : 0.0f;
 }
 
-/// A direction with density cos / pi, by which the weight of a sample is the albedo.
-static inline float3 lambert_sample(float u, float v) {
-    return cosine_direction(u, v);
+/// Directions have the density cos / pi, by which the weight is the albedo.
+static inline BsdfSample lambert_sample(const Bsdf* bsdf, float3 out, float u, float v) {
+    BsdfSample sample;
+    sample.in = cosine_direction(u, v);
+    sample.weight = bsdf->albedo;
+    sample.pdf = lambert_pdf(bsdf, out, sample.in);
+    sample.flags = lambert_flags(bsdf);
+    return sample;
+}
+
+static inline float3 lambert_albedo(const Bsdf* bsdf, float3 out) {
+    return bsdf->albedo;
+}
+
+static inline float3 lambert_diffuse_albedo(const Bsdf* bsdf) {
+    return bsdf->albedo;
 }
 
 #endif

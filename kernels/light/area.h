@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Area lights: emissive triangles of one instance, which shine with the same radiance in all
+// Area lights are emissive triangles of one instance, which shine with the same radiance in all
 // directions, to the outside of their triangles or to both sides.
 #ifndef WEFT_LIGHT_AREA_H
 #define WEFT_LIGHT_AREA_H
@@ -112,8 +112,8 @@ static inline PlaceLight area_at_place(const RenderParams* params, const ChosenP
     float3 normal = chosen->point.normal;
     float facing = seen_side(chosen->light, -dot3(found.direction, normal), &normal);
     if (!(facing > 0.0f)) return found;
-    found.solid = (found.distance / facing) * found.distance * chosen->density;
-    found.irradiance = xyz(chosen->light.power) / found.solid;
+    found.pdf = (found.distance / facing) * found.distance * chosen->pdf;
+    found.irradiance = xyz(chosen->light.power) / found.pdf;
     found.target += normal * surface_offset(found.target, params->scene.extent);
     return found;
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Directional lights: parallel light of an irradiance from infinitely far away.
+// Directional lights send parallel light from infinitely far away; their power is its irradiance.
 #ifndef WEFT_LIGHT_DISTANT_H
 #define WEFT_LIGHT_DISTANT_H
 
@@ -52,7 +52,7 @@ static inline LightSample distant_at_surface(LightRecord light, const LitPoint* 
 /// What the light sends to a place.
 static inline PlaceLight distant_at_place(const ChosenPoint* chosen, PlaceLight found) {
     found.direction = distant_direction(chosen->light);
-    found.irradiance = xyz(chosen->light.power) / chosen->density;
+    found.irradiance = xyz(chosen->light.power) / chosen->pdf;
     return found;
 }
 

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The environment: the same radiance from every direction in which nothing lies. Path tracing finds
-// it by scattered rays alone, so that next-event estimation never chooses it.
+// The environment sends the same radiance from every direction in which nothing lies. Path tracing
+// finds it by scattered rays alone, so that next-event estimation never chooses it.
 #ifndef WEFT_LIGHT_ENVIRONMENT_H
 #define WEFT_LIGHT_ENVIRONMENT_H
 

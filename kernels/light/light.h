@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Choosing lights, and what each kind of them sends: the one place that knows which kinds there are
+// Chooses lights and asks them what they send: the one place that knows which kinds there are
 // (docs/adding-a-light.md).
 #ifndef WEFT_LIGHT_LIGHT_H
 #define WEFT_LIGHT_LIGHT_H
@@ -27,8 +27,8 @@ static inline uint choose_light(GLOBAL const LightRecord* lights, uint count, fl
 }
 
 /// Light for next-event estimation that `u` falls into, and `*probability` of that.
-static inline uint choose_for_surface(GLOBAL const LightRecord* lights, uint count, float u,
-                                      float* probability) {
+static inline uint choose_for_next_event(GLOBAL const LightRecord* lights, uint count, float u,
+                                         float* probability) {
     uint chosen = find_entry(&lights->choice_cumulative, LIGHT_STRIDE, count, u);
     *probability = lights[chosen].choice_probability;
     return chosen;
@@ -79,12 +79,12 @@ static inline ChosenPoint point_on_light(const Geometry* geometry, LightRecord l
                                          float u, float v) {
     ChosenPoint chosen;
     chosen.light = light;
-    chosen.density = probability;
+    chosen.pdf = probability;
     chosen.point.position = xyz(light.position);
     chosen.point.normal = f3(0.0f, 0.0f, 0.0f);
     if (light.kind == EMITTER_AREA) {
         chosen.point = sample_area(geometry, light, emissive, u, v);
-        chosen.density = probability / light.area;
+        chosen.pdf = probability / light.area;
     }
     return chosen;
 }
@@ -99,7 +99,7 @@ static inline PlaceLight light_at_place(const RenderParams* params, const Chosen
                                         float3 place) {
     PlaceLight found;
     found.irradiance = f3(0.0f, 0.0f, 0.0f);
-    found.solid = 0.0f;
+    found.pdf = 0.0f;
     found.target = chosen->point.position;
     found.distance = RAY_INFINITY;
     if (has_place(chosen->light) == 0) return distant_at_place(chosen, found);

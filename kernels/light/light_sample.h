@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What all kinds of light are asked for, and answer.
+// These structs hold what all kinds of light are asked for, and what they answer.
 #ifndef WEFT_LIGHT_LIGHT_SAMPLE_H
 #define WEFT_LIGHT_LIGHT_SAMPLE_H
 
@@ -33,11 +33,11 @@ typedef struct {
     float3 position, normal;
 } LightPoint;
 
-// A point on a light, and the density with which it was chosen: per area of area lights.
+// A point on a light, and the pdf with which it was chosen: per area of area lights.
 typedef struct {
     LightRecord light;
     LightPoint point;
-    float density;
+    float pdf;
 } ChosenPoint;
 
 // Light that one sample of a light sends to a surface, were nothing in between.
@@ -52,11 +52,11 @@ typedef struct {
 
 // Light that a chosen point of a light sends to a place in a medium, were nothing in between.
 typedef struct {
-    float3 irradiance;  // over the density of the choice by next-event estimation
+    float3 irradiance;  // over the pdf of the choice by next-event estimation
     float3 direction;   // from there, unit
     float3 target;      // where shadow rays end
     float distance;     // RAY_INFINITY for distant lights
-    float solid;        // density per solid angle; 0 where no scattered ray can meet the light
+    float pdf;          // of its direction, 1/sr; 0 where no scattered ray can meet the light
 } PlaceLight;
 
 /// 1 where light from `direction` (any length) falls on the outside of both normals.

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Point and spot lights: an intensity in W/sr, which of spot lights falls off between two cones.
+// Point and spot lights have an intensity, W/sr, which falls off between two cones for spot lights.
 #ifndef WEFT_LIGHT_PUNCTUAL_H
 #define WEFT_LIGHT_PUNCTUAL_H
 
@@ -53,7 +53,7 @@ static inline LightSample punctual_at_surface(LightRecord light, const LitPoint*
 
 /// What the light sends to a place, which is `found.distance` away along `found.direction`.
 static inline PlaceLight punctual_at_place(const ChosenPoint* chosen, PlaceLight found) {
-    float falloff = 1.0f / found.distance / found.distance / chosen->density;
+    float falloff = 1.0f / found.distance / found.distance / chosen->pdf;
     falloff *= punctual_falloff(chosen->light, -dot3(found.direction, xyz(chosen->light.axis)));
     found.irradiance = xyz(chosen->light.power) * falloff;
     return found;

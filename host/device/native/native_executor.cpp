@@ -206,7 +206,7 @@ std::vector<const void*> NativeExecutor::bind(const Launch& launch,
 bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
     const NativeKernel& kernel = variant_.kernels->kernels[static_cast<std::size_t>(launch.kernel)];
     const LaunchOptions& options = launch.options;
-    shared::LaunchRange range{0, 0, options.counter};
+    shared::LaunchRange range{0, 0, options.counter, 1};
     const std::vector<const void*> arguments = bind(launch, range);
     const std::uint32_t chunk =
         options.items_per_launch > 0 ? options.items_per_launch : kernel_chunk(launch.kernel);

@@ -15,7 +15,9 @@
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
 #include "device/kernel_signature.h"
+#include "device/launch_pacer.h"
 #include "device/opencl/compile_ahead.h"
+#include "device/opencl/group_spread.h"
 #include "device/opencl/opencl_buffer.h"
 #include "device/opencl/opencl_program.h"
 
@@ -24,7 +26,7 @@ namespace {
 
 /// Launches that may wait in the queue: enough to keep the device busy, few enough that an
 /// interrupted run ends soon.
-constexpr std::size_t launches_ahead = 3;
+constexpr std::size_t launches_ahead = 2;
 /// A device with thousands of lanes needs larger launches to be busy.
 constexpr std::uint32_t gpu_chunk_factor = 16;
 /// Where a kernel takes its range: after what all kernels of a sample share.
@@ -70,6 +72,7 @@ class OpenClExecutor : public Executor {
         settings_.lanes = wanted > 0 ? wanted : default_lanes(info_);
         settings_.local_size = info_.is_cpu ? 8 : 64;
         settings_.chunk_factor = info_.is_cpu ? 1 : gpu_chunk_factor;
+        pacer_ = LaunchPacer(settings_.local_size * info_.compute_units);
     }
 
     [[nodiscard]] const DeviceInfo& device() const override { return info_; }
@@ -125,11 +128,13 @@ class OpenClExecutor : public Executor {
     struct InFlight {
         cl::Event event;
         double* milliseconds;
+        KernelId kernel;
+        std::uint32_t most_items, items;
     };
 
     /// Sets all arguments of a kernel but its range.
     void bind(cl::Kernel& kernel, const Launch& launch);
-    cl::Event enqueue(cl::Kernel& kernel, KernelId id, const shared::LaunchRange& range);
+    cl::Event enqueue(cl::Kernel& kernel, KernelId id, shared::LaunchRange range);
     /// Stands in for buffers that a launch has no use for, so that kernels need not ask.
     [[nodiscard]] const cl::Buffer& unused();
     void retire_oldest();
@@ -146,6 +151,7 @@ class OpenClExecutor : public Executor {
     std::map<std::pair<KernelId, std::uint32_t>, OpenClProgram> programs_;
     mutable std::vector<KernelBuild> builds_;
     std::deque<InFlight> in_flight_;
+    LaunchPacer pacer_{1};
     std::optional<BvhStats> bvh_;
     double milliseconds_ = 0.0;
     double scene_ms_ = 0.0;
@@ -309,11 +315,12 @@ void OpenClExecutor::bind(cl::Kernel& kernel, const Launch& launch) {
     }
 }
 
-cl::Event OpenClExecutor::enqueue(cl::Kernel& kernel, KernelId id,
-                                  const shared::LaunchRange& range) {
+cl::Event OpenClExecutor::enqueue(cl::Kernel& kernel, KernelId id, shared::LaunchRange range) {
+    const std::uint32_t size = launch_size(id, settings_);
+    range.spread = range.count == size ? 1 : group_spread(size / settings_.local_size);
     kernel.setArg(range_argument, sizeof(range), &range);
     cl::Event event;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(launch_size(id, settings_)),
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(size),
                                 cl::NDRange(settings_.local_size), nullptr, &event);
     return event;
 }
@@ -325,7 +332,7 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
                                                   kernel_name(launch.kernel)));
     OpenClProgram& program = found->second;
     const LaunchOptions& options = launch.options;
-    shared::LaunchRange range{0, 0, options.counter};
+    shared::LaunchRange range{0, 0, options.counter, 1};
     std::uint32_t chunk = kernel_chunk(launch.kernel) * settings_.chunk_factor;
     if (options.items_per_launch > 0) chunk = std::min(chunk, options.items_per_launch);
     try {
@@ -337,9 +344,9 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
         }
         for (std::uint32_t first = 0; first < launch.items;) {
             range.first = options.first_item + first;
-            range.count = std::min(chunk, launch.items - first);
-            in_flight_.push_back(
-                {enqueue(program.kernel(), launch.kernel, range), options.milliseconds});
+            range.count = std::min(pacer_.items(launch.kernel, chunk), launch.items - first);
+            in_flight_.push_back({enqueue(program.kernel(), launch.kernel, range),
+                                  options.milliseconds, launch.kernel, chunk, range.count});
             queue_.flush();
             first += range.count;
             while (in_flight_.size() > launches_ahead) retire_oldest();
@@ -352,13 +359,14 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
 }
 
 void OpenClExecutor::retire_oldest() {
-    const auto [event, milliseconds] = in_flight_.front();
+    const auto [event, milliseconds, kernel, most_items, items] = in_flight_.front();
     in_flight_.pop_front();
     event.wait();
     const auto start = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
     const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
     if (end <= start) return;
     const double ms = static_cast<double>(end - start) * 1e-6;
+    pacer_.took(kernel, most_items, items, ms);
     milliseconds_ += ms;
     if (milliseconds != nullptr) *milliseconds += ms;
 }

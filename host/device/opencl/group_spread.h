@@ -1,0 +1,25 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_OPENCL_GROUP_SPREAD_H
+#define WEFT_DEVICE_OPENCL_GROUP_SPREAD_H
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+
+namespace weft {
+
+/// The LaunchRange::spread of a launch of `groups` work groups (1 to 65535) of which some have no
+/// work: coprime to their number, so that each group is taken once, and close to their golden
+/// section, so that any first few of g * spread mod groups lie evenly (Steinhaus' three-gap
+/// theorem). 1, which spreads nothing, for fewer than four groups.
+[[nodiscard]] inline std::uint32_t group_spread(std::uint32_t groups) {
+    auto spread = static_cast<std::uint32_t>(std::lround(groups * (std::numbers::phi - 1.0)));
+    while (spread > 1 && std::gcd(spread, groups) != 1) --spread;
+    return groups < 4 ? 1 : spread;
+}
+
+}  // namespace weft
+
+#endif

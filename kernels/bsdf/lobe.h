@@ -1,0 +1,44 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What every lobe is made of: its parameters at one point of a surface, and what its functions
+// return (bsdf/bsdf.h).
+#ifndef WEFT_BSDF_LOBE_H
+#define WEFT_BSDF_LOBE_H
+
+#include "bsdf/lobes.h"
+#include "port.h"
+#include "types.h"
+
+// Numbers of the lobes.
+#define LOBE_ENUMERATOR(NUMBER, name, surface) LOBE_##NUMBER,
+enum { ALL_LOBES(LOBE_ENUMERATOR) LOBE_COUNT };
+
+// What lobes do with light. Those that are diffuse send it all over the hemisphere: only their part
+// is held by virtual lights, irradiance records and the albedo of the G-buffer.
+#define BSDF_DIFFUSE 1u
+#define BSDF_REFLECTION 2u
+
+// A surface's way to scatter light.
+typedef struct {
+    uint lobe;          // LOBE_*
+    float3 albedo;      // colour; of Lambert's lobe the share of the light that is reflected
+    float4 parameters;  // of lobes other than Lambert's: see MaterialRecord
+} Bsdf;
+
+// A value, 1/sr: `colour` times `share`. They are apart because products are rounded: a path
+// multiplies what it carries by the colour, then by the light, and by the share last.
+typedef struct {
+    float3 colour;
+    float share;
+} BsdfValue;
+
+// A direction that light may come from.
+typedef struct {
+    float3 in;
+    float3 weight;  // value times cosine over density: what a path's throughput is multiplied by
+    float pdf;      // density of `in`, 1/sr
+    uint flags;     // BSDF_* of the lobe that was sampled
+} BsdfSample;
+
+#endif
