@@ -81,6 +81,8 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
 void AdaptiveSampling::sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
                               TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance,
                               const Steps& steps) {
+    // The records of tiles may not have been written then.
+    if (frame.executor.cancelled()) return;
     double host_ms = 0.0;
     const auto round = [&](const auto& decide) {
         frame.wait();

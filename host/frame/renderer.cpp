@@ -242,9 +242,10 @@ void Renderer::trace_primary(FrameContext& frame) {
 }
 
 void Renderer::compose(FrameContext& frame) {
-    if (buffers_.edges) buffers_.edges->find(frame);
-    // A film that other frames are in gets all of this one or nothing.
+    // A film that other frames are in gets all of this one or nothing. What edges are found by has
+    // to be whole as well: masks that nothing has written name pixels that are not there.
     frame.whole_launches = true;
+    if (buffers_.edges) buffers_.edges->find(frame);
     frame.run(Stage::composition, "",
               kernels::compose{.surfaces = view(buffers_.gbuffer),
                                .composed = buffers_.composed(),
