@@ -9,6 +9,17 @@ namespace weft::test {
 
 using namespace selftest;
 
+/// A node that moves along x by 0.1 a second, for 10 s; its track is added to the scene, it is not.
+inline MovingNode sliding_node(Scene& scene) {
+    KeyTrack track;
+    track.times = {0.0F, 10.0F};
+    track.values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F};
+    scene.animation.tracks.push_back(track);
+    MovingNode node;
+    node.translation = static_cast<int>(scene.animation.tracks.size() - 1);
+    return node;
+}
+
 }  // namespace weft::test
 
 #endif

@@ -17,22 +17,11 @@
 namespace weft {
 namespace {
 
-/// A node that moves along x by 0.1 a second.
-void add_sliding_node(Scene& scene) {
-    KeyTrack track;
-    track.times = {0.0F, 10.0F};
-    track.values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F};
-    scene.animation.tracks.push_back(track);
-    MovingNode node;
-    node.translation = static_cast<int>(scene.animation.tracks.size() - 1);
-    scene.animation.nodes.push_back(node);
-}
-
 /// A room whose block slides, lit from everywhere too.
 Scene sliding_room() {
     test::MovingRoom room = test::moving_room(0);
     Scene scene = std::move(room.scene);
-    add_sliding_node(scene);
+    scene.animation.nodes.push_back(test::sliding_node(scene));
     Instance& block = scene.instances[room.things.front()];
     block.motion = {0, block.to_world};
     scene.environment = Environment{glm::vec3(0.1F)};
@@ -133,7 +122,7 @@ TEST(MovingSceneEdit, TimelinesDoNotPointAtWhatIsGone) {
 
 TEST(MovingSceneEdit, WhatIsAttachedToANodeMovesFromThenOn) {
     Scene scene = test::moving_room(1).scene;
-    add_sliding_node(scene);
+    scene.animation.nodes.push_back(test::sliding_node(scene));
     MovingScene moving(scene, {}, 1.0);
     EXPECT_FALSE(moving.moves());
     EXPECT_FALSE(moving.edit([](const SceneParts& parts) {

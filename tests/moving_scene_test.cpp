@@ -20,22 +20,11 @@ namespace {
 
 using test::Backend;
 
-/// A node that moves along x by 0.1 a second.
-MovingNode sliding_node(Scene& scene) {
-    KeyTrack track;
-    track.times = {0.0F, 10.0F};
-    track.values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F};
-    scene.animation.tracks.push_back(track);
-    MovingNode node;
-    node.translation = static_cast<int>(scene.animation.tracks.size() - 1);
-    return node;
-}
-
 /// The room of a block and a lamp: the block slides.
 Scene sliding_room() {
     test::MovingRoom room = test::moving_room(0);
     Scene scene = std::move(room.scene);
-    scene.animation.nodes.push_back(sliding_node(scene));
+    scene.animation.nodes.push_back(test::sliding_node(scene));
     Instance& block = scene.instances[room.things.front()];
     block.motion = {0, block.to_world};
     return scene;
@@ -213,7 +202,7 @@ TEST(MovingScene, UnusableTransformsAreRefusedAndTheFrameBeforeStaysValid) {
 
 TEST(MovingScene, LightsMoveWithTheirNodes) {
     Scene scene = test::moving_room(1).scene;
-    scene.animation.nodes.push_back(sliding_node(scene));
+    scene.animation.nodes.push_back(test::sliding_node(scene));
     scene.lights[0].motion = {0, glm::dmat4(1.0)};
     Scene posed = scene;
     pose_scene(scene, 5.0, posed);
