@@ -19,10 +19,13 @@
 #define GLOBAL_ID ((uint)get_global_id(0))
 // Which item of its range a work-item takes. Drivers for processors give each thread groups that
 // are neighbours, so that a launch with few items would keep one thread busy: work group g takes
-// the items of group (g * spread) mod (number of groups).
-#define WORK_ITEM(range)                                                                   \
-    ((uint)get_group_id(0) * (range).spread % (uint)get_num_groups(0) * (uint)LOCAL_SIZE + \
-     (uint)get_local_id(0))
+// the items of group (g * spread) mod (number of groups), and where there are fewer items than
+// groups, each group takes one.
+#define GROUP_RANK(range) ((uint)get_group_id(0) * (range).spread % (uint)get_num_groups(0))
+#define WORK_ITEM(range)                                                       \
+    ((range).count <= (uint)get_num_groups(0)                                  \
+         ? GROUP_RANK(range) + (uint)get_local_id(0) * (uint)get_num_groups(0) \
+         : GROUP_RANK(range) * (uint)LOCAL_SIZE + (uint)get_local_id(0))
 
 #define f3(x, y, z) ((float3)((x), (y), (z)))
 #define f4(x, y, z, w) ((float4)((x), (y), (z), (w)))

@@ -72,7 +72,9 @@ class OpenClExecutor : public Executor {
         settings_.lanes = wanted > 0 ? wanted : default_lanes(info_);
         settings_.local_size = info_.is_cpu ? 8 : 64;
         settings_.chunk_factor = info_.is_cpu ? 1 : gpu_chunk_factor;
-        pacer_ = LaunchPacer(settings_.local_size * info_.compute_units);
+        // Processors take one item in each group; other devices need whole groups.
+        pacer_ = LaunchPacer(info_.is_cpu ? info_.compute_units
+                                          : settings_.local_size * info_.compute_units);
     }
 
     [[nodiscard]] const DeviceInfo& device() const override { return info_; }
