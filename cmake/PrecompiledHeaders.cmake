@@ -11,7 +11,9 @@ function(weft_precompile target)
       <glm/glm.hpp> ${ARGN})
     # Where headers are precompiled, g++ 12 does not know what lies in the standard library, and takes
     # strings that are moved there for out of bounds.
-    target_compile_options(
-      ${target} PRIVATE "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overread;-Wno-stringop-overflow>")
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overread
+                                               -Wno-stringop-overflow)
+    endif()
   endif()
 endfunction()

@@ -81,6 +81,7 @@ def check_materials(document, fields):
         expect(name in exported, f"material {name} is missing")
         ours = exported[name]
         colour = theirs["pbrMetallicRoughness"]["baseColorFactor"][:3]
+        expect(ours["lambertian"] is True, f"lobe of {name}")
         expect(near(ours["reflectance"], colour, 1e-6), f"reflectance of {name}")
         strength = theirs.get("extensions", {}).get(
             "KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)

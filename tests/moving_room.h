@@ -3,6 +3,8 @@
 #ifndef WEFT_TESTS_MOVING_ROOM_H
 #define WEFT_TESTS_MOVING_ROOM_H
 
+#include <utility>
+
 #include "selftest/moving_room.h"
 
 namespace weft::test {
@@ -18,6 +20,16 @@ inline MovingNode sliding_node(Scene& scene) {
     MovingNode node;
     node.translation = static_cast<int>(scene.animation.tracks.size() - 1);
     return node;
+}
+
+/// The room of a block and a lamp: the block slides.
+inline Scene sliding_room() {
+    MovingRoom room = moving_room(0);
+    Scene scene = std::move(room.scene);
+    scene.animation.nodes.push_back(sliding_node(scene));
+    Instance& block = scene.instances[room.things.front()];
+    block.motion = {0, block.to_world};
+    return scene;
 }
 
 }  // namespace weft::test

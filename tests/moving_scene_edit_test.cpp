@@ -18,12 +18,8 @@ namespace weft {
 namespace {
 
 /// A room whose block slides, lit from everywhere too.
-Scene sliding_room() {
-    test::MovingRoom room = test::moving_room(0);
-    Scene scene = std::move(room.scene);
-    scene.animation.nodes.push_back(test::sliding_node(scene));
-    Instance& block = scene.instances[room.things.front()];
-    block.motion = {0, block.to_world};
+Scene open_room() {
+    Scene scene = test::sliding_room();
     scene.environment = Environment{glm::vec3(0.1F)};
     return scene;
 }
@@ -45,7 +41,7 @@ void set_environment(MovingScene& moving, float radiance) {
 
 TEST(MovingSceneEdit, TheEnvironmentOfAFrameIsThatOfTheSceneAtRest) {
     for (const bool posed_before : {false, true}) {
-        MovingScene moving(sliding_room(), {}, 1.0);
+        MovingScene moving(open_room(), {}, 1.0);
         if (posed_before) moving.set_frame(2);
         set_environment(moving, 0.4F);
         EXPECT_EQ(moving.flat().environment.r, 0.4F) << posed_before;
@@ -57,7 +53,7 @@ TEST(MovingSceneEdit, TheEnvironmentOfAFrameIsThatOfTheSceneAtRest) {
 TEST(MovingSceneEdit, AnUnusableEnvironmentIsRefused) {
     for (const bool posed_before : {false, true})
         for (const float radiance : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
-            MovingScene moving(sliding_room(), {}, 1.0);
+            MovingScene moving(open_room(), {}, 1.0);
             if (posed_before) moving.set_frame(2);
             EXPECT_EQ(code_of([&] { set_environment(moving, radiance); }), ExitCode::bad_input);
             EXPECT_EQ(moving.at_rest().environment->radiance.r, 0.1F);
@@ -67,7 +63,7 @@ TEST(MovingSceneEdit, AnUnusableEnvironmentIsRefused) {
 }
 
 TEST(MovingSceneEdit, AFrameAfterARefusedRebuildIsTheOneBefore) {
-    MovingScene moving(sliding_room(), {}, 1.0);
+    MovingScene moving(open_room(), {}, 1.0);
     moving.set_frame(2);
     const FlatScene before = moving.flat();
     // More vertices than there is room for, and a block that the frame puts out of reach.
@@ -91,7 +87,7 @@ TEST(MovingSceneEdit, AFrameAfterARefusedRebuildIsTheOneBefore) {
 }
 
 TEST(MovingSceneEdit, TimelinesDoNotPointAtWhatIsGone) {
-    Scene scene = sliding_room();
+    Scene scene = open_room();
     PunctualLight light;
     light.position = {0.1, 0.4, 0.5};
     scene.lights.push_back(light);

@@ -19,18 +19,8 @@ namespace weft {
 namespace {
 
 using test::Backend;
-
-/// The room of a block and a lamp: the block slides.
-Scene sliding_room() {
-    test::MovingRoom room = test::moving_room(0);
-    Scene scene = std::move(room.scene);
-    scene.animation.nodes.push_back(test::sliding_node(scene));
-    Instance& block = scene.instances[room.things.front()];
-    block.motion = {0, block.to_world};
-    return scene;
-}
-
 using test::igi_settings;
+using test::sliding_room;
 
 /// The picture of a frame after those that lead to it.
 Image frame_after(const std::vector<std::uint32_t>& frames, Backend backend) {

@@ -64,6 +64,8 @@ code=0
 [ "$code" -eq 1 ] || fail "--resume without --json ended with $code, expected 1" "$work/log"
 "$python" -B "$root/tests/equal_time_test.py" >"$work/log" 2>&1 ||
     fail "finding samples that fit a budget fails" "$work/log"
+"$python" -B "$root/tests/expressible_test.py" >"$work/log" 2>&1 ||
+    fail "leaving out scenes that cannot be expressed fails" "$work/log"
 "$python" -B "$root/tests/peers_run_test.py" >"$work/log" 2>&1 ||
     fail "going on with a run, or judging its pictures, fails" "$work/log"
 echo "the export holds what the file holds; without a peer the benchmark says so"

@@ -10,7 +10,7 @@ import tempfile
 import equal_time
 import exported_scene
 from equal_time import Peer, stopwatch
-from exported_scene import NotExpressible
+from expressible import NotExpressible
 
 BOUNCES = 1024  # the most that Cycles takes
 TINY = 4  # pixels along an edge of the picture that tells what set-up costs

@@ -16,7 +16,7 @@ import tempfile
 
 import equal_time
 from equal_time import Peer, stopwatch
-from exported_scene import NotExpressible
+from expressible import NotExpressible
 
 PROGRAM = "pathtracer"
 MOST_LIGHTS = 256  # it samples all of them at every vertex

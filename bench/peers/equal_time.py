@@ -164,7 +164,8 @@ def main(probe, make_peer):
         if args.probe:
             answer(answers, version=probe(args.variant))
             return
-        from exported_scene import ExportedScene, NotExpressible
+        from exported_scene import ExportedScene
+        from expressible import NotExpressible
         scene = ExportedScene(args.scene)
         args.mirror = scene.camera["mirror_x"]
         try:

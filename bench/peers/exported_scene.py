@@ -7,15 +7,12 @@ import pathlib
 
 import numpy as np
 
+from expressible import refuse
+
 VERSION = 1
 SPOT_EDGE = 512  # texels along an edge of the picture of a spot light
 SPOT_MARGIN = 1.02  # what that picture shows, of the light's cone
 NARROWEST_RIM = 0.001  # between the cosines of a spot light's cones, as Weft takes it
-
-
-class NotExpressible(ValueError):
-    """A renderer has no like of something in a scene, which it has to leave out therefore."""
-
 
 
 class Mesh:
@@ -91,22 +88,8 @@ class ExportedScene:
         return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
     def refuse(self, *kinds):
-        """Raises NotExpressible where the scene holds any of these: keys of `held`, and what no
-        renderer's program has been taught yet.
-        """
-        kinds += ("surfaces that are not Lambertian",)
-        held = {"lights without area": bool(self.lights),
-                "textures": bool(self.textures),
-                "vertex colours": any(mesh.colours is not None for mesh in self.meshes),
-                "surfaces that are not Lambertian": not all(material.get("lambertian", True)
-                                                            for material in self.materials),
-                "media": bool(self.media),
-                "media with density grids": any(not medium["homogeneous"]
-                                                for medium in self.media),
-                "media that shine": any(max(medium["emission"]) > 0.0 for medium in self.media)}
-        found = [kind for kind in kinds if held[kind]]
-        if found:
-            raise NotExpressible(", ".join(found))
+        """Raises NotExpressible where the scene holds any of these: see expressible.refuse."""
+        refuse(self, kinds)
 
 
 def spot_rim(light):

@@ -9,7 +9,7 @@ import time
 import equal_time
 import exported_scene
 from equal_time import Peer
-from exported_scene import NotExpressible
+from expressible import NotExpressible
 
 DEPTH = 256  # of paths: it has no unlimited setting
 POLL_SECONDS = 0.002

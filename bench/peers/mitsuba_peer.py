@@ -6,7 +6,7 @@
 import equal_time
 import exported_scene
 from equal_time import Peer, stopwatch
-from exported_scene import NotExpressible
+from expressible import NotExpressible
 
 MOST_LANES = 1 << 22  # of one pass of a vectorised variant: its memory grows with them
 UNLIMITED = -1

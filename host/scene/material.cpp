@@ -10,6 +10,7 @@ DiffuseSurface& diffuse_part(Material& material) {
                       material.surface);
 }
 
+/// By value: lobes say what of them is diffuse for changing it, which reads it as well.
 DiffuseSurface diffuse_part(const Material& material) {
     return std::visit([](auto surface) { return weft::diffuse_part(surface); }, material.surface);
 }

@@ -111,7 +111,7 @@ class Validator {
         require(in_unit_cube(diffuse_albedo(material)), object, "has an albedo outside [0, 1]");
         if (const char* const problem = std::visit(
                 [](const auto& surface) { return lobe_problem(surface); }, material.surface))
-            require(false, object, problem);
+            throw input_error(scene_.source, object + " " + problem);
         require(not_negative(material.emission.radiance), object,
                 "has an emission that is negative or not finite");
         const int texture = albedo_texture(material);

@@ -334,7 +334,7 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
                                                   kernel_name(launch.kernel)));
     OpenClProgram& program = found->second;
     const LaunchOptions& options = launch.options;
-    shared::LaunchRange range{0, 0, options.counter, 1};
+    shared::LaunchRange range{0, 0, options.counter, 0};  // enqueue sets the spread
     std::uint32_t chunk = kernel_chunk(launch.kernel) * settings_.chunk_factor;
     if (options.items_per_launch > 0) chunk = std::min(chunk, options.items_per_launch);
     try {
