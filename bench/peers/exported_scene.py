@@ -7,7 +7,7 @@ import pathlib
 
 import numpy as np
 
-from expressible import refuse
+from expressible import NotExpressible, refuse
 
 VERSION = 1
 SPOT_EDGE = 512  # texels along an edge of the picture of a spot light
