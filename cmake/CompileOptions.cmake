@@ -30,6 +30,6 @@ endif()
 # weft_wrap_overflow(): for the targets of the calling folder. Damaged JPEG files make sums in
 # stb_image overflow, which does no harm where it is defined.
 function(weft_wrap_overflow)
-  set_source_files_properties("${CMAKE_SOURCE_DIR}/host/scene/stb_image_implementation.cpp"
+  set_source_files_properties("${CMAKE_SOURCE_DIR}/host/scene/texture/stb_image_implementation.cpp"
                               PROPERTIES COMPILE_OPTIONS -fwrapv SKIP_PRECOMPILE_HEADERS ON)
 endfunction()

@@ -11,8 +11,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
 
   function(weft_embed_kernels target)
     set(folder "${CMAKE_SOURCE_DIR}/kernels")
-    file(GLOB kernels CONFIGURE_DEPENDS "${folder}/*.h" "${folder}/*.cl" "${folder}/*.def"
-         "${folder}/*/*.h" "${folder}/*/*.cl")
+    file(GLOB kernels CONFIGURE_DEPENDS "${folder}/*/*.h" "${folder}/*/*.cl" "${folder}/*/*.def")
     set(output "${WEFT_GENERATED_DIR}/kernel_sources.cpp")
     # The list itself is a dependency: a deleted kernel must not stay in the program.
     set(list_file "${WEFT_GENERATED_DIR}/kernel_files.txt")

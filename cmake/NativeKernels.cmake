@@ -6,9 +6,6 @@
 # them for the choice at run time, generated/native_kernels.def includes the kernels.
 include(CheckCXXCompilerFlag)
 
-# Where kernels find what they include: all name files by their path relative to kernels/.
-set(WEFT_KERNEL_INCLUDES -iquote "${CMAKE_SOURCE_DIR}/kernels")
-
 # weft_native_variant(<target> <isa> <lanes> [compiler flags...])
 function(weft_native_variant target isa lanes)
   set(variant "weft_native_${isa}_${lanes}")
@@ -19,7 +16,7 @@ function(weft_native_variant target isa lanes)
   target_compile_definitions(
     ${variant} PRIVATE WEFT_LANES=${lanes} WEFT_NATIVE_NAMESPACE=${variant}
                        WEFT_NATIVE_TABLE=weft_native_table_${isa}_${lanes})
-  target_compile_options(${variant} PRIVATE ${WEFT_KERNEL_INCLUDES} ${ARGN})
+  target_compile_options(${variant} PRIVATE ${ARGN})
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     target_compile_options(${variant} PRIVATE -O3)
   endif()
@@ -33,7 +30,7 @@ endfunction()
 
 function(weft_add_native_kernels target)
   file(GLOB kernels RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS
-       "${CMAKE_SOURCE_DIR}/kernels/*.cl" "${CMAKE_SOURCE_DIR}/kernels/*/*.cl")
+       "${CMAKE_SOURCE_DIR}/kernels/*/*.cl")
   list(TRANSFORM kernels REPLACE "(.+)" "#include \"\\1\"\n")
   string(JOIN "" includes ${kernels})
   file(CONFIGURE OUTPUT "${WEFT_GENERATED_DIR}/native_kernels.def" CONTENT "${includes}" @ONLY)
@@ -45,22 +42,20 @@ function(weft_add_native_kernels target)
     "${CMAKE_SOURCE_DIR}/host/device/native/kernels_native.cpp"
     PROPERTIES COMPILE_OPTIONS
                "-Wno-psabi;-Wno-unused-parameter;-fno-optimize-sibling-calls")
-  if(EXISTS "${CMAKE_SOURCE_DIR}/host/device/native/kernels_native.cpp")
-    foreach(lanes IN ITEMS 1 4 8 16)
-      weft_native_variant(${target} base ${lanes})
-    endforeach()
-    # Wider instruction sets only make a release build faster: a debug build needs none.
-    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$"
-       AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug"
-       AND NOT WEFT_SANITIZE)
-      check_cxx_compiler_flag(-march=x86-64-v3 WEFT_HAVE_X86_64_V3)
-      if(WEFT_HAVE_X86_64_V3)
-        weft_native_variant(${target} x86_64_v3 8 -march=x86-64-v3)
-      endif()
-      check_cxx_compiler_flag(-march=x86-64-v4 WEFT_HAVE_X86_64_V4)
-      if(WEFT_HAVE_X86_64_V4)
-        weft_native_variant(${target} x86_64_v4 16 -march=x86-64-v4)
-      endif()
+  foreach(lanes IN ITEMS 1 4 8 16)
+    weft_native_variant(${target} base ${lanes})
+  endforeach()
+  # Wider instruction sets only make a release build faster: a debug build needs none.
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$"
+     AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug"
+     AND NOT WEFT_SANITIZE)
+    check_cxx_compiler_flag(-march=x86-64-v3 WEFT_HAVE_X86_64_V3)
+    if(WEFT_HAVE_X86_64_V3)
+      weft_native_variant(${target} x86_64_v3 8 -march=x86-64-v3)
+    endif()
+    check_cxx_compiler_flag(-march=x86-64-v4 WEFT_HAVE_X86_64_V4)
+    if(WEFT_HAVE_X86_64_V4)
+      weft_native_variant(${target} x86_64_v4 16 -march=x86-64-v4)
     endif()
   endif()
   get_property(WEFT_NATIVE_VARIANTS GLOBAL PROPERTY WEFT_NATIVE_VARIANTS)

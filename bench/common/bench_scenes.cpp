@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/load_scene.h"
+#include "scene/load/load_scene.h"
 #include "scene/shapes.h"
 
 namespace weft::bench {

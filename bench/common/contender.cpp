@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "device/forwarding_executor.h"
 #include "device/kernel_signature.h"
-#include "frame/renderer.h"
+#include "render/renderer.h"
 
 namespace weft::bench {
 namespace {

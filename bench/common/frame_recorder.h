@@ -18,7 +18,7 @@ struct RecordedFrame {
     shared::RenderParams params{};          ///< of the VPL gathering, and of the primary rays
     shared::SetList list{};                 ///< the VPLs of each set
     std::uint32_t slots = 0;                ///< stride of the planes of receivers
-    std::vector<float> receivers;           ///< planes, see kernels/receivers.h
+    std::vector<float> receivers;           ///< planes, see kernels/core/receivers.h
     std::vector<std::uint32_t> block_sets;  ///< by block of PACKET_BLOCK slots
     std::vector<shared::Vpl> vpls;
     std::unique_ptr<TracedScene> scene;  ///< of the executor that made the frame

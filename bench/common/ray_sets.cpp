@@ -11,7 +11,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "kernels/receivers.h"
+#include "kernels/core/receivers.h"
 
 namespace weft::bench {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/common/frame_recorder.h"
-#include "device/shared_types.h"
 #include "scene/flat_scene.h"
+#include "shared/shared_types.h"
 
 namespace weft::bench {
 

@@ -78,7 +78,8 @@ void read_indirect(const CLI::App& command, RenderOptions& options) {
         options.indirect = source_of(options.preset->sampling);
     const auto text = value_of(command, "--indirect");
     if (!text) return;
-    options.indirect = static_cast<IndirectSource>(parse_name("--indirect", *text, source_names));
+    options.indirect = static_cast<IndirectSource>(
+        parse_name("--indirect", short_algorithm_name(*text), source_names));
     if (!has_indirect_source(options.algorithm))
         throw usage_error("--indirect: is for adaptive sampling, expected --algorithm ais or amax");
 }
@@ -207,8 +208,8 @@ void add_algorithm(CLI::App& render) {
 void read_algorithm(const CLI::App& command, RenderOptions& options) {
     read_preset_file(command, options);
     if (const auto text = value_of(command, "--algorithm"))
-        options.algorithm =
-            static_cast<Algorithm>(parse_name("--algorithm", *text, algorithm_names));
+        options.algorithm = static_cast<Algorithm>(
+            parse_name("--algorithm", short_algorithm_name(*text), algorithm_names));
     read_path(command, options);
     if (options.frame_seconds && options.algorithm != Algorithm::ais)
         throw usage_error("--frame-time: is for adaptive sampling, expected --algorithm ais");

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-#include "schedule/algorithm.h"
-#include "schedule/quality.h"
+#include "plan/algorithm.h"
+#include "plan/quality.h"
 
 namespace CLI {
 class App;

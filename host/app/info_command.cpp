@@ -10,8 +10,8 @@
 #include "app/commands.h"
 #include "app/print.h"
 #include "components/component.h"
-#include "frame/renderer.h"
-#include "scene/load_scene.h"
+#include "render/renderer.h"
+#include "scene/load/load_scene.h"
 
 namespace weft {
 namespace {

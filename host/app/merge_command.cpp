@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "base/file.h"
-#include "frame/film_sums_file.h"
+#include "film/film_sums_file.h"
 #include "image/exr.h"
 
 namespace weft {

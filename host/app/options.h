@@ -16,8 +16,8 @@
 #include "app/frame_options.h"
 #include "app/parse_values.h"
 #include "app/progress.h"
-#include "frame/film_sums.h"
-#include "schedule/preset.h"
+#include "film/film_sums.h"
+#include "plan/preset.h"
 
 namespace CLI {
 class App;

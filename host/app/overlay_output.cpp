@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <string>
 
+#include "adaptive/level_overlay.h"
 #include "app/command_line.h"
 #include "app/options.h"
 #include "base/error.h"
-#include "frame/level_overlay.h"
 
 namespace weft {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/frame_options.h"
-#include "frame/film_sums.h"
+#include "film/film_sums.h"
 #include "scene/scene.h"
 
 namespace weft {

@@ -8,7 +8,7 @@
 
 #include "base/limits.h"
 #include "device/native/embree_scene.h"
-#include "schedule/preset.h"
+#include "plan/preset.h"
 
 namespace weft {
 namespace {

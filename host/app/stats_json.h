@@ -7,7 +7,7 @@
 
 #include "app/options.h"
 #include "device/executor.h"
-#include "frame/renderer.h"
+#include "render/renderer.h"
 #include "session/render_session.h"
 
 namespace weft {

@@ -9,7 +9,7 @@
 
 #include "base/large_memory.h"
 #include "bvh/convex_polygon.h"
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 

@@ -11,8 +11,8 @@
 
 #include "bvh/box.h"
 #include "bvh/convex_polygon.h"
-#include "device/native/embree.h"
-#include "device/shared_types.h"
+#include "bvh/embree.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 

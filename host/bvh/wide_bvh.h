@@ -10,7 +10,7 @@
 
 #include "base/large_memory.h"
 #include "bvh/leaves.h"
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 

@@ -8,7 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "components/interleaved_irradiance.h"
-#include "schedule/halton.h"
+#include "plan/halton.h"
 
 namespace weft {
 namespace {

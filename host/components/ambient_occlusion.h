@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/frame_context.h"
-#include "frame/frame_renderer.h"
-#include "frame/sampling_decision.h"
+#include "adaptive/level_scheduler.h"
+#include "adaptive/sampling_decision.h"
 #include "image/image.h"
-#include "schedule/level_scheduler.h"
+#include "pipeline/frame_context.h"
+#include "pipeline/frame_renderer.h"
 
 namespace weft {
 
@@ -135,11 +135,6 @@ struct ComponentKind {
 /// Irradiance by slot, all dark: what an interrupted frame leaves out is not undefined.
 [[nodiscard]] DeviceBuffer<kinds::SlotLight> dark_irradiance(Executor& executor,
                                                              std::uint32_t slots, const char* what);
-
-/// Work-items of a gather launch that keeps it short whatever the list's length: about a million
-/// rays.
-[[nodiscard]] std::uint32_t gather_items_per_launch(const Executor& executor,
-                                                    std::uint32_t list_length);
 
 }  // namespace weft
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/interleaved_irradiance.h"
 #include "components/soft_shadows.h"
-#include "frame/view_media.h"
-#include "frame/virtual_lights.h"
+#include "pipeline/view_media.h"
+#include "pipeline/virtual_lights.h"
 
 namespace weft {
 namespace {

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "base/stopwatch.h"
+#include "cache/cache_picks.h"
+#include "cache/cached_pixels.h"
+#include "cache/kept_records.h"
+#include "cache/record_pool.h"
+#include "cache/record_store.h"
 #include "components/component.h"
-#include "frame/cached_pixels.h"
-#include "frame/kept_records.h"
-#include "frame/record_pool.h"
-#include "frame/record_store.h"
-#include "frame/virtual_lights.h"
-#include "kernels/cache.h"
-#include "schedule/cache_picks.h"
+#include "kernels/cache/cache.h"
+#include "pipeline/virtual_lights.h"
 
 namespace weft {
 namespace {

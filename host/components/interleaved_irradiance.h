@@ -7,8 +7,8 @@
 #include <functional>
 #include <memory>
 
+#include "adaptive/adaptive_sampling.h"
 #include "components/component.h"
-#include "frame/adaptive_sampling.h"
 
 namespace weft {
 

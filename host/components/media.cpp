@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "components/interleaved_irradiance.h"
-#include "frame/view_media.h"
-#include "frame/virtual_lights.h"
+#include "pipeline/view_media.h"
+#include "pipeline/virtual_lights.h"
 
 namespace weft {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "adaptive/brightness.h"
 #include "base/stopwatch.h"
-#include "frame/virtual_lights.h"
-#include "schedule/brightness.h"
+#include "pipeline/virtual_lights.h"
 
 namespace weft {
 namespace {

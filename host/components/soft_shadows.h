@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive/sampling_decision.h"
+#include "adaptive/shadow_edges.h"
 #include "components/component.h"
-#include "frame/sampling_decision.h"
-#include "schedule/shadow_edges.h"
 
 namespace weft {
 

@@ -12,18 +12,18 @@
 #include <vector>
 
 #include "device/executor.h"
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 
-/// What buffers hold, one type for each kind of kernels/buffers.def: its Element is one entry.
+/// What buffers hold, one type for each kind of kernels/core/buffers.def: its Element is one entry.
 namespace kinds {
 using namespace shared;
 #define WEFT_BUFFER(kind, element) \
     struct kind {                  \
         using Element = element;   \
     };
-#include "../../kernels/buffers.def"
+#include "kernels/core/buffers.def"
 #undef WEFT_BUFFER
 }  // namespace kinds
 

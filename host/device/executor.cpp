@@ -18,7 +18,7 @@ struct KernelEntry {
 
 constexpr std::array kernel_entries{
 #define WEFT_KERNEL_ENTRY(name, chunk) KernelEntry{#name, chunk},
-#include "../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };
 

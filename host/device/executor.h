@@ -15,14 +15,14 @@
 #include <vector>
 
 #include "bvh/wide_bvh.h"
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 
-/// Every kernel, by the names of kernels/kernels.def.
+/// Every kernel, by the names of kernels/core/kernels.def.
 enum class KernelId : std::uint32_t {
 #define WEFT_KERNEL_ENTRY(name, chunk) name,
-#include "../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };
 

@@ -6,8 +6,8 @@
 
 #include <array>
 
-#include "../../kernels/signatures.h"
 #include "base/error.h"
+#include "kernels/core/signatures.h"
 
 namespace weft {
 namespace {
@@ -47,7 +47,7 @@ constexpr std::size_t bytes_of(const std::array<ArgumentInfo, N>& arguments, boo
     constexpr bool traces_##kernel = (0 ARGUMENTS_##kernel(WEFT_TRACES)) != 0;          \
     static_assert(bytes_of(arguments_##kernel, traces_##kernel) <= most_argument_bytes, \
                   "the arguments of kernel " #kernel " take more than 1024 bytes together");
-#include "../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 
 struct Signature {
@@ -58,7 +58,7 @@ struct Signature {
 
 constexpr std::array signatures{
 #define WEFT_KERNEL_ENTRY(kernel, chunk) Signature{#kernel, arguments_##kernel, traces_##kernel},
-#include "../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };
 

@@ -12,7 +12,7 @@
 
 namespace weft {
 
-/// One argument of a kernel as kernels/signatures.h declares it.
+/// One argument of a kernel as kernels/core/signatures.h declares it.
 struct ArgumentInfo {
     std::string_view name;
     bool is_value;      ///< else a buffer

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "../../kernels/signatures.h"
 #include "device/device_buffer.h"
 #include "device/executor.h"
+#include "kernels/core/signatures.h"
 
 namespace weft {
 
@@ -90,7 +90,7 @@ class ArgumentBinder {
 #define WEFT_OWNED_FIELD(mode, kind, name) DeviceBuffer<kinds::kind> name;
 #define WEFT_VIEW_FIELD(mode, kind, name) .name = owned.name,
 
-/// WEFT_GROUP(name): the buffers of GROUP_<name> (kernels/argument_groups.h) as arguments, as
+/// WEFT_GROUP(name): the buffers of GROUP_<name> (kernels/core/argument_groups.h) as arguments, as
 /// memory of its own (owned::name), and what makes arguments of that.
 #define WEFT_GROUP(name)                                                      \
     namespace groups {                                                        \
@@ -127,7 +127,7 @@ using namespace shared;
             ARGUMENTS_##kernel(WEFT_BIND)                                           \
         }                                                                           \
     };
-#include "../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 }  // namespace kernels
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/srgb.h"
+#include "image/srgb.h"
 
 namespace weft {
 namespace {

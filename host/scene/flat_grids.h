@@ -7,14 +7,14 @@
 #include <map>
 #include <vector>
 
-#include "device/shared_types.h"
 #include "scene/scene.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 
 struct KernelUnits;
 
-/// Density grids as kernels read them (kernels/density_grid.h). Densities are shares of the
+/// Density grids as kernels read them (kernels/media/density_grid.h). Densities are shares of the
 /// greatest one of their grid, so that however large they are no product with them overflows.
 struct FlatGrids {
     std::vector<shared::DensityGridRecord> records;  ///< one for each medium that has a grid

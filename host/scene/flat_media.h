@@ -7,16 +7,16 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "device/shared_types.h"
 #include "scene/flat_grids.h"
 #include "scene/scene.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 
 struct KernelUnits;
 
-/// Participating media as kernels read them (kernels/medium_walk.h), in kernel units. Empty where
-/// no medium of the scene takes anything from light or adds to it.
+/// Participating media as kernels read them (kernels/media/medium_walk.h), in kernel units. Empty
+/// where no medium of the scene takes anything from light or adds to it.
 struct FlatMedia {
     std::vector<shared::MediumRecord> records;
     /// What lies inside and outside of boundaries; `around_camera` is left to the renderer.

@@ -7,9 +7,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "device/shared_types.h"
 #include "scene/flat_media.h"
 #include "scene/scene.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <span>
 
-#include "device/shared_types.h"
 #include "scene/flat_scene.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 

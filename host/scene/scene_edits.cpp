@@ -15,12 +15,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/json_file.h"
+#include "base/json_value.h"
 #include "base/limits.h"
 #include "base/quote.h"
-#include "scene/gltf_json.h"
-#include "scene/gltf_nodes.h"
-#include "scene/json_file.h"
 #include "scene/mesh_edit.h"
+#include "scene/pose_json.h"
 
 namespace weft {
 namespace {
@@ -30,7 +30,7 @@ using Keys = std::initializer_list<const char*>;
 using Names = std::map<std::string, std::vector<std::uint32_t>>;
 
 /// The one key of `keys` that an object has.
-std::string only_key(const GltfValue& value, Keys keys) {
+std::string only_key(const JsonValue& value, Keys keys) {
     std::string found;
     for (const char* key : keys) {
         if (!value.find(key)) continue;
@@ -42,21 +42,21 @@ std::string only_key(const GltfValue& value, Keys keys) {
     return found;
 }
 
-glm::dvec3 vector_of(const GltfValue& value, const char* key) {
+glm::dvec3 vector_of(const JsonValue& value, const char* key) {
     (void)value.at(key);
     const std::array<double, 3> v = value.numbers_or<3>(key, {});
     return {v[0], v[1], v[2]};
 }
 
-double factor_of(const GltfValue& value) {
+double factor_of(const JsonValue& value) {
     const double factor = value.as_number();
     if (factor < 0.0) throw value.error("is negative, expected a factor from 0 on");
     return factor;
 }
 
-std::optional<glm::vec3> colour_of(const GltfValue& value, const char* key, double largest,
+std::optional<glm::vec3> colour_of(const JsonValue& value, const char* key, double largest,
                                    const char* expected) {
-    const std::optional<GltfValue> member = value.find(key);
+    const std::optional<JsonValue> member = value.find(key);
     if (!member) return std::nullopt;
     const glm::dvec3 colour = vector_of(value, key);
     for (int i = 0; i < 3; ++i)
@@ -65,7 +65,7 @@ std::optional<glm::vec3> colour_of(const GltfValue& value, const char* key, doub
     return glm::vec3(colour);
 }
 
-std::uint32_t frame_of(const GltfValue& value) {
+std::uint32_t frame_of(const JsonValue& value) {
     constexpr std::uint64_t largest = (std::uint64_t{1} << 31) - 1;
     const std::uint64_t frame = value.as_integer();
     if (frame > largest)
@@ -74,7 +74,7 @@ std::uint32_t frame_of(const GltfValue& value) {
     return static_cast<std::uint32_t>(frame);
 }
 
-ObjectTurn read_turn(const GltfValue& value, const Json& json) {
+ObjectTurn read_turn(const JsonValue& value, const Json& json) {
     ObjectTurn turn;
     turn.axis = vector_of(value, "axis");
     check_keys(value, json, {"axis", "degrees", "about"});
@@ -88,8 +88,8 @@ ObjectTurn read_turn(const GltfValue& value, const Json& json) {
     return turn;
 }
 
-ObjectScale read_scale(const GltfValue& value, const Json& json) {
-    const GltfValue scale = value.at("scale");
+ObjectScale read_scale(const JsonValue& value, const Json& json) {
+    const JsonValue scale = value.at("scale");
     const glm::dvec3 factor =
         json.at("scale").is_array() ? vector_of(value, "scale") : glm::dvec3(scale.as_number());
     if (!(factor.x > 0.0 && factor.y > 0.0 && factor.z > 0.0))
@@ -97,8 +97,8 @@ ObjectScale read_scale(const GltfValue& value, const Json& json) {
     return {factor};
 }
 
-glm::dmat4 read_placement(const GltfValue& value) {
-    const glm::dmat4 to_world = matrix_of(read_gltf_pose(value));
+glm::dmat4 read_placement(const JsonValue& value) {
+    const glm::dmat4 to_world = matrix_of(read_pose(value));
     if (const char* flaw = transform_flaw(to_world))
         throw value.error(std::string("gives ") + flaw);
     return to_world;
@@ -112,7 +112,7 @@ Names names_of(const Things& things) {
     return names;
 }
 
-const std::vector<std::uint32_t>& look_up(const Names& names, const GltfValue& name,
+const std::vector<std::uint32_t>& look_up(const Names& names, const JsonValue& name,
                                           const char* kind) {
     const auto found = names.find(name.as_string());
     if (found == names.end())
@@ -122,7 +122,7 @@ const std::vector<std::uint32_t>& look_up(const Names& names, const GltfValue& n
 }
 
 /// The only light or material of a name.
-std::uint32_t look_up_one(const Names& names, const GltfValue& name, const char* kind) {
+std::uint32_t look_up_one(const Names& names, const JsonValue& name, const char* kind) {
     const std::vector<std::uint32_t>& found = look_up(names, name, kind);
     if (found.size() > 1)
         throw name.error(std::string("is ") + quote(name.as_string()) + ", but " +
@@ -146,8 +146,8 @@ class EditReader {
     EditTimeline timeline;
     std::vector<Instance> added;
 
-    void read(const GltfValue& root, const Json& json) {
-        const GltfValue list = root.at("edits");
+    void read(const JsonValue& root, const Json& json) {
+        const JsonValue list = root.at("edits");
         check_keys(root, json, {"edits"});
         const std::size_t count = list.size();
         if (count > limits::max_scene_edits)
@@ -162,13 +162,13 @@ class EditReader {
     }
 
   private:
-    SceneEdit read_edit(const GltfValue& value, const Json& json) {
+    SceneEdit read_edit(const JsonValue& value, const Json& json) {
         const std::string target = only_key(value, {"object", "light", "material"});
         SceneEdit edit;
         edit.place = value.place();
         edit.frame = frame_of(value.at("frame"));
         edit.until = edit.frame;
-        if (const std::optional<GltfValue> until = value.find("until")) {
+        if (const std::optional<JsonValue> until = value.find("until")) {
             edit.until = frame_of(*until);
             if (edit.until <= edit.frame)
                 throw until->error("is " + std::to_string(edit.until) +
@@ -180,12 +180,12 @@ class EditReader {
         return edit;
     }
 
-    void read_object_edit(const GltfValue& value, const Json& json, SceneEdit& edit) {
+    void read_object_edit(const JsonValue& value, const Json& json, SceneEdit& edit) {
         check_keys(value, json,
                    {"frame", "until", "object", "move", "rotate", "scale", "remove", "add"});
         const std::string kind = only_key(value, {"move", "rotate", "scale", "remove", "add"});
-        const GltfValue name = value.at("object");
-        const GltfValue change = value.at(kind.c_str());
+        const JsonValue name = value.at("object");
+        const JsonValue change = value.at(kind.c_str());
         edit.place = change.place();
         const std::vector<std::uint32_t>& instances = look_up(objects_, name, "object");
         if (instances.size() > limits::max_edit_targets - targets_)
@@ -216,9 +216,9 @@ class EditReader {
     }
 
     /// Copies instances under a new name, and returns where the copies will be.
-    std::vector<std::uint32_t> add_object(const GltfValue& value, const Json& json,
+    std::vector<std::uint32_t> add_object(const JsonValue& value, const Json& json,
                                           const std::vector<std::uint32_t>& originals) {
-        const GltfValue name = value.at("name");
+        const JsonValue name = value.at("name");
         check_keys(value, json, {"name", "translation", "rotation", "scale", "material"});
         const std::string& text = name.as_string();
         if (text.empty() || text.size() > limits::max_name_bytes)
@@ -227,7 +227,7 @@ class EditReader {
         if (objects_.contains(text))
             throw name.error("is " + quote(text) + ", which an object is called already");
         const glm::dmat4 to_world = read_placement(value);
-        const std::optional<GltfValue> material = value.find("material");
+        const std::optional<JsonValue> material = value.find("material");
         std::vector<std::uint32_t> copies;
         const Instance first = instance(originals.front());
         for (const std::uint32_t index : originals) {
@@ -248,7 +248,7 @@ class EditReader {
         return copies;
     }
 
-    void count_copy(const GltfValue& value, const Instance& copy) {
+    void count_copy(const JsonValue& value, const Instance& copy) {
         const auto check = [&](std::size_t count, std::size_t most, const char* what) {
             if (count > most)
                 throw value.error("brings the scene above the limit of " + std::to_string(most) +
@@ -263,12 +263,12 @@ class EditReader {
             throw value.error("is placed too far from the origin");
     }
 
-    void read_light_edit(const GltfValue& value, const Json& json, SceneEdit& edit) const {
+    void read_light_edit(const JsonValue& value, const Json& json, SceneEdit& edit) const {
         check_keys(value, json, {"frame", "until", "light", "intensity", "move"});
         const std::uint32_t light = look_up_one(lights_, value.at("light"), "light");
         LightChange change;
-        const std::optional<GltfValue> factor = value.find("intensity");
-        const std::optional<GltfValue> move = value.find("move");
+        const std::optional<JsonValue> factor = value.find("intensity");
+        const std::optional<JsonValue> move = value.find("move");
         if (!factor && !move) throw value.error("lacks a change, expected 'intensity' or 'move'");
         if (factor) change.factor = factor_of(*factor);
         if (move) change.move = vector_of(value, "move");
@@ -278,7 +278,7 @@ class EditReader {
         edit.change = change;
     }
 
-    void read_material_edit(const GltfValue& value, const Json& json, SceneEdit& edit) const {
+    void read_material_edit(const JsonValue& value, const Json& json, SceneEdit& edit) const {
         check_keys(value, json,
                    {"frame", "until", "material", "albedo", "emission", "emission_factor"});
         edit.targets = {look_up_one(materials_, value.at("material"), "material")};
@@ -286,7 +286,7 @@ class EditReader {
         change.albedo = colour_of(value, "albedo", 1.0, "is outside [0, 1]");
         change.emission = colour_of(value, "emission", std::numeric_limits<float>::max(),
                                     "is negative or not finite as a float");
-        const std::optional<GltfValue> factor = value.find("emission_factor");
+        const std::optional<JsonValue> factor = value.find("emission_factor");
         if (factor) change.emission_factor = factor_of(*factor);
         if (!change.albedo && !change.emission && !factor)
             throw value.error("lacks a change, expected 'albedo', 'emission' or 'emission_factor'");

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft::selftest {
 

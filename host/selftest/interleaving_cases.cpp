@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "frame/level_overlay.h"
+#include "adaptive/level_overlay.h"
 #include "selftest/case_groups.h"
 #include "selftest/measurements.h"
 #include "selftest/room_scenes.h"

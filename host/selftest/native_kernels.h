@@ -4,7 +4,7 @@
 // A file of kernels/ as C++ at one lane, in namespace `native`, for checks that call its functions
 // one by one:
 //
-//   #define NATIVE_KERNELS "kernels/medium.h"
+//   #define NATIVE_KERNELS "kernels/media/medium.h"
 //   #include "selftest/native_kernels.h"
 //
 // NATIVE_KERNELS_TOO may name a second file. A source file can do this once, after everything that
@@ -23,7 +23,7 @@
 #endif
 
 #define LANES 1
-#undef WEFT_TYPES_H  // the host's structs are those of another namespace
+#undef WEFT_KERNELS_CORE_TYPES_H  // the host's structs are those of another namespace
 #pragma GCC diagnostic push
 // A check uses a part of what it includes.
 #pragma GCC diagnostic ignored "-Wunused-function"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "frame/path_renderer.h"
+#include "render/path_renderer.h"
 #include "selftest/rendering.h"
 #include "selftest/statistics.h"
 

@@ -9,7 +9,7 @@
 
 #include "selftest/ray_batch.h"
 
-// Closest hits by testing every triangle, in the arithmetic of kernels/triangle.h written anew.
+// Closest hits by testing every triangle, in the arithmetic of kernels/bvh/triangle.h written anew.
 namespace weft::selftest {
 
 /// What the builder of trees takes in.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/renderer.h"
+#include "render/renderer.h"
 #include "scene/flat_scene.h"
 #include "scene/scene.h"
 

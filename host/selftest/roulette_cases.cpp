@@ -9,7 +9,7 @@
 #include "selftest/path_rendering.h"
 #include "selftest/scene_builder.h"
 
-#define NATIVE_KERNELS "kernels/path.cl"
+#define NATIVE_KERNELS "kernels/path/path.cl"
 #include "selftest/native_kernels.h"
 
 // Russian roulette: whatever the probability of survival, the mean stays.

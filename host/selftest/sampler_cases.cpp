@@ -6,12 +6,12 @@
 #include <functional>
 #include <stdexcept>
 
-#include "frame/film_sums.h"
+#include "film/film_sums.h"
 #include "selftest/case_groups.h"
 #include "selftest/chi_square.h"
 
-#define NATIVE_KERNELS "kernels/path.cl"
-#define NATIVE_KERNELS_TOO "kernels/medium.h"
+#define NATIVE_KERNELS "kernels/path/path.cl"
+#define NATIVE_KERNELS_TOO "kernels/media/medium.h"
 #include "selftest/native_kernels.h"
 
 // Functions of the kernels by themselves, natively: what samplers promise, and what counters hold.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "device/executor.h"
-#include "frame/frame_renderer.h"
+#include "pipeline/frame_renderer.h"
 #include "session/display_driver.h"
 
 namespace weft {

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <utility>
 
-#include "frame/film_sums_file.h"
+#include "film/film_sums_file.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "session/overlay_files.h"

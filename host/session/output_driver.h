@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "frame/film_sums.h"
+#include "film/film_sums.h"
 #include "image/image.h"
-#include "schedule/algorithm.h"
+#include "plan/algorithm.h"
 
 namespace weft {
 

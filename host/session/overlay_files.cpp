@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "frame/level_overlay.h"
+#include "adaptive/level_overlay.h"
 #include "image/png.h"
 
 namespace weft {

@@ -12,8 +12,8 @@
 #include <variant>
 
 #include "device/cancellable_executor.h"
-#include "frame/path_renderer.h"
-#include "frame/renderer.h"
+#include "render/path_renderer.h"
+#include "render/renderer.h"
 #include "scene/moving_scene.h"
 #include "session/display_resolve.h"
 #include "session/output_driver.h"

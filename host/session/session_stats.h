@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/frame_renderer.h"
+#include "pipeline/frame_renderer.h"
 
 namespace weft {
 

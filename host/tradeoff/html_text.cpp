@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scene/base64.h"
+#include "base/base64.h"
 
 namespace weft {
 namespace {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "frame/path_renderer.h"
-#include "frame/renderer.h"
-#include "schedule/algorithm.h"
+#include "plan/algorithm.h"
+#include "render/path_renderer.h"
+#include "render/renderer.h"
 
 namespace weft {
 namespace {

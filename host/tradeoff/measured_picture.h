@@ -8,9 +8,9 @@
 
 #include "device/executor.h"
 #include "image/image.h"
+#include "plan/preset.h"
 #include "scene/flat_scene.h"
 #include "scene/scene.h"
-#include "schedule/preset.h"
 
 namespace weft {
 

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "base/file.h"
+#include "base/json_file.h"
 #include "base/limits.h"
 #include "base/quote.h"
 #include "image/load_image.h"
-#include "scene/json_file.h"
 
 namespace weft {
 namespace {
@@ -26,8 +26,8 @@ constexpr std::size_t max_notes = 100;
 constexpr std::size_t max_note_bytes = 2000;
 constexpr double seconds_per_year = 365.0 * 24.0 * 3600.0;
 
-double number_of(const GltfValue& value, const char* key, double least, double most) {
-    const GltfValue member = value.at(key);
+double number_of(const JsonValue& value, const char* key, double least, double most) {
+    const JsonValue member = value.at(key);
     const double number = member.as_number();
     if (!(number >= least && number <= most))
         throw member.error(
@@ -35,7 +35,7 @@ double number_of(const GltfValue& value, const char* key, double least, double m
     return number;
 }
 
-std::string text_of(const GltfValue& value, std::size_t most) {
+std::string text_of(const JsonValue& value, std::size_t most) {
     const std::string& text = value.as_string();
     if (text.empty() || text.size() > most)
         throw value.error(fmt::format("has {} bytes, expected 1 to {}", text.size(), most));
@@ -43,7 +43,7 @@ std::string text_of(const GltfValue& value, std::size_t most) {
 }
 
 /// The beauty of a picture as RGB, without what else its file holds, such as opacity.
-Image colours_of(const Image& image, const FilmSize& size, const GltfValue& name) {
+Image colours_of(const Image& image, const FilmSize& size, const JsonValue& name) {
     const std::string picture = quote(name.as_string());
     if (image.width != size.width || image.height != size.height)
         throw name.error(fmt::format("names {}, which is of {} x {} pixels, expected {} x {}",
@@ -61,7 +61,7 @@ Image colours_of(const Image& image, const FilmSize& size, const GltfValue& name
     return {.width = image.width, .height = image.height, .layers = {colours}, .metadata = {}};
 }
 
-Image picture_of(const std::filesystem::path& file, const GltfValue& name, const FilmSize& size) {
+Image picture_of(const std::filesystem::path& file, const JsonValue& name, const FilmSize& size) {
     const std::string& text = name.as_string();
     // Messages hold the path, and are of one line.
     const auto is_control = [](char c) {
@@ -80,7 +80,7 @@ Image picture_of(const std::filesystem::path& file, const GltfValue& name, const
     return colours_of(image, size, name);
 }
 
-PeerPoint read_picture(const std::filesystem::path& file, const GltfValue& value,
+PeerPoint read_picture(const std::filesystem::path& file, const JsonValue& value,
                        const nlohmann::json& json, const FilmSize& size) {
     PeerPoint peer;
     peer.name = text_of(value.at("name"), limits::max_name_bytes);
@@ -94,7 +94,7 @@ PeerPoint read_picture(const std::filesystem::path& file, const GltfValue& value
     return peer;
 }
 
-std::size_t size_of(const GltfValue& list, std::size_t most) {
+std::size_t size_of(const JsonValue& list, std::size_t most) {
     const std::size_t count = list.size();
     if (count > most)
         throw list.error(fmt::format("has {} elements, expected at most {}", count, most));
@@ -105,8 +105,8 @@ std::size_t size_of(const GltfValue& list, std::size_t most) {
 
 PeerPictures read_peer_pictures(const std::filesystem::path& file, const FilmSize& size) {
     const nlohmann::json json = read_json_file(file, max_file_bytes);
-    const GltfValue value(json, file.string() + "#");
-    const GltfValue version = value.at("weft_peers");
+    const JsonValue value(json, file.string() + "#");
+    const JsonValue version = value.at("weft_peers");
     if (version.as_integer() != 1)
         throw version.error(fmt::format("is version {}, expected 1", version.as_integer()));
     check_keys(value, json, {"weft_peers", "pictures", "notes"});
@@ -115,7 +115,7 @@ PeerPictures read_peer_pictures(const std::filesystem::path& file, const FilmSiz
     if (const auto notes = value.find("notes"))
         for (std::size_t i = 0; i < size_of(*notes, max_notes); ++i)
             peers.notes.push_back(text_of(notes->element(i), max_note_bytes));
-    const GltfValue pictures = value.at("pictures");
+    const JsonValue pictures = value.at("pictures");
     const std::size_t count = size_of(pictures, max_pictures);
     const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
     if (count * pixels > max_pixels)

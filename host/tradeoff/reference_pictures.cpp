@@ -14,9 +14,9 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "frame/film_sums_file.h"
-#include "frame/path_renderer.h"
+#include "film/film_sums_file.h"
 #include "image/exr.h"
+#include "render/path_renderer.h"
 
 namespace weft {
 namespace {

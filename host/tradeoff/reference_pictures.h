@@ -10,8 +10,8 @@
 #include <string>
 
 #include "device/executor.h"
-#include "frame/path_renderer.h"
 #include "image/image.h"
+#include "render/path_renderer.h"
 #include "scene/flat_scene.h"
 #include "scene/scene.h"
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "schedule/algorithm.h"
-#include "schedule/quality.h"
+#include "plan/algorithm.h"
+#include "plan/quality.h"
 
 namespace weft {
 namespace {

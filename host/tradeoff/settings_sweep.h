@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "schedule/preset.h"
+#include "plan/preset.h"
 
 namespace weft {
 

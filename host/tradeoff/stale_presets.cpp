@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/json_file.h"
 #include "base/limits.h"
-#include "scene/json_file.h"
 #include "tradeoff/advice.h"
 
 namespace weft {
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 constexpr std::size_t max_preset_bytes = std::size_t{1} << 20;
 
 /// Whether advice on that question has a file of that name: no file may lead a run elsewhere.
-bool is_its_name(const GltfValue& advice, const std::string& name) {
+bool is_its_name(const JsonValue& advice, const std::string& name) {
     if (const auto budget = advice.find("budget_ms"))
         return name == preset_file_for_budget(budget->as_number());
     return name == preset_file_for_error(advice.at("error").as_number());
@@ -33,12 +33,12 @@ const Json* settings_of(const Json& report, const std::string& point) {
 }
 
 std::vector<WrittenPreset> presets_in(const Json& report, const std::string& place) {
-    const GltfValue value(report, place);
+    const JsonValue value(report, place);
     std::vector<WrittenPreset> found;
     if (value.at("weft_tradeoff").as_integer() != 1) return found;
-    const GltfValue answers = value.at("advice");
+    const JsonValue answers = value.at("advice");
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        const GltfValue advice = answers.element(i);
+        const JsonValue advice = answers.element(i);
         if (report.at("advice")[i].at("preset").is_null()) continue;
         const std::string& name = advice.at("preset").as_string();
         const Json* const settings = settings_of(report, advice.at("point").as_string());

@@ -11,8 +11,8 @@
 
 #include "base/limits.h"
 #include "image/png.h"
+#include "image/srgb.h"
 #include "metrics/heat_map.h"
-#include "scene/srgb.h"
 #include "tradeoff/html_text.h"
 
 namespace weft {

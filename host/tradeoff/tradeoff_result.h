@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "image/image.h"
-#include "schedule/preset.h"
+#include "plan/preset.h"
 
 namespace weft {
 

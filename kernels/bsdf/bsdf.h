@@ -7,11 +7,11 @@
 // Directions are unit vectors in the frame of the surface, about +z, its normal (local_direction,
 // turn_to): `out` leads to where light goes, to the camera for a path from there, and `in` to where
 // it comes from. Both point away from the surface.
-#ifndef WEFT_BSDF_BSDF_H
-#define WEFT_BSDF_BSDF_H
+#ifndef WEFT_KERNELS_BSDF_BSDF_H
+#define WEFT_KERNELS_BSDF_BSDF_H
 
-#include "bsdf/lambert.h"
-#include "bsdf/lobe.h"
+#include "kernels/bsdf/lambert.h"
+#include "kernels/bsdf/lobe.h"
 
 // Each is a case of a switch over the lobe, which returns what the lobe's function of that name
 // does. They use the parameters of the functions below by their names.

@@ -4,11 +4,11 @@
 // Lambert's law: a diffuse surface reflects the same radiance in all directions, which is its
 // albedo over pi times the irradiance. Whatever takes a surface to be diffuse takes the law from
 // here.
-#ifndef WEFT_BSDF_LAMBERT_H
-#define WEFT_BSDF_LAMBERT_H
+#ifndef WEFT_KERNELS_BSDF_LAMBERT_H
+#define WEFT_KERNELS_BSDF_LAMBERT_H
 
-#include "bsdf/lobe.h"
-#include "sampling.h"
+#include "kernels/bsdf/lobe.h"
+#include "kernels/core/sampling.h"
 
 /// Radiance that a surface reflects by irradiance 1; its albedo is a float, a float3 or a WFloat.
 #define LAMBERT_REFLECTANCE(albedo) ((albedo)*M_INV_PI)

@@ -3,12 +3,12 @@
 //
 // What every lobe is made of: its parameters at one point of a surface, and what its functions
 // return (bsdf/bsdf.h).
-#ifndef WEFT_BSDF_LOBE_H
-#define WEFT_BSDF_LOBE_H
+#ifndef WEFT_KERNELS_BSDF_LOBE_H
+#define WEFT_KERNELS_BSDF_LOBE_H
 
-#include "bsdf/lobes.h"
-#include "port.h"
-#include "types.h"
+#include "kernels/bsdf/lobes.h"
+#include "kernels/core/port.h"
+#include "kernels/core/types.h"
 
 // Numbers of the lobes.
 #define LOBE_ENUMERATOR(NUMBER, name, surface) LOBE_##NUMBER,

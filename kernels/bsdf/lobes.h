@@ -5,8 +5,8 @@
 // materials, bsdf/<name>.h has its functions <name>_flags, <name>_eval and so on (bsdf/bsdf.h), and
 // `surface` is the struct of its parameters that scene readers fill in (host/scene/surface/).
 // Lambert's lobe is the first, which stands for any number that is not in the list.
-#ifndef WEFT_BSDF_LOBES_H
-#define WEFT_BSDF_LOBES_H
+#ifndef WEFT_KERNELS_BSDF_LOBES_H
+#define WEFT_KERNELS_BSDF_LOBES_H
 
 #define ALL_LOBES(ENTRY) ENTRY(LAMBERT, lambert, DiffuseSurface)
 

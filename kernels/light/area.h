@@ -3,12 +3,12 @@
 //
 // Area lights are emissive triangles of one instance, which shine with the same radiance in all
 // directions, to the outside of their triangles or to both sides.
-#ifndef WEFT_LIGHT_AREA_H
-#define WEFT_LIGHT_AREA_H
+#ifndef WEFT_KERNELS_LIGHT_AREA_H
+#define WEFT_KERNELS_LIGHT_AREA_H
 
-#include "geometry.h"
-#include "light/light_sample.h"
-#include "offset.h"
+#include "kernels/bvh/geometry.h"
+#include "kernels/core/offset.h"
+#include "kernels/light/light_sample.h"
 
 #define EMISSIVE_STRIDE ((uint)(sizeof(EmissiveTriangle) / sizeof(float)))
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Directional lights send parallel light from infinitely far away; their power is its irradiance.
-#ifndef WEFT_LIGHT_DISTANT_H
-#define WEFT_LIGHT_DISTANT_H
+#ifndef WEFT_KERNELS_LIGHT_DISTANT_H
+#define WEFT_KERNELS_LIGHT_DISTANT_H
 
-#include "light/light_sample.h"
+#include "kernels/light/light_sample.h"
 
 /// Where the light comes from, a unit vector.
 static inline float3 distant_direction(LightRecord light) {

@@ -3,10 +3,10 @@
 //
 // The environment sends the same radiance from every direction in which nothing lies. Path tracing
 // finds it by scattered rays alone, so that next-event estimation never chooses it.
-#ifndef WEFT_LIGHT_ENVIRONMENT_H
-#define WEFT_LIGHT_ENVIRONMENT_H
+#ifndef WEFT_KERNELS_LIGHT_ENVIRONMENT_H
+#define WEFT_KERNELS_LIGHT_ENVIRONMENT_H
 
-#include "light/distant.h"
+#include "kernels/light/distant.h"
 
 #define SPHERE_SOLID_ANGLE 12.5663706f  // 4 pi
 

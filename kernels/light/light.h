@@ -3,13 +3,13 @@
 //
 // Chooses lights and asks them what they send: the one place that knows which kinds there are
 // (docs/adding-a-light.md).
-#ifndef WEFT_LIGHT_LIGHT_H
-#define WEFT_LIGHT_LIGHT_H
+#ifndef WEFT_KERNELS_LIGHT_LIGHT_H
+#define WEFT_KERNELS_LIGHT_LIGHT_H
 
-#include "light/area.h"
-#include "light/distant.h"
-#include "light/environment.h"
-#include "light/punctual.h"
+#include "kernels/light/area.h"
+#include "kernels/light/distant.h"
+#include "kernels/light/environment.h"
+#include "kernels/light/punctual.h"
 
 #define LIGHT_STRIDE ((uint)(sizeof(LightRecord) / sizeof(float)))
 

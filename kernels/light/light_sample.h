@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // These structs hold what all kinds of light are asked for, and what they answer.
-#ifndef WEFT_LIGHT_LIGHT_SAMPLE_H
-#define WEFT_LIGHT_LIGHT_SAMPLE_H
+#ifndef WEFT_KERNELS_LIGHT_LIGHT_SAMPLE_H
+#define WEFT_KERNELS_LIGHT_LIGHT_SAMPLE_H
 
-#include "sampling.h"
-#include "triangle.h"
+#include "kernels/bvh/triangle.h"
+#include "kernels/core/sampling.h"
 
 // Numbers in [0, 1) by which a light path begins.
 typedef struct {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Point and spot lights have an intensity, W/sr, which falls off between two cones for spot lights.
-#ifndef WEFT_LIGHT_PUNCTUAL_H
-#define WEFT_LIGHT_PUNCTUAL_H
+#ifndef WEFT_KERNELS_LIGHT_PUNCTUAL_H
+#define WEFT_KERNELS_LIGHT_PUNCTUAL_H
 
-#include "light/light_sample.h"
+#include "kernels/light/light_sample.h"
 
 /// glTF's spot falloff between the cones (KHR_lights_punctual), in [0, 1].
 static inline float spot_falloff(float cosine, float cos_inner, float cos_outer) {

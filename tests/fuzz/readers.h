@@ -7,7 +7,7 @@
 #include <span>
 
 #include "scene/scene.h"
-#include "tests/temporary_folder.h"
+#include "tests/testing/temporary_folder.h"
 
 namespace weft::fuzz {
 

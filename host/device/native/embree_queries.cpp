@@ -3,10 +3,10 @@
 #include <cstring>
 #include <limits>
 
-#include "device/native/embree.h"
+#include "bvh/embree.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_scene.h"
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 namespace {

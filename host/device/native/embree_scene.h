@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "bvh/embree.h"
 #include "device/executor.h"
-#include "device/native/embree.h"
 
 namespace weft {
 

@@ -21,9 +21,9 @@
 namespace WEFT_NATIVE_NAMESPACE {
 namespace {
 
-#include "../../../kernels/kernel.h"
-#include "../../../kernels/port.h"
-#include "../../../kernels/types.h"
+#include "kernels/core/kernel.h"
+#include "kernels/core/port.h"
+#include "kernels/core/types.h"
 
 // Every .cl file of kernels/.
 #include "native_kernels.def"
@@ -62,12 +62,12 @@ struct Adapter<Function> {
 #define WEFT_KERNEL_ENTRY(name, chunk)                                               \
     static_assert(std::is_same_v<decltype(name), void(WEFT_KERNEL_ARGUMENTS(name))>, \
                   "kernel " #name " is not defined as signatures.h declares it");
-#include "../../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 
 constexpr weft::NativeKernel kernel_table[] = {
 #define WEFT_KERNEL_ENTRY(name, chunk) {#name, &Adapter<&name>::run},
-#include "../../../kernels/kernels.def"
+#include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };
 

@@ -24,7 +24,7 @@
 #include "device/kernel_signature.h"
 #include "device/opencl/opencl_devices.h"
 #include "device/opencl/program_cache.h"
-#include "device/shared_types.h"
+#include "shared/shared_types.h"
 
 namespace weft {
 namespace {

@@ -40,9 +40,9 @@ std::string kernel_file(std::string_view kernel) {
     return file;
 }
 
-/// The file between the quotes of an #include line, or empty.
+/// The file that an #include line names, relative to kernels/; empty for other lines.
 std::string_view included_file(std::string_view line) {
-    constexpr std::string_view directive = "#include \"";
+    constexpr std::string_view directive = "#include \"kernels/";
     if (!line.starts_with(directive)) return {};
     line.remove_prefix(directive.size());
     return line.substr(0, line.find('"'));

@@ -1,0 +1,95 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_ADAPTIVE_ADAPTIVE_SAMPLING_H
+#define WEFT_ADAPTIVE_ADAPTIVE_SAMPLING_H
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adaptive/level_fade.h"
+#include "adaptive/level_scheduler.h"
+#include "adaptive/sampling_decision.h"
+#include "pipeline/frame_context.h"
+#include "pipeline/tile_geometry.h"
+
+namespace weft {
+
+/// Samples of one component where its scheduler wants them: executes what LevelScheduler decides.
+class AdaptiveSampling : public SamplingDecision {
+  public:
+    /// What a component does in a frame.
+    struct Steps {
+        /// Makes the samples of slots [first, first + count), both multiples of PACKET_BLOCK.
+        std::function<void(std::uint32_t first, std::uint32_t count)> gather;
+        /// Where given: tells, once the coarse lattice has its samples, the least level of each
+        /// tile.
+        std::function<std::vector<Level>()> least_levels;
+    };
+
+    AdaptiveSampling(Executor& executor, const TileGrid& grid, const LevelSettings& settings,
+                     std::uint32_t features);
+
+    /// Slots that a frame needs at most; the stride of this component's planes.
+    [[nodiscard]] std::uint32_t slots() const { return slots_; }
+    /// Whether pixels may go without samples.
+    [[nodiscard]] bool undersamples() const { return settings_.threshold > 0.0; }
+    [[nodiscard]] BufferRef<kinds::ReceiverPlanes> receivers() const { return receivers_; }
+    [[nodiscard]] BufferRef<kinds::BlockSets> block_set() const { return block_set_; }
+    [[nodiscard]] BufferRef<kinds::SlotPixels> slot_pixel() const { return slot_pixel_; }
+    [[nodiscard]] BufferRef<kinds::PixelSlots> pixel_slot() const { return pixel_slot_; }
+
+    /// All rounds of a frame: `irradiance` by slot of the surfaces of a G-buffer, whose tiles are
+    /// `tiles`, made by `steps`.
+    void sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance, const Steps& steps);
+
+    /// Irradiance by slot to irradiance of every pixel.
+    void reconstruct(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                     const TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance,
+                     BufferRef<kinds::ReconstructedLight> filtered);
+
+    [[nodiscard]] LevelCounts counts() const override {
+        return {scheduler_->tiles_by_level(), scheduler_->samples()};
+    }
+    [[nodiscard]] bool can_save() const override { return scheduler_->can_save(); }
+    [[nodiscard]] bool can_spend() const override { return scheduler_->can_spend(); }
+    void add_layers(const std::string& component, Image& image) const override;
+    [[nodiscard]] std::uint32_t slots_used() const {
+        return static_cast<std::uint32_t>(work_.pixels.size());
+    }
+
+  private:
+    /// Tells the memory of what the frame is the first.
+    void begin(const FrameContext& frame);
+    /// Orders a round and adds it to the work list on the device; returns whether it has any pixel.
+    bool take_round(FrameContext& frame, TileGeometry& tiles, const WorkList& round);
+    void run_round(FrameContext& frame, const char* component, const GBuffer& gbuffer,
+                   const Steps& steps);
+    [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
+                                                     const GBuffer& gbuffer, Level level,
+                                                     BufferRef<kinds::SlotLight> irradiance);
+
+    TileGrid grid_;
+    LevelSettings settings_;
+    BrightnessSlope slope_;
+    LevelHysteresis memory_;
+    LevelFade fade_;
+    std::uint32_t slots_;
+    DeviceBuffer<kinds::SlotPixels> slot_pixel_;
+    DeviceBuffer<kinds::PixelSlots> pixel_slot_;
+    DeviceBuffer<kinds::BlockSets> block_set_;
+    DeviceBuffer<kinds::ReceiverPlanes> receivers_;
+    DeviceBuffer<kinds::TileLevels> tile_height_;
+    DeviceBuffer<kinds::LatticeSignals> signal_;
+    std::vector<std::uint32_t> no_slots_;
+    std::optional<LevelScheduler> scheduler_;
+    WorkList round_;
+    WorkList work_;  ///< of all rounds so far
+};
+
+}  // namespace weft
+
+#endif

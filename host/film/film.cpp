@@ -1,0 +1,54 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film/film.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "shared/shared_types.h"
+
+namespace weft {
+
+std::size_t film_planes(std::uint32_t features) {
+    return (features & FEATURE_AIRLIGHT) != 0 ? FILM_PLANES_MEDIA : FILM_PLANES;
+}
+
+Image resolve_film(std::span<const float> high, std::span<const float> low, std::uint32_t width,
+                   std::uint32_t height, std::uint32_t samples) {
+    const std::size_t pixels = std::size_t{width} * height;
+    const double share = 1.0 / std::max(1U, samples);
+    const auto mean = [&](std::size_t plane, std::size_t pixel) {
+        const std::size_t at = plane * FILM_STRIDE(pixels) + pixel;
+        const double rest = samples > 1 ? static_cast<double>(low[at]) : 0.0;
+        return (static_cast<double>(high[at]) + rest) * share;
+    };
+    Image image;
+    image.width = width;
+    image.height = height;
+    const auto add = [&](const char* name, const char* channels,
+                         const std::vector<std::size_t>& planes) {
+        Layer layer{name, channels, {}};
+        layer.values.resize(layer.channels.size() * pixels);
+        for (std::size_t c = 0; c < layer.channels.size(); ++c)
+            for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+                double sum = 0.0;
+                for (const std::size_t plane : planes) sum += mean(plane + c, pixel);
+                layer.values[c * pixels + pixel] = static_cast<float>(sum);
+            }
+        image.layers.push_back(std::move(layer));
+    };
+    const bool media = high.size() >= FILM_PLANES_MEDIA * FILM_STRIDE(pixels);
+    std::vector<std::size_t> beauty{FILM_EMISSION, FILM_DIRECT, FILM_INDIRECT};
+    if (media) beauty.push_back(FILM_MEDIA);
+    add("", "RGB", beauty);
+    add("direct", "RGB", {FILM_DIRECT});
+    add("indirect", "RGB", {FILM_INDIRECT});
+    if (media) add("media", "RGB", {FILM_MEDIA});
+    add("emission", "RGB", {FILM_EMISSION});
+    add("albedo", "RGB", {FILM_ALBEDO});
+    add("normal", "XYZ", {FILM_NORMAL});
+    add("depth", "Z", {FILM_DEPTH});
+    return image;
+}
+
+}  // namespace weft

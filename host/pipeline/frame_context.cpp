@@ -1,0 +1,230 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/frame_context.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "film/film.h"
+#include "kernels/core/receivers.h"
+#include "pipeline/edge_samples.h"
+#include "pipeline/media_buffers.h"
+#include "pipeline/tile_geometry.h"
+#include "pipeline/view_media.h"
+#include "scene/mip_levels.h"
+
+namespace weft {
+namespace {
+
+/// Counters that stages share out; all are read before the first is used again.
+constexpr std::uint32_t counter_slots = 32;
+
+TracedGeometry traced_geometry(const FlatScene& flat) {
+    // Boxes grow by what the triangle tests may be off: some rounding errors of the largest
+    // coordinate. Where the tree changes from frame to frame they hold all that packets count as
+    // inside (2^-19 of the distance), so that a ray's result does not depend on it.
+    const bool moves = flat.first_moving_triangle < flat.triangles.size();
+    return {flat.positions, flat.triangles, flat.extent * (moves ? 0x1p-16F : 0x1p-22F),
+            flat.first_moving_triangle};
+}
+
+void upload_lights(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
+    scene.light_table.lights = upload<kinds::Lights>(executor, flat.lights, "lights");
+    scene.light_table.emissive =
+        upload<kinds::EmissiveTriangles>(executor, flat.emissive, "emitters");
+}
+
+}  // namespace
+
+SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
+    SceneBuffers scene;
+    owned::Geometry& to = scene.geometry;
+    to.positions = upload<kinds::VertexPositions>(executor, flat.positions, "vertex positions");
+    to.triangle_list = upload<kinds::Triangles>(executor, flat.triangles, "triangles");
+    to.instances = upload<kinds::Instances>(executor, flat.instances, "instances");
+    to.materials = upload<kinds::Materials>(executor, flat.materials, "materials");
+    to.normals = upload<kinds::VertexNormals>(executor, flat.normals, "vertex normals");
+    to.texture_coordinates = upload<kinds::TextureCoordinates>(executor, flat.texture_coordinates,
+                                                               "texture coordinates");
+    to.vertex_colours =
+        upload<kinds::VertexColours>(executor, flat.vertex_colours, "vertex colours");
+    to.textures = upload<kinds::Textures>(executor, flat.textures, "texture table");
+    to.texels = upload<kinds::Texels>(executor, flat.texels, "texels");
+    to.srgb_table = upload<kinds::SrgbTable>(executor, srgb_table(), "sRGB table");
+    upload_lights(executor, flat, scene);
+    scene.traced = executor.make_scene(traced_geometry(flat));
+    return scene;
+}
+
+void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
+    const owned::Geometry& to = scene.geometry;
+    if (flat.first_moving_triangle < flat.triangles.size()) {
+        write_buffer(executor, to.positions, flat.positions);
+        write_buffer(executor, to.triangle_list, flat.triangles);
+        write_buffer(executor, to.normals, flat.normals);
+        executor.update_scene(*scene.traced, traced_geometry(flat));
+    }
+    write_buffer(executor, to.instances, flat.instances);
+    write_buffer(executor, to.materials, flat.materials);
+    upload_lights(executor, flat, scene);
+}
+
+std::shared_ptr<MediaBuffers> media_of(Executor& executor, const FlatScene& flat,
+                                       SceneBuffers& scene) {
+    if (!scene.media)
+        scene.media = std::make_shared<MediaBuffers>(upload_media(executor, flat.media));
+    return scene.media;
+}
+
+FrameBuffers::FrameBuffers() = default;
+FrameBuffers::FrameBuffers(FrameBuffers&&) noexcept = default;
+FrameBuffers& FrameBuffers::operator=(FrameBuffers&&) noexcept = default;
+FrameBuffers::~FrameBuffers() = default;
+
+std::size_t receiver_planes(std::uint32_t features) {
+    if ((features & FEATURE_MEDIA) != 0) return RECEIVER_PLANES_MEDIA;
+    return (features & FEATURE_SMOOTH_NORMALS) != 0 ? RECEIVER_PLANES_SMOOTH : RECEIVER_PLANES_FLAT;
+}
+
+GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of) {
+    GBuffer gbuffer;
+    gbuffer.gb_ids = allocate<kinds::SurfaceIds>(executor, 2 * pixels, of);
+    gbuffer.gb_position = allocate<kinds::SurfacePositions>(executor, pixels, of);
+    gbuffer.gb_normal = allocate<kinds::SurfaceNormals>(executor, pixels, of);
+    gbuffer.gb_shading = allocate<kinds::SurfaceShadingNormals>(executor, pixels, of);
+    gbuffer.gb_albedo = allocate<kinds::SurfaceAlbedo>(executor, pixels, of);
+    gbuffer.gb_emission = allocate<kinds::SurfaceEmission>(executor, pixels, of);
+    return gbuffer;
+}
+
+FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const WorkList& work,
+                            std::uint32_t width, std::uint32_t height, std::uint32_t features,
+                            bool tiles) {
+    FrameBuffers frame = allocate_counters(executor);
+    const std::size_t pixels = std::size_t{width} * height;
+    const std::size_t film_values = film_planes(features) * FILM_STRIDE(pixels);
+    frame.slots = static_cast<std::uint32_t>(work.pixels.size());
+    frame.gbuffer = allocate_gbuffer(executor, pixels, "G-buffer");
+    frame.slot_pixel = upload<kinds::SlotPixels>(executor, work.pixels, "work list");
+    frame.block_set = upload<kinds::BlockSets>(executor, work.block_sets, "sample sets");
+    frame.pixel_slot = allocate<kinds::PixelSlots>(executor, pixels, "pixel slots");
+    frame.receivers = allocate<kinds::ReceiverPlanes>(
+        executor, receiver_planes(features) * frame.slots, "receivers");
+    if (tiles) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
+    if (plan.edge_samples > 0) frame.edges = std::make_unique<EdgeSamples>(executor, width, height);
+    frame.film_high = allocate<kinds::FilmHigh>(executor, film_values, "film");
+    frame.film_low = allocate<kinds::FilmLow>(executor, film_values, "film");
+    if (plan.light_sample_count() > 0)
+        frame.light_samples =
+            allocate<kinds::VirtualLights>(executor, plan.light_sample_count(), "light samples");
+    if (plan.has_vpls())
+        frame.vpls = allocate<kinds::VirtualLights>(
+            executor, std::size_t{plan.sets} * plan.vpls_per_set, "VPLs");
+    return frame;
+}
+
+FrameBuffers allocate_counters(Executor& executor) {
+    FrameBuffers frame;
+    frame.counters = allocate<kinds::RayCounters>(executor, counter_slots, "counters");
+    frame.nonfinite = allocate<kinds::NonfiniteCounters>(executor, 1, "counters");
+    clear_nonfinite(executor, frame.nonfinite);
+    return frame;
+}
+
+groups::MediaTables FrameBuffers::media() const {
+    static const owned::MediaTables none;
+    return view(view_media ? view_media->media() : none);
+}
+
+BufferRef<kinds::EnclosingMedia> FrameBuffers::view_inside() const {
+    if (!view_media) return {};
+    return view_media->inside();
+}
+
+groups::ComposedLight FrameBuffers::composed() const {
+    BufferRef<kinds::Transmittances> transmittance;
+    BufferRef<kinds::MediaEmission> emission;
+    if (view_media) {
+        transmittance = view_media->left();
+        emission = view_media->glow();
+    }
+    return {.pixel_slot = pixel_slot,
+            .direct = irradiance.direct,
+            .exact_irradiance = irradiance.exact_direct,
+            .indirect = irradiance.indirect,
+            .view_left = transmittance,
+            .view_glow = emission,
+            .media_light = irradiance.media};
+}
+
+void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter) {
+    shared::NonfiniteCounter clear{};
+    for (auto& first : clear.first_pixel) first = NO_TRIANGLE;
+    write_buffer(executor, counter, std::span<const shared::NonfiniteCounter>(&clear, 1));
+}
+
+void FrameContext::run_bound(KernelId kernel, Stage stage, const char* component,
+                             const ArgumentBinder& arguments, const Items& items) {
+    if (uncounted_.size() == counter_slots) count();
+    if (uncounted_.empty()) {
+        const std::vector<shared::RayCounter> zero(counter_slots);
+        write_buffer(executor, buffers.counters, zero);
+    }
+    const auto counter = static_cast<std::uint32_t>(uncounted_.size());
+    uncounted_.push_back(stages_.size());
+    stages_.push_back({stage, component, 0.0, 0, 0});
+    const Launch launch{kernel,
+                        params,
+                        arguments.scene(),
+                        arguments.arguments(),
+                        items.count,
+                        {.items_per_launch = items.per_launch,
+                         .first_item = items.first,
+                         .counter = counter,
+                         .milliseconds = &stages_.back().ms,
+                         .whole = whole_launches}};
+    const bool complete = executor.run(launch, [&](double done) {
+        return finishing_ || !keep_going_ || keep_going_(stage, done);
+    });
+    ended_early_ = ended_early_ || !complete;
+}
+
+void FrameContext::add_host_stage(Stage stage, const char* component, double ms) {
+    stages_.push_back({stage, component, ms, 0, 0});
+}
+
+FrameContext::~FrameContext() {
+    // Launches that still run have places in `stages_` to write to.
+    try {
+        (void)executor.take_milliseconds();
+    } catch (const Error&) {
+        // What the device has to say of them it has said, or will say to the next frame.
+    }
+}
+
+const std::deque<StageStats>& FrameContext::stages() {
+    (void)executor.take_milliseconds();
+    count();
+    return stages_;
+}
+
+void FrameContext::count() {
+    if (uncounted_.empty()) return;
+    const auto counters = read_buffer(executor, buffers.counters, uncounted_.size());
+    for (std::size_t slot = 0; slot < uncounted_.size(); ++slot) {
+        StageStats& stage = stages_[uncounted_[slot]];
+        stage.rays = std::uint64_t{counters[slot].rays_high} << 32 | counters[slot].rays_low;
+        stage.misses = counters[slot].misses;
+    }
+    uncounted_.clear();
+}
+
+std::uint32_t gather_items_per_launch(const Executor& executor, std::uint32_t list_length) {
+    constexpr std::uint32_t rays_per_launch = 1U << 20;
+    const std::uint32_t rays_per_item = executor.lanes() * std::max(1U, list_length);
+    const std::uint32_t items = std::max(64U, rays_per_launch / rays_per_item);
+    // Devices with many lanes take their own, larger chunk.
+    return executor.device().is_cpu ? items : 0;
+}
+
+}  // namespace weft

@@ -1,0 +1,219 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_PIPELINE_FRAME_CONTEXT_H
+#define WEFT_PIPELINE_FRAME_CONTEXT_H
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "device/executor.h"
+#include "device/launch.h"
+#include "pipeline/stage.h"
+#include "plan/frame_budget.h"
+#include "plan/frame_plan.h"
+#include "plan/work_list.h"
+#include "scene/flat_scene.h"
+
+namespace weft {
+
+/// The scene on the device.
+struct SceneBuffers {
+    owned::Geometry geometry;
+    owned::LightTable light_table;
+    std::unique_ptr<TracedScene> traced;
+
+    /// What kernels know of area lights, whose points lie on triangles of the geometry.
+    [[nodiscard]] groups::AreaLights area_lights() const {
+        return {.lights = light_table.lights,
+                .emissive = light_table.emissive,
+                .positions = geometry.positions,
+                .triangle_list = geometry.triangle_list};
+    }
+    /// Participating media, once something has asked for them: see media_of.
+    std::shared_ptr<owned::MediaTables> media;
+};
+
+[[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
+
+/// The scene's media on the device, uploaded when first asked for. All users of the buffers look
+/// from one camera.
+[[nodiscard]] std::shared_ptr<owned::MediaTables> media_of(Executor& executor,
+                                                           const FlatScene& flat,
+                                                           SceneBuffers& scene);
+
+/// Brings them up to date with the scene they were made of after update_flat.
+void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
+
+class EdgeSamples;
+class TileGeometry;
+class ViewMedia;
+
+/// What primary rays, or view rays through media, have found (kernels/film/gbuffer.h).
+using GBuffer = owned::SeenSurfaces;
+
+/// The irradiance that composition adds up: buffers of the components, null where there is none.
+struct ComposedIrradiance {
+    BufferRef<kinds::ReconstructedLight> direct;
+    BufferRef<kinds::SlotLight> exact_direct;  ///< of the slots of all pixels
+    BufferRef<kinds::ReconstructedLight> indirect;
+    BufferRef<kinds::ReconstructedLight> media;  ///< radiance that media scatter to each pixel
+};
+
+/// What all stages and components of a frame share. Buffers that the plan does not call for are
+/// null.
+struct FrameBuffers {
+    GBuffer gbuffer;
+    DeviceBuffer<kinds::SlotPixels> slot_pixel;
+    DeviceBuffer<kinds::PixelSlots> pixel_slot;
+    DeviceBuffer<kinds::BlockSets> block_set;
+    DeviceBuffer<kinds::ReceiverPlanes> receivers;
+    DeviceBuffer<kinds::FilmHigh> film_high;
+    DeviceBuffer<kinds::FilmLow> film_low;
+    std::unique_ptr<TileGeometry> tiles;               ///< where a component adapts
+    std::unique_ptr<EdgeSamples> edges;                ///< where the plan has edge samples
+    std::unique_ptr<ViewMedia> view_media;             ///< where light goes through media
+    DeviceBuffer<kinds::VirtualLights> light_samples;  ///< points on lights, of all sets
+    DeviceBuffer<kinds::VirtualLights> vpls;           ///< of indirect light, of all sets
+    ComposedIrradiance irradiance;
+    DeviceBuffer<kinds::RayCounters> counters;
+    DeviceBuffer<kinds::NonfiniteCounters> nonfinite;
+    std::uint32_t slots = 0;
+
+    FrameBuffers();
+    FrameBuffers(FrameBuffers&&) noexcept;
+    FrameBuffers& operator=(FrameBuffers&&) noexcept;
+    ~FrameBuffers();
+
+    /// The media of the scene; none of the buffers where it has none.
+    [[nodiscard]] groups::MediaTables media() const;
+    /// Boundaries of media around what each pixel shows; null where there are none.
+    [[nodiscard]] BufferRef<kinds::EnclosingMedia> view_inside() const;
+    /// What composition adds up.
+    [[nodiscard]] groups::ComposedLight composed() const;
+};
+
+/// A G-buffer of that many pixels; `of` says of what.
+[[nodiscard]] GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of);
+
+/// What a frame shares, of a picture of this size, but for the media that it is seen through.
+/// `tiles`: whether a component adapts.
+[[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan,
+                                          const WorkList& work, std::uint32_t width,
+                                          std::uint32_t height, std::uint32_t features, bool tiles);
+
+/// Planes of receivers for kernels with these features.
+[[nodiscard]] std::size_t receiver_planes(std::uint32_t features);
+
+/// The counters alone, for algorithms that keep no other state between kernels.
+[[nodiscard]] FrameBuffers allocate_counters(Executor& executor);
+
+/// Sets the counters of values that were not finite to none.
+void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter);
+
+/// What one stage of a frame took.
+struct StageStats {
+    Stage stage{};
+    std::string component;
+    double ms = 0.0;
+    std::uint64_t rays = 0;
+    std::uint64_t misses = 0;  ///< edge samples whose irradiance is that of another surface
+};
+
+/// Asked between launches with the stage's share done, in [0, 1]; false ends the frame early.
+using KeepGoing = std::function<bool(Stage stage, double done)>;
+
+/// What every frame of a rendering shares.
+struct FrameInputs {
+    Executor& executor;
+    const FlatScene& scene;
+    const SceneBuffers& scene_buffers;
+    FrameBuffers& buffers;
+    const FramePlan& plan;
+};
+
+/// One frame under way: where components find what they need and launch their stages.
+class FrameContext : public FrameInputs {
+  public:
+    FrameContext(const FrameInputs& inputs, const shared::RenderParams& frame_params,
+                 const KeepGoing& keep_going)
+        : FrameInputs(inputs), params(frame_params), keep_going_(keep_going) {}
+    FrameContext(const FrameContext&) = delete;
+    FrameContext& operator=(const FrameContext&) = delete;
+    /// Waits for what still runs.
+    ~FrameContext();
+
+    /// How a stage's work-items are divided.
+    struct Items {
+        std::uint32_t count;
+        std::uint32_t per_launch = 0;  ///< at most; 0: the kernel's own chunk
+        std::uint32_t first = 0;
+    };
+
+    /// Runs one kernel as a stage of a component and records its time and rays. After an early end
+    /// nothing heavy runs any more. `arguments` is a struct of weft::kernels.
+    template <class Kernel>
+    void run(Stage stage, const char* component, const Kernel& arguments, const Items& items) {
+        if (items.count == 0 || (ended_early() && !finishing_)) return;
+        ArgumentBinder binder(Kernel::id);
+        arguments.bind_to(binder);
+        run_bound(Kernel::id, stage, component, binder, items);
+    }
+
+    /// Runs `stages` to their end whatever keep_going says: what later stages must find defined.
+    template <class Stages>
+    void run_whole(const Stages& stages) {
+        const bool before = std::exchange(finishing_, true);
+        stages();
+        finishing_ = before;
+    }
+
+    [[nodiscard]] bool ended_early() const { return ended_early_ || executor.cancelled(); }
+    /// The stages so far, with what they counted.
+    [[nodiscard]] const std::deque<StageStats>& stages();
+    /// Waits for what still runs, so that the time of host work that follows is its own alone.
+    void wait() { (void)executor.take_milliseconds(); }
+    /// Records work of the host between stages; what ran on the device meanwhile must not count.
+    void add_host_stage(Stage stage, const char* component, double ms);
+
+    /// Pixels of the image.
+    [[nodiscard]] std::uint32_t pixels() const noexcept {
+        return params.camera.width * params.camera.height;
+    }
+
+    const shared::RenderParams params;
+
+    /// What a frame is the first of.
+    enum class Begins : std::uint8_t { nothing, picture, sequence };
+    /// A sequence's first frame remembers nothing; a picture's first takes over what the pictures
+    /// before it said.
+    Begins begins = Begins::sequence;
+    /// Whether stages run to their end even if all else is cancelled: see LaunchOptions::whole.
+    bool whole_launches = false;
+    /// Where given, its gains scale the thresholds of adaptive components.
+    const FrameBudget* budget = nullptr;
+
+  private:
+    void run_bound(KernelId kernel, Stage stage, const char* component,
+                   const ArgumentBinder& arguments, const Items& items);
+    /// Reads the counters of the stages that have not been read.
+    void count();
+
+    const KeepGoing& keep_going_;
+    std::deque<StageStats> stages_;       ///< none moves: launches add their times there
+    std::vector<std::size_t> uncounted_;  ///< stages by counter
+    bool ended_early_ = false;
+    bool finishing_ = false;
+};
+
+/// Work-items of a gather launch that keeps it short whatever the list's length: about a million
+/// rays.
+[[nodiscard]] std::uint32_t gather_items_per_launch(const Executor& executor,
+                                                    std::uint32_t list_length);
+
+}  // namespace weft
+
+#endif

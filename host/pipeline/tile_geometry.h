@@ -1,0 +1,46 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_PIPELINE_TILE_GEOMETRY_H
+#define WEFT_PIPELINE_TILE_GEOMETRY_H
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/frame_context.h"
+#include "plan/tile_masks.h"
+#include "plan/work_list.h"
+
+namespace weft {
+
+/// The tiles of a picture and what the G-buffer says of them, for all adaptive components.
+class TileGeometry {
+  public:
+    TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height);
+
+    /// Launches tile_geometry.cl on a G-buffer and reads its records.
+    void examine(FrameContext& frame, const GBuffer& gbuffer);
+
+    [[nodiscard]] const TileGrid& grid() const { return grid_; }
+    [[nodiscard]] std::span<const shared::TileRecord> records() const { return records_; }
+    [[nodiscard]] BufferRef<kinds::Tiles> buffer() const { return buffer_; }
+
+    /// Pixels in the order of ordered_by_place. Components of a frame mostly begin with the same
+    /// pixels: `masks`, those of `round`, are compared with what was ordered last.
+    [[nodiscard]] const WorkList& ordered(FrameContext& frame, std::span<const TileMask> masks,
+                                          const WorkList& round);
+
+  private:
+    TileGrid grid_;
+    DeviceBuffer<kinds::Tiles> buffer_;
+    std::vector<shared::TileRecord> records_;
+    std::vector<TileMask> ordered_masks_;
+    WorkList ordered_;
+};
+
+/// A round on the device's G-buffer, in the order of ordered_by_place.
+[[nodiscard]] WorkList ordered_round(FrameContext& frame, const WorkList& round);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,140 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace weft {
+namespace {
+
+/// Paths that survive to bounce k + 1 under fractional absorption (Keller 1997): floor(N r^k), but
+/// at least one, so that no order of light is lost.
+std::uint32_t survivors(std::uint32_t paths, double reflectance, std::uint32_t bounce) {
+    const double left = static_cast<double>(paths) * std::pow(reflectance, bounce);
+    return std::max(1U, static_cast<std::uint32_t>(std::floor(left + 1e-9)));
+}
+
+std::uint32_t vpl_count(std::uint32_t paths, double reflectance, std::uint32_t bounces) {
+    std::uint32_t count = 0;
+    for (std::uint32_t k = 0; k < bounces; ++k) count += survivors(paths, reflectance, k);
+    return count;
+}
+
+void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflectance) {
+    plan.bounces = std::min({settings.bounces, settings.vpls_per_set, std::uint32_t{MAX_BOUNCES}});
+    if (plan.bounces == 0) return;
+    // A floor keeps dark scenes from spending everything on the first bounce, a ceiling keeps
+    // paths from never ending.
+    const double r = std::clamp(reflectance, 0.05, 0.95);
+    std::uint32_t paths = 1;
+    while (vpl_count(paths + 1, r, plan.bounces) <= settings.vpls_per_set) ++paths;
+    plan.paths_per_set = paths;
+    for (std::uint32_t k = 0; k < plan.bounces; ++k) {
+        plan.survivors[k] = survivors(paths, r, k);
+        plan.first_vpl[k] = plan.vpls_per_set;
+        plan.vpls_per_set += plan.survivors[k];
+    }
+}
+
+/// Cells about as wide as they are high where the hemisphere is widest: pi M azimuths for M
+/// elevations (Ward and Heckbert 1992).
+void plan_hemisphere(FramePlan& plan, const SamplingSettings& settings,
+                     const SceneStatistics& scene) {
+    if (!scene.indirect || !(scene.mean_reflectance > 0.0)) return;
+    const double elevations = std::round(std::sqrt(settings.cache_rays / std::numbers::pi));
+    plan.cache_elevations = static_cast<std::uint32_t>(std::max(2.0, elevations));
+    plan.cache_azimuths = std::max(4U, settings.cache_rays / plan.cache_elevations);
+}
+
+/// Points on lights, and places on view rays for lights without area. Some view ray passes close to
+/// any point of a light, and the edges of shafts are only as fine as places are close: four times
+/// as many as for surfaces, but of all lights of a kind together about as many as there are VPLs.
+void plan_media_samples(FramePlan& plan, const SamplingSettings& settings,
+                        const SceneStatistics& scene) {
+    const auto share_of = [&](std::uint32_t lights) {
+        return std::clamp(settings.vpls_per_set / std::max(1U, lights), settings.samples_per_light,
+                          4 * settings.samples_per_light);
+    };
+    // Where a pixel has all sets, it has places of its own for each.
+    plan.media_steps = share_of(scene.punctual_lights + scene.directional_lights) *
+                       (plan.gather_sets == 1 ? plan.sets : 1);
+    plan.media_samples_per_light = plan.samples_per_light;
+    plan.media_samples_per_set = plan.samples_per_set;
+    if (plan.samples_per_light == 0 || scene.area_lights == 0) return;
+    plan.media_samples_per_light = share_of(scene.area_lights);
+    plan.media_samples_per_set = scene.area_lights * plan.media_samples_per_light;
+}
+
+}  // namespace
+
+double vpl_bound(double area, double count, double spacing) {
+    if (!(area > 0.0) || !(spacing > 0.0)) return 1e30;
+    return std::min(1e30, std::numbers::pi * count / (spacing * spacing * area));
+}
+
+double bound_growth(std::uint32_t frame) {
+    return std::sqrt(static_cast<double>(frame) + 1.0);
+}
+
+FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
+                      const SceneStatistics& scene) {
+    FramePlan plan;
+    plan.sets = settings.interleave * settings.interleave;
+    const bool interleaved = algorithm != Algorithm::ir;
+    if (algorithm == Algorithm::ais || algorithm == Algorithm::amax)
+        plan.edge_samples = std::min(settings.edge_samples, MAX_EDGE_SAMPLES) / 2 * 2;
+    plan.threshold = settings.threshold;
+    plan.luminance_scale = settings.luminance_scale;
+    plan.interleave = interleaved ? settings.interleave : 1;
+    plan.gather_sets = interleaved ? plan.sets : 1;
+    plan.filter_radius = interleaved ? settings.filter_radius : 0;
+    const std::uint32_t lights = scene.area_lights + scene.punctual_lights +
+                                 scene.directional_lights + (scene.environment ? 1U : 0U);
+    plan.media = scene.media;
+    plan.media_light = scene.scattering && scene.media_light && lights > 0;
+    plan.direct = scene.direct;
+    plan.first_look_samples = settings.first_look_samples;
+    plan.indirect = scene.indirect;
+    plan.temporal = algorithm == Algorithm::tic || (settings.cached && settings.temporal);
+    const bool hemispheres = algorithm == Algorithm::irradiance_cache;
+    plan.cached = plan.temporal || algorithm == Algorithm::ic || hemispheres || settings.cached;
+    plan.cache_masks = settings.cache_masks;
+    plan.cache_audit = settings.cache_audit;
+    plan.cache_records = settings.cache_records;
+    plan.cache_error = settings.cache_error;
+    if (scene.direct || plan.media_light) {
+        const bool all_lights = std::uint64_t{scene.area_lights} * settings.samples_per_light <=
+                                settings.max_samples_per_set;
+        plan.samples_per_light = all_lights ? settings.samples_per_light : 0;
+        plan.samples_per_set = all_lights ? scene.area_lights * settings.samples_per_light
+                                          : settings.max_samples_per_set;
+        if (plan.media_light) plan_media_samples(plan, settings, scene);
+        plan.environment_samples = scene.environment ? settings.samples_per_light : 0;
+        plan.punctual_lights = scene.punctual_lights;
+        plan.directional_lights = scene.directional_lights;
+    }
+    // Paths may be scattered by media where no surface does.
+    const bool scatters = scene.mean_reflectance > 0.0 || scene.scattering;
+    if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters)
+        plan_vpls(plan, settings, scene.mean_reflectance);
+    if (hemispheres && lights > 0) plan_hemisphere(plan, settings, scene);
+    plan.adaptive = algorithm == Algorithm::ais;
+    if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
+    // Records that outlast their frame must not depend on what others see.
+    if (plan.cached && !plan.temporal) plan.cache_roulette = std::max(0.0, settings.roulette);
+    plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
+    plan.vpl_bound =
+        vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,
+                  settings.bound_spacing);
+    const double light_samples =
+        plan.samples_per_light > 0
+            ? plan.samples_per_light
+            : static_cast<double>(plan.samples_per_set) / std::max(1U, scene.area_lights);
+    plan.light_bound_scale =
+        vpl_bound(1.0, static_cast<double>(plan.sets) * light_samples, settings.bound_spacing);
+    return plan;
+}
+
+}  // namespace weft

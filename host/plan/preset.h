@@ -1,0 +1,31 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_PLAN_PRESET_H
+#define WEFT_PLAN_PRESET_H
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "plan/frame_plan.h"
+
+namespace weft {
+
+/// Settings of `weft render` that decide what a picture costs and how good it is, as a file keeps
+/// them.
+struct Preset {
+    Algorithm algorithm = default_algorithm;
+    SamplingSettings sampling;  ///< cached and temporal say where indirect light comes from
+    std::uint32_t samples = 1;  ///< per pixel, 1 and up
+};
+
+/// As JSON, every setting by its name; readers take what it writes.
+[[nodiscard]] nlohmann::json preset_json(const Preset& preset);
+
+/// Reads what preset_json wrote; what is not there has its default. Throws Error (exit code 2) that
+/// names file and place where something is unknown, of the wrong kind or out of range.
+[[nodiscard]] Preset read_preset(const std::filesystem::path& file);
+
+}  // namespace weft
+
+#endif

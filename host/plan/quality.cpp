@@ -1,0 +1,33 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/quality.h"
+
+#include "shared/shared_types.h"
+
+namespace weft {
+
+SamplingSettings sampling_of(Quality quality) {
+    SamplingSettings settings;
+    if (quality == Quality::draft) {
+        settings.threshold = 20.0;
+        settings.enough_support = 0.3;
+        settings.roulette = 4.0;
+        settings.cache_error = 0.2;
+        // Of more than four lights few points serve nearly as well, at half the time.
+        settings.max_samples_per_set = 16;
+    }
+    if (quality == Quality::high) {
+        settings.threshold = 3.0;
+        settings.enough_support = 0.7;
+        settings.roulette = 0.5;
+        settings.cache_error = 0.05;
+        settings.vpls_per_set = 256;
+        // Later bounces cost next to nothing where VPLs are many.
+        settings.bounces = MAX_BOUNCES;
+        settings.samples_per_light = 16;
+        settings.max_samples_per_set = 1024;
+    }
+    return settings;
+}
+
+}  // namespace weft

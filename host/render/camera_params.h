@@ -1,0 +1,42 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_RENDER_CAMERA_PARAMS_H
+#define WEFT_RENDER_CAMERA_PARAMS_H
+
+#include <cstdint>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "scene/flat_scene.h"
+#include "scene/scene.h"
+#include "shared/shared_types.h"
+
+namespace weft {
+
+/// What every kernel is told of the scene and the camera, for a picture of that size.
+[[nodiscard]] shared::RenderParams scene_params(const FlatScene& scene, const Camera& camera,
+                                                std::uint32_t width, std::uint32_t height);
+
+/// Sets the fields of `params` that come from the scene alone.
+void set_scene(const FlatScene& scene, shared::RenderParams& params);
+
+/// Sets the camera fields of `params` for a picture of params.camera.width x params.camera.height
+/// square pixels.
+void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params);
+
+/// Position of frame `frame` inside the pixel, in [0, 1)^2: the centre where only one frame is
+/// made, else points of a Halton sequence shifted by the seed, the same for all pixels.
+void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::RenderParams& params);
+
+/// The camera of that name; the first where `name` is empty. A scene without cameras gets one that
+/// frames its geometry, and a warning says so. Throws Error (exit code 1) that lists the names.
+[[nodiscard]] Camera choose_camera(const Scene& scene, const FlatScene& flat,
+                                   const std::string& name, Diagnostics& diagnostics);
+
+/// The camera as it stands at `time`, seconds; unchanged where it does not move. Throws Error (exit
+/// code 2) where its transform is unusable then, such as one scaled to nothing.
+[[nodiscard]] Camera camera_at(const Scene& scene, const Camera& camera, double time);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,347 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "adaptive/adaptive_sampling.h"
+#include "base/stopwatch.h"
+#include "film/film.h"
+#include "pipeline/edge_samples.h"
+#include "pipeline/view_media.h"
+#include "render/camera_params.h"
+#include "render/surface_features.h"
+
+namespace weft {
+
+namespace {
+
+/// Blocks of pixels that cover a picture: packets of primary rays.
+std::uint32_t pixel_blocks(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
+    const std::uint32_t columns = shared::pixel_block_width(lanes);
+    const std::uint32_t rows = lanes / columns;
+    return ((width + columns - 1) / columns) * ((height + rows - 1) / rows);
+}
+
+/// Runs of pixels of the rows of a picture (kernels/film/wide_pixels.h).
+std::uint32_t pixel_runs(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
+    return (width + lanes - 1) / lanes * height;
+}
+
+/// Angle that a texture lookup covers: that of a pixel, less where samples share it.
+float texture_angle(const shared::RenderParams& params, const RenderSettings& settings) {
+    return static_cast<float>(static_cast<double>(params.camera.pixel_angle) /
+                              std::sqrt(std::max(1U, settings.samples)));
+}
+
+WorkList work_list_of(const FramePlan& plan, const RenderSettings& settings) {
+    if (plan.adapts_direct())
+        return make_spread_work_list(settings.width, settings.height, plan.interleave,
+                                     settings.tile);
+    return make_work_list(settings.width, settings.height, plan.interleave, settings.tile);
+}
+
+/// Whether frames of one plan take their light from as many lights, and VPLs, as those of another.
+bool same_lights(const FramePlan& a, const FramePlan& b) {
+    return a.samples_per_light == b.samples_per_light && a.samples_per_set == b.samples_per_set &&
+           a.environment_samples == b.environment_samples &&
+           a.punctual_lights == b.punctual_lights && a.directional_lights == b.directional_lights &&
+           a.has_vpls() == b.has_vpls() && a.has_indirect() == b.has_indirect() &&
+           a.media_light == b.media_light;
+}
+
+/// What numbers of light paths go by: the reflectance that the scene had at first, so that they are
+/// the same in all frames in which anything reflects light. That of a scene black at first is not
+/// known from there.
+double planned_reflectance(const FlatScene& scene) {
+    constexpr double common = 0.5;
+    if (!(scene.mean_reflectance > 0.0)) return 0.0;
+    return scene.first_mean_reflectance > 0.0 ? scene.first_mean_reflectance : common;
+}
+
+}  // namespace
+
+FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
+    SceneStatistics statistics;
+    statistics.area_lights = scene.area_lights;
+    statistics.punctual_lights = scene.punctual_lights;
+    statistics.directional_lights = scene.directional_lights;
+    statistics.environment = (scene.features & FEATURE_ENVIRONMENT) != 0;
+    statistics.media = scene.media.present();
+    statistics.scattering = scene.media.scatters();
+    statistics.media_light = settings.media;
+    statistics.direct = settings.direct;
+    statistics.indirect = settings.indirect;
+    statistics.surface_area = scene.surface_area;
+    statistics.mean_reflectance = planned_reflectance(scene);
+    FramePlan plan = plan_frames(settings.algorithm, settings.sampling, statistics);
+    plan.requested = settings.requested;
+    // Frames with points all over the pixel average edges anyway.
+    if (settings.samples > 1) plan.edge_samples = 0;
+    return plan;
+}
+
+std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
+    const ComponentNeeds needs = needs_of(plan, kinds);
+    std::set<KernelId> kernels(needs.kernels.begin(), needs.kernels.end());
+    kernels.insert({KernelId::gbuffer, KernelId::compose});
+    if (needs.all_receivers || needs.tiles || needs.own_tiles) kernels.insert(KernelId::receivers);
+    if (needs.tiles || needs.own_tiles) kernels.insert(KernelId::tile_geometry);
+    if (plan.media) kernels.insert(KernelId::view_media);
+    if (plan.edge_samples > 0) kernels.insert({KernelId::edge_masks, KernelId::edge_samples});
+    return {kernels.begin(), kernels.end()};
+}
+
+std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
+                          std::span<const ComponentKind> kinds) {
+    const std::uint32_t of_media = plan.media ? FEATURE_MEDIA | scene.media.features() : 0U;
+    return surface_features(scene) | of_media | needs_of(plan, kinds).features;
+}
+
+Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
+                   const RenderSettings& settings)
+    : Renderer(executor, scene, std::make_shared<SceneBuffers>(upload_scene(executor, scene)),
+               camera, settings) {}
+
+Renderer::Renderer(Executor& executor, const FlatScene& scene,
+                   std::shared_ptr<SceneBuffers> uploaded, const Camera& camera,
+                   const RenderSettings& settings)
+    : executor_(executor),
+      scene_(scene),
+      camera_(camera),
+      settings_(settings),
+      plan_(plan_for(scene, settings)),
+      scene_buffers_(std::move(uploaded)),
+      budget_(plan_.adaptive ? settings.frame_time_ms : 0.0) {
+    set_up();
+}
+
+void Renderer::set_up() {
+    components_.clear();
+    work_ = work_list_of(plan_, settings_);
+    const std::uint32_t features = features_of(scene_, plan_, settings_.components);
+    executor_.build(kernels_of(plan_, settings_.components), features);
+    const ComponentNeeds needs = needs_of(plan_, settings_.components);
+    all_receivers_ = needs.all_receivers;
+    buffers_ = allocate_frame(executor_, plan_, work_, settings_.width, settings_.height, features,
+                              needs.tiles);
+    if (plan_.media)
+        buffers_.view_media = std::make_unique<ViewMedia>(
+            executor_, scene_, media_of(executor_, scene_, *scene_buffers_), camera_,
+            std::size_t{settings_.width} * settings_.height, features);
+    components_ = make_components(settings_.components, {.executor = executor_,
+                                                         .scene = scene_,
+                                                         .plan = plan_,
+                                                         .buffers = buffers_,
+                                                         .work = work_,
+                                                         .width = settings_.width,
+                                                         .height = settings_.height,
+                                                         .features = features,
+                                                         .earlier = {}});
+    for (const ActiveComponent& active : components_)
+        active.component->hand_over(buffers_.irradiance);
+    set_params(features);
+}
+
+void Renderer::set_params(std::uint32_t features) {
+    base_params_ = scene_params(scene_, camera_, settings_.width, settings_.height);
+    shared::RenderParams& params = base_params_;
+    params.features = features;
+    params.camera.texture_angle = texture_angle(params, settings_);
+    params.scene.delta_lights = plan_.punctual_lights;
+    params.scene.directional_lights = plan_.directional_lights;
+    params.filter = {.radius = plan_.filter_radius,
+                     .cosine = static_cast<float>(settings_.sampling.filter_cosine),
+                     .planes = static_cast<float>(settings_.sampling.filter_planes),
+                     .enough_support = static_cast<float>(settings_.sampling.enough_support)};
+    shared::SamplingParams& sampling = params.sampling;
+    sampling.lights.per_light = plan_.samples_per_light;
+    sampling.lights.per_set = plan_.samples_per_set;
+    sampling.seed = settings_.seed;
+    sampling.sets = plan_.sets;
+    sampling.gather_sets = plan_.gather_sets;
+    sampling.interleave = plan_.interleave;
+    sampling.gather_scale = static_cast<float>(plan_.gather_sets);
+    sampling.environment_samples = plan_.environment_samples;
+    sampling.paths_per_set = plan_.paths_per_set;
+    sampling.vpls_per_set = plan_.vpls_per_set;
+    sampling.bounces = plan_.bounces;
+    std::copy(plan_.survivors.begin(), plan_.survivors.end(), sampling.survivors);
+    std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), sampling.first_vpl);
+    sampling.edge_samples = plan_.edge_samples;
+    sampling.record_error = static_cast<float>(plan_.cache_error);
+}
+
+void Renderer::set_camera(const Camera& camera) {
+    move_camera(camera);
+    sequence_ = picture_;
+}
+
+void Renderer::update_scene() {
+    weft::update_scene(executor_, scene_, *scene_buffers_);
+    follow_scene();
+}
+
+void Renderer::follow_scene() {
+    const FramePlan plan = plan_for(scene_, settings_);
+    if (!same_lights(plan, plan_) ||
+        features_of(scene_, plan_, settings_.components) != base_params_.features) {
+        plan_ = plan;
+        set_up();
+    }
+    set_params(base_params_.features);
+}
+
+void Renderer::move_camera(const Camera& camera) {
+    camera_ = camera;
+    weft::set_camera(camera, scene_.units, base_params_);
+    if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
+    base_params_.camera.texture_angle = texture_angle(base_params_, settings_);
+    frames_in_film_ = 0;
+    ++picture_;
+}
+
+shared::RenderParams Renderer::params_of_frame(std::uint32_t frame) const {
+    shared::RenderParams params = base_params_;
+    shared::SamplingParams& sampling = params.sampling;
+    sampling.sample = frame;
+    // 4 and n^2 are coprime for odd n: in n^2 frames a pixel meets every set.
+    sampling.set_rotation = frame * 4 % plan_.gather_sets;
+    const double growth = bound_growth(frame);
+    sampling.vpl_bound = static_cast<float>(plan_.vpl_bound * growth);
+    sampling.lights.bound_scale = static_cast<float>(plan_.light_bound_scale * growth);
+    set_jitter(frame, settings_.samples <= 1, settings_.seed, params);
+    return params;
+}
+
+void Renderer::trace_primary(FrameContext& frame) {
+    const GBuffer& gbuffer = buffers_.gbuffer;
+    frame.run(Stage::primary_rays, "",
+              kernels::gbuffer{.scene = *scene_buffers_->traced,
+                               .geometry = view(scene_buffers_->geometry),
+                               .gb_ids = gbuffer.gb_ids,
+                               .gb_position = gbuffer.gb_position,
+                               .gb_normal = gbuffer.gb_normal,
+                               .gb_shading = gbuffer.gb_shading,
+                               .gb_albedo = gbuffer.gb_albedo,
+                               .gb_emission = gbuffer.gb_emission},
+              {pixel_blocks(settings_.width, settings_.height, executor_.lanes())});
+    if (buffers_.view_media) buffers_.view_media->find(frame);
+    if (all_receivers_)
+        frame.run(Stage::receivers, "",
+                  kernels::receivers{.surfaces = view(gbuffer),
+                                     .slots = buffers_.slots,
+                                     .slot_pixel = buffers_.slot_pixel,
+                                     .view_inside = buffers_.view_inside(),
+                                     .receiver_planes = buffers_.receivers,
+                                     .pixel_slot = buffers_.pixel_slot},
+                  {buffers_.slots});
+    if (buffers_.tiles) buffers_.tiles->examine(frame, buffers_.gbuffer);
+}
+
+void Renderer::compose(FrameContext& frame) {
+    // A film that other frames are in gets all of this one or nothing. What edges are found by has
+    // to be whole as well: masks that nothing has written name pixels that are not there.
+    frame.whole_launches = true;
+    if (buffers_.edges) buffers_.edges->find(frame);
+    frame.run(Stage::composition, "",
+              kernels::compose{.surfaces = view(buffers_.gbuffer),
+                               .composed = buffers_.composed(),
+                               .slots = buffers_.slots,
+                               .film_high = buffers_.film_high,
+                               .film_low = buffers_.film_low,
+                               .nonfinite = buffers_.nonfinite,
+                               .edge_masks = buffers_.edges ? buffers_.edges->masks()
+                                                            : BufferRef<kinds::EdgeMasks>()},
+              {pixel_runs(settings_.width, settings_.height, executor_.lanes())});
+    frame.whole_launches = frame.begins == FrameContext::Begins::nothing;
+    if (buffers_.edges) buffers_.edges->sample(frame);
+}
+
+bool Renderer::render_frame(const KeepGoing& keep_going) {
+    const Stopwatch watch;
+    const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
+    const std::uint32_t number = frames_in_film_;
+    FrameContext frame(inputs, params_of_frame(number), keep_going);
+    frame.budget = &budget_;
+    frame.begins = number > 0              ? FrameContext::Begins::nothing
+                   : picture_ == sequence_ ? FrameContext::Begins::sequence
+                                           : FrameContext::Begins::picture;
+    frame.run_whole([&] { trace_primary(frame); });
+    for (const ActiveComponent& active : components_) {
+        if (executor_.cancelled()) return false;
+        active.component->sample(frame);
+    }
+    if (frame.ended_early() && number > 0) return false;
+    if (!finish(frame)) return false;
+    ++frames_in_film_;
+    record(frame, watch);
+    if (!frame.ended_early()) budget_.spend(stats_.back().ms, threshold_scopes());
+    return !frame.ended_early();
+}
+
+bool Renderer::finish(FrameContext& frame) {
+    bool written = false;
+    frame.run_whole([&] {
+        for (const ActiveComponent& active : components_) {
+            if (executor_.cancelled()) return;
+            active.component->reconstruct(frame);
+        }
+        if (executor_.cancelled()) return;
+        compose(frame);
+        written = frame.whole_launches || !buffers_.edges || !executor_.cancelled();
+    });
+    return written;
+}
+
+std::vector<ThresholdScope> Renderer::threshold_scopes() const {
+    std::vector<ThresholdScope> scopes;
+    for (const ActiveComponent& active : components_)
+        if (const SamplingDecision* const decision = active.component->decision())
+            scopes.push_back({active.name, decision->can_save(), decision->can_spend()});
+    return scopes;
+}
+
+void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
+    stats_.push_back(frame_stats(frame, watch));
+    stats_.back().picture = picture_;
+    for (const ActiveComponent& active : components_) {
+        if (const auto cache = active.component->cache()) stats_.back().cache = cache;
+        const SamplingDecision* const decision = active.component->decision();
+        if (decision == nullptr) continue;
+        const LevelCounts counts = decision->counts();
+        stats_.back().levels.push_back(
+            {active.name, counts.tiles, counts.samples, budget_.gain(active.name)});
+    }
+    for (StageStats& stage : stats_.back().stages) {
+        if (stage.stage != Stage::primary_rays) continue;
+        stage.rays = std::uint64_t{settings_.width} * settings_.height;
+        stats_.back().rays += stage.rays;
+    }
+}
+
+FilmView Renderer::film() {
+    return {.params = base_params_,
+            .high = buffers_.film_high,
+            .low = buffers_.film_low,
+            .sums = {},
+            .samples = frames_in_film_};
+}
+
+Image Renderer::image() {
+    const std::size_t values = film_planes(base_params_.features) *
+                               FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
+    const auto high = read_buffer(executor_, buffers_.film_high, values);
+    const auto low = read_buffer(executor_, buffers_.film_low, frames_in_film_ > 1 ? values : 0);
+    Image image = resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
+    for (const ActiveComponent& active : components_) {
+        active.component->add_layers(image);
+        if (const SamplingDecision* const decision = active.component->decision())
+            decision->add_layers(active.name, image);
+    }
+    return image;
+}
+
+}  // namespace weft

@@ -1,0 +1,124 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_RENDER_RENDERER_H
+#define WEFT_RENDER_RENDERER_H
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "components/component.h"
+#include "image/image.h"
+#include "pipeline/frame_context.h"
+#include "pipeline/frame_renderer.h"
+#include "plan/frame_plan.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+/// What picture to make of a scene.
+struct RenderSettings {
+    Algorithm algorithm = default_algorithm;
+    SamplingSettings sampling;
+    std::uint32_t width = 512;
+    std::uint32_t height = 512;
+    std::uint32_t tile = 64;
+    std::uint32_t seed = 0;
+    /// Frames that are to be made, as far as known: 1 traces pixel centres, more points all over
+    /// the pixel, between which textures need less filtering.
+    std::uint32_t samples = 1;
+    /// Of ais: milliseconds that each frame may take, kept by the thresholds; 0: as long as the
+    /// sampling settings make it.
+    double frame_time_ms = 0.0;
+    bool direct = true;
+    bool indirect = true;
+    bool media = true;  ///< light that participating media scatter to the camera
+    /// Names of further components (Choice::on_request).
+    std::vector<std::string> requested;
+    /// Those to choose from.
+    std::span<const ComponentKind> components = weft::components();
+};
+
+/// Renders frames of one scene into one film, for one picture after the other.
+class Renderer : public FrameRenderer {
+  public:
+    /// `scene` must outlive the renderer. Uploads the scene, plans and builds what the plan calls
+    /// for.
+    Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
+             const RenderSettings& settings);
+    /// The same on a scene that has been uploaded, by others perhaps.
+    Renderer(Executor& executor, const FlatScene& scene, std::shared_ptr<SceneBuffers> uploaded,
+             const Camera& camera, const RenderSettings& settings);
+    Renderer(const Renderer&) = delete;  // its components refer to it
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
+    /// it got and a later one is dropped; returns whether it was complete. Any frame is dropped
+    /// that was cancelled.
+    bool render_frame(const KeepGoing& keep_going) override;
+
+    void set_camera(const Camera& camera) override;
+    void move_camera(const Camera& camera) override;
+    /// Keeps the plan, unless the scene has other lights now than it was made for.
+    void update_scene() override;
+    void follow_scene() override;
+
+    [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
+    /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth;
+    /// of ais also the levels of the last frame, and what components bring as layers of their own.
+    [[nodiscard]] Image image() override;
+    [[nodiscard]] const FramePlan& plan() const override { return plan_; }
+    [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
+    [[nodiscard]] std::vector<FrameStats> take_stats() override {
+        return std::exchange(stats_, {});
+    }
+    [[nodiscard]] FilmView film() override;
+
+  private:
+    /// Makes everything that depends on the plan.
+    void set_up();
+    void set_params(std::uint32_t features);
+    void trace_primary(FrameContext& frame);
+    void compose(FrameContext& frame);
+    /// The components' results to the film; returns whether all of it got there.
+    bool finish(FrameContext& frame);
+    void record(FrameContext& frame, const Stopwatch& watch);
+    /// Of the last frame.
+    [[nodiscard]] std::vector<ThresholdScope> threshold_scopes() const;
+    [[nodiscard]] shared::RenderParams params_of_frame(std::uint32_t frame) const;
+
+    Executor& executor_;
+    const FlatScene& scene_;
+    Camera camera_;
+    RenderSettings settings_;
+    FramePlan plan_;
+    WorkList work_;
+    std::shared_ptr<SceneBuffers> scene_buffers_;
+    FrameBuffers buffers_;
+    std::vector<ActiveComponent> components_;
+    bool all_receivers_ = true;  ///< whether a frame runs receivers.cl over its whole work list
+    shared::RenderParams base_params_{};
+    std::vector<FrameStats> stats_;
+    std::uint32_t frames_in_film_ = 0;
+    std::uint32_t picture_ = 0;
+    std::uint32_t sequence_ = 0;  ///< its first picture
+    FrameBudget budget_;
+};
+
+/// The plan for a scene and settings.
+[[nodiscard]] FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings);
+
+/// Kernels that frames of this plan launch, each once, in KernelId order.
+[[nodiscard]] std::vector<KernelId> kernels_of(const FramePlan& plan,
+                                               std::span<const ComponentKind> kinds = components());
+
+/// FEATURE_* of frames of this plan.
+[[nodiscard]] std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
+                                        std::span<const ComponentKind> kinds = components());
+
+}  // namespace weft
+
+#endif

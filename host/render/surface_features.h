@@ -1,0 +1,21 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_RENDER_SURFACE_FEATURES_H
+#define WEFT_RENDER_SURFACE_FEATURES_H
+
+#include <cstdint>
+
+#include "scene/flat_scene.h"
+#include "shared/shared_types.h"
+
+namespace weft {
+
+/// FEATURE_* of what rays find, surfaces and the environment, which every algorithm has to know.
+[[nodiscard]] inline std::uint32_t surface_features(const FlatScene& scene) {
+    return scene.features & (FEATURE_TEXTURES | FEATURE_VERTEX_COLOURS | FEATURE_SMOOTH_NORMALS |
+                             FEATURE_ONE_SIDED | FEATURE_LOBES | FEATURE_ENVIRONMENT);
+}
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,187 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/gltf/gltf_materials.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/quote.h"
+#include "scene/gltf/gltf_medium.h"
+
+namespace weft {
+namespace {
+
+struct Unsimulated {
+    const char* key;
+    const char* message;
+};
+
+constexpr std::array unsimulated_extensions = {
+    Unsimulated{"KHR_materials_unlit",
+                "unlit material is not simulated, a lit diffuse surface is rendered instead"},
+    Unsimulated{"KHR_materials_transmission",
+                "transmission is not simulated, an opaque surface is rendered instead"},
+    Unsimulated{"KHR_materials_diffuse_transmission",
+                "diffuse transmission is not simulated, an opaque surface is rendered instead"},
+    Unsimulated{"KHR_materials_volume",
+                "material volume is not simulated, an opaque surface is rendered instead"},
+    Unsimulated{"KHR_materials_clearcoat",
+                "clear coat is not simulated, the bare base colour is rendered instead"},
+    Unsimulated{"KHR_materials_sheen",
+                "sheen is not simulated, the bare base colour is rendered instead"},
+    Unsimulated{"KHR_materials_specular",
+                "specular reflection is not simulated, a diffuse surface is rendered instead"},
+    Unsimulated{"KHR_materials_iridescence",
+                "iridescence is not simulated, the bare base colour is rendered instead"},
+    Unsimulated{"KHR_materials_anisotropy",
+                "anisotropic reflection is not simulated, a diffuse surface is rendered instead"},
+    Unsimulated{"KHR_materials_ior",
+                "index of refraction is not simulated, a diffuse surface is rendered instead"},
+    Unsimulated{"KHR_materials_dispersion",
+                "dispersion is not simulated, an opaque surface is rendered instead"},
+    Unsimulated{"KHR_materials_pbrSpecularGlossiness",
+                "specular-glossiness material is not simulated, the metallic-roughness base "
+                "colour is rendered instead"},
+};
+
+/// The set of texture coordinates and the transform that a textureInfo asks for. Positive
+/// rotation turns the coordinates counter-clockwise as seen with v pointing down.
+void read_uv_mapping(const JsonValue& info, GltfSurface& surface) {
+    surface.uv_set = info.integer_or("texCoord", 0);
+    const std::optional<JsonValue> transform = info.extension("KHR_texture_transform");
+    if (!transform) return;
+    surface.uv_set = transform->integer_or("texCoord", surface.uv_set);
+    const std::array<double, 2> offset = transform->numbers_or<2>("offset", {0.0, 0.0});
+    const std::array<double, 2> scale = transform->numbers_or<2>("scale", {1.0, 1.0});
+    const double rotation = transform->number_or("rotation", 0.0);
+    const double c = std::cos(rotation);
+    const double s = std::sin(rotation);
+    surface.uv_transform = glm::dmat3(glm::dvec3(c * scale[0], -s * scale[0], 0.0),
+                                      glm::dvec3(s * scale[1], c * scale[1], 0.0),
+                                      glm::dvec3(offset[0], offset[1], 1.0));
+}
+
+}  // namespace
+
+GltfMaterials::GltfMaterials(const GltfDocument& document, GltfTextures& textures,
+                             WarningCollector& report, GltfDensities& densities,
+                             std::vector<Material>& materials, std::vector<Medium>& media)
+    : root_(document.root()),
+      textures_(textures),
+      report_(report),
+      densities_(densities),
+      materials_(materials),
+      media_(media) {}
+
+const GltfSurface& GltfMaterials::surface(const std::optional<JsonValue>& reference) {
+    constexpr std::size_t default_material = std::numeric_limits<std::size_t>::max();
+    const std::size_t index =
+        reference ? reference->as_index(root_.size_of("materials"), "materials") : default_material;
+    if (const auto known = surfaces_.find(index); known != surfaces_.end()) return known->second;
+    GltfSurface surface;
+    if (reference) {
+        surface = convert(root_.at("materials").element(index), index);
+    } else {
+        Material material;
+        material.name = "default";
+        material.surface = DiffuseSurface{glm::vec3{1.0F}};
+        surface.material = static_cast<std::uint32_t>(materials_.size());
+        materials_.push_back(std::move(material));
+    }
+    return surfaces_.emplace(index, surface).first->second;
+}
+
+GltfSurface GltfMaterials::convert(const JsonValue& value, std::size_t index) {
+    GltfSurface surface;
+    Material material;
+    material.name = value.name_or("material " + std::to_string(index));
+    if (std::optional<Medium> medium = read_gltf_medium(value, material.name, densities_)) {
+        surface.medium = static_cast<int>(media_.size());
+        media_.push_back(*std::move(medium));
+        return surface;
+    }
+    material.surface = base_colour(value, surface);
+    material.emission.radiance = emission(value);
+    material.emission.both_sides = value.bool_or("doubleSided", false);
+    material.two_sided = true;
+    report_unsimulated(value);
+    surface.material = static_cast<std::uint32_t>(materials_.size());
+    materials_.push_back(std::move(material));
+    return surface;
+}
+
+DiffuseSurface GltfMaterials::base_colour(const JsonValue& value, GltfSurface& surface) {
+    DiffuseSurface diffuse{glm::vec3{1.0F}};
+    const std::optional<JsonValue> pbr = value.find("pbrMetallicRoughness");
+    const double metallic = pbr ? pbr->number_or("metallicFactor", 1.0) : 1.0;
+    if (metallic > 0.0)
+        report_.once(value.place(),
+                     "metallic reflection is not simulated, a diffuse surface of the base colour "
+                     "is rendered instead");
+    if (!pbr) return diffuse;
+    if (pbr->number_or("roughnessFactor", 1.0) < 1.0 || pbr->find("metallicRoughnessTexture"))
+        report_.once(value.place(),
+                     "roughness below 1 is not simulated, a diffuse surface of the base colour is "
+                     "rendered instead");
+    const std::array<double, 4> factor =
+        pbr->numbers_or<4>("baseColorFactor", {1.0, 1.0, 1.0, 1.0});
+    diffuse.albedo = colour(*pbr, glm::dvec3(factor[0], factor[1], factor[2]), "baseColorFactor");
+    const std::optional<JsonValue> info = pbr->find("baseColorTexture");
+    if (!info) return diffuse;
+    const std::optional<int> texture = textures_.add(info->at("index"));
+    if (!texture) return diffuse;
+    diffuse.albedo_texture = *texture;
+    surface.textured = true;
+    read_uv_mapping(*info, surface);
+    return diffuse;
+}
+
+glm::vec3 GltfMaterials::emission(const JsonValue& value) {
+    const std::array<double, 3> factor = value.numbers_or<3>("emissiveFactor", {0.0, 0.0, 0.0});
+    const glm::vec3 base =
+        colour(value, glm::dvec3(factor[0], factor[1], factor[2]), "emissiveFactor");
+    double strength = 1.0;
+    if (const std::optional<JsonValue> extension =
+            value.extension("KHR_materials_emissive_strength")) {
+        strength = extension->number_or("emissiveStrength", 1.0);
+        if (strength < 0.0 || strength > 1e30)
+            throw extension->error("emissiveStrength is " + std::to_string(strength) +
+                                   ", expected 0 to 1e30");
+    }
+    glm::vec3 radiance = base * static_cast<float>(strength);
+    const std::optional<JsonValue> texture = value.find("emissiveTexture");
+    if (!texture || radiance == glm::vec3{0.0F}) return radiance;
+    report_.once(texture->place(),
+                 "textured emission is not simulated, the mean colour of the texture is emitted "
+                 "everywhere instead");
+    return radiance * textures_.mean_colour(texture->at("index"));
+}
+
+glm::vec3 GltfMaterials::colour(const JsonValue& place, const glm::dvec3& value, const char* what) {
+    const glm::dvec3 clamped = glm::clamp(value, 0.0, 1.0);
+    if (clamped != value)
+        report_.once(place.place(), std::string(what) + " lies outside [0, 1] and is clamped");
+    return glm::vec3(clamped);
+}
+
+void GltfMaterials::report_unsimulated(const JsonValue& value) {
+    for (const Unsimulated& extension : unsimulated_extensions)
+        if (value.extension(extension.key)) report_.once(value.place(), extension.message);
+    if (value.find("normalTexture"))
+        report_.once(value.place(),
+                     "normal maps are not simulated, the unperturbed normals are used instead");
+    if (value.find("occlusionTexture"))
+        report_.once(value.place(),
+                     "occlusion textures are not used, occlusion is simulated instead");
+    const std::string mode = value.string_or("alphaMode", "OPAQUE");
+    if (mode == "MASK" || mode == "BLEND")
+        report_.once(value.place(), "alphaMode " + mode +
+                                        " is not simulated, an opaque surface is rendered instead");
+    else if (mode != "OPAQUE")
+        throw value.at("alphaMode").error("is " + quote(mode) + ", expected OPAQUE, MASK or BLEND");
+}
+
+}  // namespace weft

@@ -1,0 +1,57 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_GLTF_MATERIALS_H
+#define WEFT_SCENE_GLTF_GLTF_MATERIALS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "scene/gltf/gltf_density.h"
+#include "scene/gltf/gltf_textures.h"
+
+namespace weft {
+
+/// What a primitive must know of its material.
+struct GltfSurface {
+    std::uint32_t material = 0;  ///< index into Scene::materials
+    int medium = -1;  ///< index into Scene::media: an invisible boundary of it; -1: a surface
+    bool textured = false;
+    std::uint64_t uv_set = 0;      ///< n of TEXCOORD_n
+    glm::dmat3 uv_transform{1.0};  ///< KHR_texture_transform, applied to (u, v, 1)
+};
+
+/// Turns the materials that primitives refer to into diffuse ones, each once.
+class GltfMaterials {
+  public:
+    GltfMaterials(const GltfDocument& document, GltfTextures& textures, WarningCollector& report,
+                  GltfDensities& densities, std::vector<Material>& materials,
+                  std::vector<Medium>& media);
+
+    /// The material whose index `reference` holds, or glTF's default material. Throws Error (exit
+    /// code 2).
+    [[nodiscard]] const GltfSurface& surface(const std::optional<JsonValue>& reference);
+
+  private:
+    [[nodiscard]] GltfSurface convert(const JsonValue& value, std::size_t index);
+    DiffuseSurface base_colour(const JsonValue& value, GltfSurface& surface);
+    [[nodiscard]] glm::vec3 emission(const JsonValue& value);
+    [[nodiscard]] glm::vec3 colour(const JsonValue& place, const glm::dvec3& value,
+                                   const char* what);
+    void report_unsimulated(const JsonValue& value);
+
+    JsonValue root_;
+    GltfTextures& textures_;
+    WarningCollector& report_;
+    GltfDensities& densities_;
+    std::vector<Material>& materials_;
+    std::vector<Medium>& media_;
+    std::map<std::size_t, GltfSurface> surfaces_;
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,160 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/gltf/gltf_reader.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/limits.h"
+#include "base/warning_collector.h"
+#include "scene/gltf/gltf_animation.h"
+#include "scene/gltf/gltf_data.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/gltf_extensions.h"
+#include "scene/gltf/gltf_influences.h"
+#include "scene/gltf/gltf_lights.h"
+#include "scene/gltf/gltf_materials.h"
+#include "scene/gltf/gltf_medium.h"
+#include "scene/gltf/gltf_nodes.h"
+#include "scene/gltf/gltf_parts.h"
+#include "scene/gltf/gltf_skin.h"
+#include "scene/gltf/gltf_textures.h"
+
+namespace weft {
+namespace {
+
+/// Fills a Scene from the nodes of a document.
+class GltfReader {
+  public:
+    GltfReader(const GltfDocument& document, Diagnostics& diagnostics)
+        : document_(document),
+          root_(document.root()),
+          report_(diagnostics),
+          data_(document),
+          textures_(document, data_, report_, scene_.textures),
+          densities_(document.path, scene_.grids, diagnostics),
+          materials_(document, textures_, report_, densities_, scene_.materials, scene_.media),
+          skins_(document, data_, nodes_),
+          parts_(document, data_, materials_, report_, scene_) {}
+
+    GltfReader(const GltfReader&) = delete;
+    GltfReader& operator=(const GltfReader&) = delete;
+
+    Scene read() {
+        scene_.source = document_.path.string();
+        check_gltf_extensions(document_, report_);
+        Animation& animation = scene_.animation;
+        const GltfAnimatedNodes animated =
+            read_gltf_animations(document_, data_, report_, animation.tracks);
+        nodes_ = read_gltf_nodes(document_, animated, animation, report_);
+        for (const GltfNode& node : nodes_) add_node(node);
+        if (std::optional<Medium> fog = read_gltf_outer_medium(root_, densities_)) {
+            scene_.outer_medium = static_cast<int>(scene_.media.size());
+            scene_.media.push_back(*std::move(fog));
+        }
+        report_.flush();
+        return std::move(scene_);
+    }
+
+  private:
+    void add_node(const GltfNode& node) {
+        const std::optional<JsonValue> mesh = node.value.find("mesh");
+        const bool has_light = node.value.extension("KHR_lights_punctual").has_value();
+        const bool has_camera = node.value.find("camera").has_value();
+        if (!mesh && !has_light && !has_camera) return;
+        if (node.value.extension("EXT_mesh_gpu_instancing"))
+            report_.once(node.value.place(),
+                         "instancing by attributes is not simulated, one instance is rendered "
+                         "instead");
+        if (mesh) add_mesh(node, *mesh);
+        if ((!has_light && !has_camera) || !usable_transform(node.to_world, node.value, report_))
+            return;
+        if (auto light = read_gltf_light(root_, node, report_)) {
+            light->motion = node.motion;
+            scene_.lights.push_back(*std::move(light));
+        }
+        if (auto camera = read_gltf_camera(root_, node, scene_.cameras.size(), report_)) {
+            if (node.motion.moves()) camera->motion = node.motion;
+            scene_.cameras.push_back(*std::move(camera));
+        }
+    }
+
+    /// The skin that a node applies to its mesh, or null.
+    const GltfSkin* skin_of(const GltfNode& node, const JsonValue& mesh) {
+        const std::optional<JsonValue> skin = node.value.find("skin");
+        if (!skin) return nullptr;
+        const std::size_t index = mesh.as_index(root_.size_of("meshes"), "meshes");
+        const GltfSkin& found = skins_.skin(*skin);
+        const auto [skinnable, is_new] = skinnable_.try_emplace(index, false);
+        if (is_new) skinnable->second = is_skinnable(root_.at("meshes").element(index));
+        if (skinnable->second) return &found;
+        report_.once(node.value.place(),
+                     "a mesh without JOINTS_0 and WEIGHTS_0 has a skin, it is rendered unskinned "
+                     "instead");
+        return nullptr;
+    }
+
+    /// A mesh that joints carry stands where its skeleton does, not where its node does.
+    void add_mesh(const GltfNode& node, const JsonValue& reference) {
+        const GltfSkin* const skin = skin_of(node, reference);
+        const glm::dmat4& to_world = skin != nullptr ? skin->to_world : node.to_world;
+        if (!usable_transform(to_world, node.value, report_)) return;
+        const Attachment& motion = skin != nullptr ? skin->motion : node.motion;
+        const std::vector<GltfPart>& parts = parts_.of(node, reference, skin);
+        if (parts.size() >
+            limits::max_instances - scene_.instances.size() - scene_.medium_boundaries.size())
+            throw node.value.error("brings the file above the limit of " +
+                                   std::to_string(limits::max_instances) + " placed meshes");
+        for (const GltfPart& part : parts) {
+            const bool moves = motion.moves() || part.deforms;
+            if (part.medium >= 0) {
+                if (moves)
+                    report_.once(node.value.place(),
+                                 "animations of media are not simulated, their pose at rest is "
+                                 "rendered instead");
+                // A mirrored mesh has its faces turned inwards.
+                const int inside = part.mirrored ? -1 : part.medium;
+                const int outside = part.mirrored ? part.medium : -1;
+                scene_.medium_boundaries.push_back({part.mesh, to_world, inside, outside});
+                continue;
+            }
+            Instance instance;
+            instance.name = node.name.empty() ? scene_.meshes[part.mesh].name : node.name;
+            instance.mesh = part.mesh;
+            instance.material = part.material;
+            instance.to_world = to_world;
+            instance.flip_normals = part.mirrored;
+            instance.motion = motion;
+            instance.may_move = moves;
+            instance.deformation = part.deformation;
+            scene_.instances.push_back(std::move(instance));
+        }
+    }
+
+    const GltfDocument& document_;
+    JsonValue root_;
+    Scene scene_;
+    WarningCollector report_;
+    GltfData data_;
+    GltfTextures textures_;
+    GltfDensities densities_;
+    GltfMaterials materials_;
+    std::vector<GltfNode> nodes_;
+    GltfSkins skins_;
+    GltfParts parts_;
+    std::map<std::size_t, bool> skinnable_;  ///< by mesh of the file
+};
+
+}  // namespace
+
+Scene read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    const GltfDocument document = read_gltf_document(path);
+    return GltfReader(document, diagnostics).read();
+}
+
+}  // namespace weft

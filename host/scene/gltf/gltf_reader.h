@@ -1,0 +1,20 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_GLTF_READER_H
+#define WEFT_SCENE_GLTF_GLTF_READER_H
+
+#include <filesystem>
+
+#include "base/diagnostics.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+/// Reads glTF 2.0, `.gltf` or `.glb`. Only what the rendered scene refers to is read. Photometric
+/// light units are taken for radiometric ones, number by number. Throws Error (exit code 2) with
+/// `file#/json/pointer` for anything broken.
+[[nodiscard]] Scene read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,48 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_GLTF_GLTF_TEXTURES_H
+#define WEFT_SCENE_GLTF_GLTF_TEXTURES_H
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "base/warning_collector.h"
+#include "scene/gltf/gltf_data.h"
+#include "scene/scene.h"
+
+namespace weft {
+
+/// Decodes the pictures that materials refer to, each once, within `limits::max_texture_bytes`
+/// for the whole file.
+class GltfTextures {
+  public:
+    GltfTextures(const GltfDocument& document, GltfData& data, WarningCollector& report,
+                 std::vector<Texture>& textures);
+
+    /// Index into the scene's textures for the glTF texture whose index `reference` holds; nothing
+    /// where the texture has no picture that Weft can read. Throws Error (exit code 2).
+    [[nodiscard]] std::optional<int> add(const JsonValue& reference);
+
+    /// Mean linear colour of that texture's picture, read as sRGB; white where it has none.
+    [[nodiscard]] glm::vec3 mean_colour(const JsonValue& reference);
+
+  private:
+    [[nodiscard]] std::optional<std::size_t> image_of(const JsonValue& texture);
+    [[nodiscard]] Texture decode(std::size_t image);
+
+    JsonValue root_;
+    GltfData& data_;
+    WarningCollector& report_;
+    std::vector<Texture>& textures_;
+    std::size_t decoded_bytes_ = 0;
+    std::map<std::tuple<std::size_t, Wrap, Wrap, bool>, int> added_;
+    std::map<std::size_t, glm::vec3> means_;
+};
+
+}  // namespace weft
+
+#endif

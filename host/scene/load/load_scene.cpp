@@ -1,0 +1,46 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/load/load_scene.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.h"
+#include "scene/default_light.h"
+#include "scene/gltf/gltf_reader.h"
+#include "scene/mitsuba/mitsuba_reader.h"
+#include "scene/obj/obj_reader.h"
+#include "scene/ply/ply_scene.h"
+#include "scene/validate_scene.h"
+
+namespace weft {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return extension;
+}
+
+Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    const std::string extension = lower_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics);
+    if (extension == ".xml") return read_mitsuba(path, diagnostics);
+    if (extension == ".obj") return read_obj(path, diagnostics);
+    if (extension == ".ply") return read_ply_scene(path, diagnostics);
+    throw input_error(path.string(),
+                      "is not a known kind of scene file, expected glTF 2.0 (.gltf, .glb), "
+                      "Mitsuba 3 (.xml), OBJ (.obj) or PLY (.ply)");
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    Scene scene = read_scene(path, diagnostics);
+    validate_scene(scene);
+    add_default_light(scene, diagnostics);
+    return scene;
+}
+
+}  // namespace weft

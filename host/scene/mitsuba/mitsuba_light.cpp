@@ -1,0 +1,117 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/mitsuba/mitsuba_light.h"
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/quote.h"
+
+namespace weft::mitsuba {
+
+namespace {
+
+/// Mitsuba's emitters shine along +z of their own space.
+glm::dvec3 direction_of(Object& object, const glm::dmat4& to_world, const glm::dvec3& local) {
+    const glm::dvec3 direction = glm::dmat3(to_world) * local;
+    const double length = glm::length(direction);
+    if (!(length > 0.0) || !std::isfinite(length))
+        throw input_error(object.place(),
+                          "emitter without a direction, expected a vector of "
+                          "finite length above 0");
+    return direction / length;
+}
+
+glm::dvec3 position_of(Object& object, const glm::dmat4& to_world) {
+    const glm::dvec3 position(to_world[3]);
+    if (glm::any(glm::greaterThan(glm::abs(position), glm::dvec3(limits::max_coordinate))))
+        throw input_error(object.place(), "position too far out, expected coordinates below 1e15");
+    return position;
+}
+
+PunctualLight read_point(Object& object) {
+    PunctualLight light;
+    light.type = LightType::point;
+    light.intensity = object.colour("intensity", ColourUse::emission, glm::vec3(1.0F));
+    glm::dmat4 to_world = object.transform("to_world");
+    if (const std::optional<glm::dvec3> position = object.vector("position"))
+        to_world[3] = glm::dvec4(*position, 1.0);
+    light.position = position_of(object, to_world);
+    return light;
+}
+
+PunctualLight read_spot(Object& object, Context& context) {
+    PunctualLight light;
+    light.type = LightType::spot;
+    light.intensity = object.colour("intensity", ColourUse::emission, glm::vec3(1.0F));
+    const double cutoff = object.number("cutoff_angle", 20.0);
+    const double beam = object.number("beam_width", 0.75 * cutoff);
+    if (!(cutoff > 0.0 && cutoff <= 180.0 && beam >= 0.0 && beam <= cutoff))
+        throw input_error(object.place(),
+                          "bad spot angles, expected 0 <= beam_width <= "
+                          "cutoff_angle <= 180");
+    light.cos_inner = static_cast<float>(std::cos(glm::radians(beam)));
+    light.cos_outer = static_cast<float>(std::cos(glm::radians(cutoff)));
+    if (beam < cutoff)
+        context.warnings.once(object.element(),
+                              "the edge of a spot light falls off in its own "
+                              "way, not linearly with the angle");
+    const glm::dmat4 to_world = object.transform("to_world");
+    light.position = position_of(object, to_world);
+    light.direction = direction_of(object, to_world, {0.0, 0.0, 1.0});
+    return light;
+}
+
+PunctualLight read_directional(Object& object) {
+    PunctualLight light;
+    light.type = LightType::directional;
+    light.intensity = object.colour("irradiance", ColourUse::emission, glm::vec3(1.0F));
+    const glm::dmat4 to_world = object.transform("to_world");
+    const std::optional<glm::dvec3> direction = object.vector("direction");
+    light.direction = direction ? direction_of(object, glm::dmat4(1.0), *direction)
+                                : direction_of(object, to_world, {0.0, 0.0, 1.0});
+    return light;
+}
+
+void read_constant(Object& object, Context& context, Scene& scene) {
+    const glm::vec3 radiance = object.colour("radiance", ColourUse::emission, glm::vec3(1.0F));
+    if (scene.environment) {
+        context.warnings.once(object.element(),
+                              "more than one environment light: the first one is used");
+        return;
+    }
+    scene.environment = Environment{radiance};
+}
+
+}  // namespace
+
+void read_light(const Element& emitter, Context& context, Scene& scene) {
+    Object object(emitter, context);
+    const std::string& type = object.type();
+    object.ignore({"sampling_weight"});
+    std::optional<PunctualLight> light;
+    if (type == "point") {
+        light = read_point(object);
+    } else if (type == "spot") {
+        light = read_spot(object, context);
+    } else if (type == "directional") {
+        light = read_directional(object);
+    } else if (type == "constant") {
+        read_constant(object, context, scene);
+        object.ignore({"to_world"});
+    } else {
+        context.warnings.once(emitter, "emitter " + quote(type) + " is not supported and left out");
+        return;
+    }
+    object.report_unused();
+    if (!light) return;
+    light->name = object.id_or(type);
+    scene.lights.push_back(std::move(*light));
+}
+
+}  // namespace weft::mitsuba

@@ -1,0 +1,339 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/mitsuba/mitsuba_xml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstring>
+#include <map>
+#include <pugixml.hpp>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/limits.h"
+#include "base/quote.h"
+
+namespace weft::mitsuba {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TagRule {
+    std::string_view tag;
+    std::string_view attributes;  ///< those it may have, separated by blanks
+};
+
+/// Everything the format knows. Objects have `type`, `id` and `name`, values `name` and `value`.
+constexpr std::array<TagRule, 35> tag_rules = {{
+    {"scene", "version"},
+    {"default", "name value"},
+    {"include", "filename"},
+    {"alias", "id as"},
+    {"ref", "id name"},
+    {"integrator", "type id name"},
+    {"sensor", "type id name"},
+    {"film", "type id name"},
+    {"sampler", "type id name"},
+    {"rfilter", "type id name"},
+    {"bsdf", "type id name"},
+    {"texture", "type id name"},
+    {"emitter", "type id name"},
+    {"shape", "type id name"},
+    {"medium", "type id name"},
+    {"phase", "type id name"},
+    {"volume", "type id name"},
+    {"integer", "name value"},
+    {"float", "name value"},
+    {"boolean", "name value"},
+    {"string", "name value"},
+    {"rgb", "id name value"},
+    {"spectrum", "type id name value filename"},
+    {"point", "name value x y z"},
+    {"vector", "name value x y z"},
+    {"transform", "id name"},
+    {"translate", "value x y z"},
+    {"scale", "value x y z"},
+    {"rotate", "value x y z angle"},
+    {"lookat", "origin target up"},
+    {"matrix", "value"},
+    {"path", "value"},
+    {"resources", ""},
+    {"animation", "name"},
+    {"blackbody", "name temperature"},
+}};
+
+const TagRule* find_rule(std::string_view tag) {
+    const auto* const found = std::find_if(tag_rules.begin(), tag_rules.end(),
+                                           [&](const TagRule& rule) { return rule.tag == tag; });
+    return found == tag_rules.end() ? nullptr : found;
+}
+
+bool allows(const TagRule& rule, std::string_view attribute) {
+    std::string_view rest = rule.attributes;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (rest.substr(0, end) == attribute) return true;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return false;
+}
+
+/// One file of the scene while it is converted; turns byte offsets into lines.
+struct SourceFile {
+    fs::path path;
+    const std::string* name = nullptr;
+    std::vector<std::size_t> line_ends;
+
+    [[nodiscard]] std::size_t line(std::ptrdiff_t offset) const {
+        const auto wanted = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+        const auto found = std::lower_bound(line_ends.begin(), line_ends.end(), wanted);
+        return static_cast<std::size_t>(found - line_ends.begin()) + 1;
+    }
+};
+
+class Loader {
+  public:
+    Loader(Warnings& warnings, Document& document) : warnings_(warnings), document_(document) {}
+
+    void load(const fs::path& path) {
+        document_.path = path;
+        load_file(path, {}, document_.root, 0);
+        index_ids(document_.root);
+        apply_aliases();
+    }
+
+  private:
+    /// Parses a file and adds the children of its `<scene>` to `root`.
+    void load_file(const fs::path& path, const std::string& place, Element& root, int depth) {
+        const std::vector<std::byte> bytes = read_file(path, limits::max_text_file_bytes, place);
+        document_.files.push_back(path.string());
+        SourceFile file{path, &document_.files.back(), {}};
+        scan(bytes, file);
+        pugi::xml_document xml;
+        const pugi::xml_parse_result result =
+            xml.load_buffer(bytes.data(), bytes.size(), pugi::parse_default, pugi::encoding_utf8);
+        if (!result)
+            throw input_error(fmt::format("{}:{}", *file.name, file.line(result.offset)),
+                              std::string("broken XML: ") + result.description());
+        const pugi::xml_node scene = xml.document_element();
+        if (std::strcmp(scene.name(), "scene") != 0)
+            throw input_error(
+                fmt::format("{}:{}", *file.name, file.line(scene.offset_debug())),
+                "root element " + quote(scene.name()) + ", expected the <scene> of a Mitsuba file");
+        if (scene.next_sibling())
+            throw input_error(
+                fmt::format("{}:{}", *file.name, file.line(scene.next_sibling().offset_debug())),
+                "a second root element, expected one <scene>");
+        Element element = make_element(scene, file);
+        if (depth == 0) {
+            check_version(element);
+            root = std::move(element);
+        }
+        open_files_.push_back(canonical(path));
+        convert_children(scene, file, root, depth + 1);
+        open_files_.pop_back();
+    }
+
+    /// Finds the line ends, and refuses what would need far more memory as a tree than as text.
+    void scan(const std::vector<std::byte>& bytes, SourceFile& file) {
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            const char c = static_cast<char>(bytes[i]);
+            if (c == '\n') file.line_ends.push_back(i);
+            if ((c == '<' || c == '=') && ++items_ > limits::max_xml_items)
+                throw input_error(
+                    fmt::format("{}:{}", *file.name, file.line_ends.size() + 1),
+                    fmt::format("more than {} tags and attributes", limits::max_xml_items));
+        }
+    }
+
+    static fs::path canonical(const fs::path& path) {
+        std::error_code error;
+        fs::path result = fs::weakly_canonical(path, error);
+        return error ? path.lexically_normal() : result;
+    }
+
+    static void check_version(const Element& scene) {
+        const std::string& version = scene.required("version");
+        const bool known =
+            version.size() > 1 && (version[0] == '2' || version[0] == '3') && version[1] == '.';
+        if (!known)
+            throw input_error(scene.place(), "scene version " + quote(version) +
+                                                 ", expected 2.x or 3.x (older files use other "
+                                                 "names; Mitsuba 3 can convert them)");
+    }
+
+    /// The element alone: name, place and substituted attributes.
+    Element make_element(const pugi::xml_node& node, const SourceFile& file) {
+        Element element;
+        element.tag = node.name();
+        element.file = file.name;
+        element.line = file.line(node.offset_debug());
+        const TagRule* const rule = find_rule(element.tag);
+        if (rule == nullptr) return element;
+        for (const pugi::xml_attribute& attribute : node.attributes()) {
+            if (element.attribute(attribute.name()) != nullptr)
+                throw input_error(element.place(), "attribute " + quote(attribute.name()) +
+                                                       " is given twice, expected it once");
+            if (!allows(*rule, attribute.name())) {
+                warnings_.once(element, fmt::format("attribute {} of <{}> is not known and ignored",
+                                                    quote(attribute.name()), element.tag));
+                continue;
+            }
+            element.attributes.emplace_back(attribute.name(),
+                                            substitute(attribute.value(), element));
+        }
+        return element;
+    }
+
+    void convert_children(const pugi::xml_node& node, const SourceFile& file, Element& parent,
+                          int depth) {
+        for (const pugi::xml_node& child : node.children()) {
+            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+                warnings_.once(parent, "text between elements is ignored");
+                continue;
+            }
+            if (child.type() != pugi::node_element) continue;
+            Element element = make_element(child, file);
+            if (depth > limits::max_nesting)
+                throw input_error(
+                    element.place(),
+                    fmt::format("elements nested deeper than {} levels", limits::max_nesting));
+            if (find_rule(element.tag) == nullptr) {
+                warnings_.once(element,
+                               "element " + quote(element.tag) + " is not known and ignored");
+            } else if (element.tag == "default") {
+                parameters_.emplace(element.required("name"), element.required("value"));
+            } else if (element.tag == "include") {
+                include(element, parent, depth);
+            } else {
+                convert_children(child, file, element, depth + 1);
+                parent.children.push_back(std::move(element));
+            }
+        }
+    }
+
+    void include(const Element& element, Element& parent, int depth) {
+        const fs::path path =
+            resolve_reference(document_.path, element.required("filename"), element.place(), false);
+        const fs::path key = canonical(path);
+        if (std::find(open_files_.begin(), open_files_.end(), key) != open_files_.end())
+            throw input_error(element.place(), "file " + quote(path.string()) +
+                                                   " includes itself, expected no cycle");
+        if (++includes_ > limits::max_xml_includes)
+            throw input_error(element.place(),
+                              fmt::format("more than {} includes", limits::max_xml_includes));
+        load_file(path, element.place(), parent, depth);
+    }
+
+    /// Replaces every `$name`. The total length is limited, since parameters may be built from
+    /// parameters and so double in length again and again.
+    std::string substitute(std::string_view text, const Element& element) {
+        std::string result;
+        while (true) {
+            const std::size_t dollar = text.find('$');
+            result += text.substr(0, dollar);
+            if (dollar == std::string_view::npos) return result;
+            text.remove_prefix(dollar + 1);
+            std::size_t length = 0;
+            while (length < text.size() &&
+                   (std::isalnum(static_cast<unsigned char>(text[length])) != 0 ||
+                    text[length] == '_'))
+                ++length;
+            const auto found = parameters_.find(std::string(text.substr(0, length)));
+            if (found == parameters_.end())
+                throw input_error(element.place(),
+                                  "parameter " + quote("$" + std::string(text.substr(0, length))) +
+                                      " is not defined, expected a <default> before it");
+            expanded_bytes_ += found->second.size();
+            if (expanded_bytes_ > limits::max_xml_expanded_bytes)
+                throw input_error(element.place(),
+                                  fmt::format("parameters expand to more than {} bytes",
+                                              limits::max_xml_expanded_bytes));
+            result += found->second;
+            text.remove_prefix(length);
+        }
+    }
+
+    void index_ids(const Element& parent) {
+        for (const Element& child : parent.children) {
+            const std::string* const id = child.attribute("id");
+            if (id != nullptr && child.tag != "ref" && child.tag != "alias") {
+                const auto [entry, added] = document_.ids.emplace(*id, &child);
+                if (!added)
+                    throw input_error(child.place(), "id " + quote(*id) + " is already used at " +
+                                                         entry->second->place() +
+                                                         ", expected another");
+            }
+            index_ids(child);
+        }
+    }
+
+    void apply_aliases() {
+        for (const Element& child : document_.root.children) {
+            if (child.tag != "alias") continue;
+            const Element& target = document_.resolve(child);
+            if (!document_.ids.emplace(child.required("as"), &target).second)
+                throw input_error(child.place(), "id " + quote(child.required("as")) +
+                                                     " is already used, expected another");
+        }
+    }
+
+    Warnings& warnings_;
+    Document& document_;
+    std::map<std::string, std::string> parameters_;
+    std::vector<fs::path> open_files_;
+    std::size_t items_ = 0;
+    std::size_t includes_ = 0;
+    std::size_t expanded_bytes_ = 0;
+};
+
+}  // namespace
+
+std::string Element::place() const {
+    return fmt::format("{}:{}", *file, line);
+}
+
+const std::string* Element::attribute(const std::string& name) const {
+    const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                    [&](const auto& entry) { return entry.first == name; });
+    return found == attributes.end() ? nullptr : &found->second;
+}
+
+const std::string& Element::required(const std::string& name) const {
+    const std::string* const value = attribute(name);
+    if (value == nullptr)
+        throw input_error(place(),
+                          fmt::format("<{}> without attribute '{}', expected one", tag, name));
+    return *value;
+}
+
+const Element& Document::resolve(const Element& element) const {
+    if (element.tag != "ref" && element.tag != "alias") return element;
+    const std::string& id = element.required("id");
+    const auto found = ids.find(id);
+    if (found == ids.end())
+        throw input_error(element.place(), "reference to unknown id " + quote(id) +
+                                               ", expected the id of an object");
+    return *found->second;
+}
+
+void Warnings::once(const Element& element, const std::string& message) {
+    if (seen_.size() > limits::max_warnings || !seen_.insert(message).second) return;
+    if (seen_.size() > limits::max_warnings) {
+        diagnostics_.warn(*element.file, "further warnings about this file are not shown");
+    } else {
+        diagnostics_.warn(element.place(), message);
+    }
+}
+
+void load_document(const fs::path& path, Warnings& warnings, Document& document) {
+    Loader(warnings, document).load(path);
+}
+
+}  // namespace weft::mitsuba

@@ -1,0 +1,207 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/obj/obj_material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/limits.h"
+#include "base/quote.h"
+#include "image/srgb.h"
+#include "scene/texture/image_file.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float default_albedo = 0.8F;
+
+/// The words of an `mtllib`; a backslash keeps the blank behind it in the name.
+std::vector<std::string> split_names(std::string_view text) {
+    std::vector<std::string> names;
+    std::string name;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        const bool end = i == text.size();
+        const bool escape = !end && text[i] == '\\' && i + 1 < text.size() &&
+                            (text[i + 1] == ' ' || text[i + 1] == '\t');
+        if (escape) {
+            name += text[++i];
+        } else if (end || text[i] == ' ' || text[i] == '\t') {
+            if (!name.empty()) names.push_back(std::move(name));
+            name.clear();
+        } else {
+            name += text[i];
+        }
+    }
+    return names;
+}
+
+glm::vec3 mean_linear(const Texture& texture) {
+    std::array<std::array<std::size_t, 256>, 3> histogram{};
+    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c) ++histogram[c][texture.rgba[i + c]];
+    glm::dvec3 sum(0.0);
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t level = 0; level < 256; ++level)
+            sum[static_cast<int>(c)] +=
+                static_cast<double>(histogram[c][level]) *
+                static_cast<double>(linear_from_srgb(static_cast<float>(level) / 255.0F));
+    return glm::vec3(sum / static_cast<double>(texture.rgba.size() / 4));
+}
+
+}  // namespace
+
+ObjMaterials::ObjMaterials(fs::path obj_file, WarningCollector& report, Scene& scene)
+    : obj_file_(std::move(obj_file)), report_(report), scene_(scene) {}
+
+/// Writers on Windows separate folders by backslashes, and often give absolute paths, which are
+/// never followed: nothing then, with the reason in `why`.
+std::optional<fs::path> ObjMaterials::find_file(std::string_view reference,
+                                                std::string& why) const {
+    std::string name(reference);
+    std::replace(name.begin(), name.end(), '\\', '/');
+    fs::path path;
+    try {
+        path = resolve_reference(obj_file_, name, "", false);
+    } catch (const Error& error) {
+        why = error.what();
+        return std::nullopt;
+    }
+    std::error_code error;
+    if (fs::exists(path, error)) return path;
+    why = "file " + quote(reference) + " is missing";
+    return std::nullopt;
+}
+
+bool ObjMaterials::read_file_named(std::string_view reference, const std::string& place,
+                                   std::string& why) {
+    const std::optional<fs::path> path = find_file(reference, why);
+    if (!path) return false;
+    if (!libraries_.insert(*path).second) return true;
+    if (libraries_.size() > limits::max_mtl_files)
+        throw input_error(place, fmt::format("more than {} material files, expected fewer",
+                                             limits::max_mtl_files));
+    const std::vector<std::byte> bytes = read_file(*path, limits::max_mtl_file_bytes, place);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    parse_mtl(text, path->string(), report_, sources_);
+    return true;
+}
+
+void ObjMaterials::read_library(const ObjLibrary& library) {
+    std::string why;
+    if (library.names.empty()) {
+        report_.once(library.place, "'mtllib' names no file");
+        return;
+    }
+    if (read_file_named(library.names, library.place, why)) return;
+    const std::vector<std::string> names = split_names(library.names);
+    if (names.size() == 1) {
+        if (!read_file_named(names[0], library.place, why))
+            report_.once(library.place, why + ", its materials are replaced by grey");
+        return;
+    }
+    for (const std::string& name : names) {
+        if (!read_file_named(name, library.place, why))
+            report_.once(library.place, why + ", its materials are replaced by grey");
+    }
+}
+
+const ObjSurface& ObjMaterials::default_surface() {
+    if (default_) return *default_;
+    Material material;
+    material.name = "default";
+    material.surface = DiffuseSurface{glm::vec3(default_albedo)};
+    default_ = ObjSurface{static_cast<std::uint32_t>(scene_.materials.size())};
+    scene_.materials.push_back(std::move(material));
+    return *default_;
+}
+
+const ObjSurface& ObjMaterials::surface(const std::string& name, const std::string& place) {
+    if (const auto known = surfaces_.find(name); known != surfaces_.end()) return known->second;
+    const auto source = sources_.find(name);
+    if (source != sources_.end())
+        return surfaces_.emplace(name, make_surface(name, source->second)).first->second;
+    if (!name.empty() && !std::exchange(undefined_named_, true))
+        report_.once(place, "materials that no MTL file defines are replaced by grey, such as " +
+                                quote(name));
+    return surfaces_.emplace(name, default_surface()).first->second;
+}
+
+ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial& source) {
+    Material material;
+    material.name = name.substr(0, limits::max_name_bytes);
+    material.emission.both_sides = true;
+    ObjSurface surface;
+    DiffuseSurface diffuse;
+    if (source.diffuse_map) {
+        diffuse.albedo_texture = add_texture(*source.diffuse_map);
+        surface.textured = diffuse.albedo_texture >= 0;
+        surface.uv_scale = source.diffuse_map->scale;
+        surface.uv_offset = source.diffuse_map->offset;
+    }
+    diffuse.albedo = source.diffuse.value_or(glm::vec3(surface.textured ? 1.0F : default_albedo));
+    if (surface.textured && diffuse.albedo == glm::vec3(0.0F)) {
+        report_.once(source.place, "black Kd would hide the texture, it is taken as white");
+        diffuse.albedo = glm::vec3(1.0F);
+    }
+    material.surface = diffuse;
+    material.emission.radiance = source.emission;
+    if (source.emission_map && source.emission != glm::vec3(0.0F)) {
+        report_.once(source.emission_map->place,
+                     "map_Ke is not simulated, its mean colour is emitted everywhere instead");
+        material.emission.radiance *= mean_colour(*source.emission_map);
+    } else if (source.emission_map) {
+        report_.once(source.emission_map->place, "map_Ke without Ke is ignored");
+    }
+    surface.material = static_cast<std::uint32_t>(scene_.materials.size());
+    scene_.materials.push_back(std::move(material));
+    return surface;
+}
+
+/// A picture that is missing, or of a kind that is not read, leaves the material its plain colour.
+std::optional<Texture> ObjMaterials::read_picture(const MtlMap& map) {
+    std::string why;
+    const std::optional<fs::path> path = find_file(map.file, why);
+    Texture texture;
+    try {
+        if (path) texture = read_image(*path, "picture " + quote(map.file));
+    } catch (const Error& error) {
+        why = error.what();
+    }
+    if (texture.rgba.empty()) {
+        report_.once(map.place, why + ", the plain colour is used");
+        return std::nullopt;
+    }
+    decoded_bytes_ += texture.rgba.size();
+    if (decoded_bytes_ > limits::max_texture_bytes)
+        throw input_error(map.place,
+                          fmt::format("all pictures together exceed the limit of {} decoded bytes",
+                                      limits::max_texture_bytes));
+    return texture;
+}
+
+int ObjMaterials::add_texture(const MtlMap& map) {
+    const auto [known, added] = textures_.try_emplace({map.file, map.clamp}, -1);
+    if (!added) return known->second;
+    std::optional<Texture> texture = read_picture(map);
+    if (!texture) return -1;
+    texture->wrap_u = texture->wrap_v = map.clamp ? Wrap::clamp : Wrap::repeat;
+    known->second = static_cast<int>(scene_.textures.size());
+    scene_.textures.push_back(*std::move(texture));
+    return known->second;
+}
+
+glm::vec3 ObjMaterials::mean_colour(const MtlMap& map) {
+    const std::optional<Texture> texture = read_picture(map);
+    return texture ? mean_linear(*texture) : glm::vec3(1.0F);
+}
+
+}  // namespace weft

@@ -1,0 +1,261 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/obj/obj_mtl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/quote.h"
+#include "scene/obj/obj_text.h"
+
+namespace weft {
+namespace {
+
+/// A statement that Weft does not simulate, and the numbers with which it has no effect.
+struct Unsimulated {
+    std::string_view keyword;
+    double neutral;
+    const char* message;
+};
+
+constexpr const char* specular = "specular reflection is not simulated";
+constexpr const char* transparency = "transparency is not simulated, surfaces are opaque";
+constexpr const char* metal = "metals are not simulated, a diffuse surface is rendered instead";
+constexpr const char* coat = "sheen and clear coat are not simulated";
+constexpr const char* bump = "bump, normal and displacement maps are not simulated";
+constexpr double always = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array unsimulated = {
+    Unsimulated{"ks", 0.0, specular},
+    Unsimulated{"map_ks", always, specular},
+    Unsimulated{"refl", always, specular},
+    Unsimulated{"map_refl", always, specular},
+    Unsimulated{"sharpness", 60.0, specular},
+    Unsimulated{"d", 1.0, transparency},
+    Unsimulated{"tr", 0.0, transparency},
+    Unsimulated{"kt", 0.0, transparency},
+    Unsimulated{"map_d", always, transparency},
+    Unsimulated{"map_tr", always, transparency},
+    Unsimulated{"map_opacity", always, transparency},
+    Unsimulated{"pm", 0.0, metal},
+    Unsimulated{"map_pm", always, metal},
+    Unsimulated{"ps", 0.0, coat},
+    Unsimulated{"map_ps", always, coat},
+    Unsimulated{"pc", 0.0, coat},
+    Unsimulated{"map_pc", always, coat},
+    Unsimulated{"map_pcr", always, coat},
+    Unsimulated{"bump", always, bump},
+    Unsimulated{"map_bump", always, bump},
+    Unsimulated{"disp", always, bump},
+    Unsimulated{"map_disp", always, bump},
+    Unsimulated{"norm", always, bump},
+    Unsimulated{"map_norm", always, bump},
+    Unsimulated{"map_kn", always, bump},
+    Unsimulated{"decal", always, "decals are not simulated"},
+};
+
+/// Statements whose effect ends with the ones above, or that light simulation replaces.
+constexpr std::array<std::string_view, 21> passive = {
+    "ka",        "map_ka", "ambient",    "ns",      "map_ns", "ni",     "map_ni",
+    "illum",     "tf",     "map_tf",     "pr",      "map_pr", "pcr",    "aniso",
+    "map_aniso", "anisor", "map_anisor", "map_aat", "pbr",    "map_ao", "map_illum"};
+
+/// Options of a picture by the number of words that follow.
+struct MapOption {
+    std::string_view name;
+    std::size_t words;
+    bool harmless;
+};
+
+constexpr std::array map_options = {
+    MapOption{"-blendu", 1, true},      MapOption{"-blendv", 1, true}, MapOption{"-boost", 1, true},
+    MapOption{"-texres", 1, true},      MapOption{"-mm", 2, false},    MapOption{"-bm", 1, true},
+    MapOption{"-imfchan", 1, false},    MapOption{"-type", 1, false},  MapOption{"-cc", 1, true},
+    MapOption{"-colorspace", 1, false},
+};
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return result;
+}
+
+class MtlParser {
+  public:
+    using Materials = std::map<std::string, MtlMaterial, std::less<>>;
+
+    MtlParser(std::string_view text, const std::string& file, WarningCollector& report,
+              Materials& materials)
+        : lines_(text, file), report_(report), materials_(materials) {}
+
+    void parse() {
+        ObjStatement statement;
+        while (lines_.next(statement)) read(statement);
+    }
+
+  private:
+    void read(const ObjStatement& statement) {
+        const std::string keyword = lower(statement.keyword);
+        const std::string place = lines_.place(statement);
+        if (keyword == "newmtl") {
+            begin_material(statement, place);
+        } else if (current_ == nullptr) {
+            report_.once(place, "statements before the first 'newmtl' are ignored");
+        } else if (keyword == "kd") {
+            if (const auto colour = read_colour(statement.rest, place))
+                current_->diffuse = clamped(*colour, 1.0F, place);
+        } else if (keyword == "ke") {
+            if (const auto colour = read_colour(statement.rest, place))
+                current_->emission = clamped(*colour, std::numeric_limits<float>::max(), place);
+        } else if (keyword == "map_kd") {
+            current_->diffuse_map = read_map(statement.rest, place);
+        } else if (keyword == "map_ke") {
+            current_->emission_map = read_map(statement.rest, place);
+        } else {
+            report_unsimulated(keyword, statement.rest, place);
+        }
+    }
+
+    void begin_material(const ObjStatement& statement, const std::string& place) {
+        const auto [found, added] = materials_.try_emplace(std::string(statement.rest));
+        if (added) {
+            found->second.place = place;
+            current_ = &found->second;
+            return;
+        }
+        report_.once(place, "material " + quote(statement.rest) +
+                                " is defined before, the first definition is used");
+        ignored_ = MtlMaterial();
+        current_ = &ignored_;
+    }
+
+    /// `r g b`, or one number for all three; nothing for a spectrum.
+    [[nodiscard]] std::optional<glm::vec3> read_colour(std::string_view rest,
+                                                       const std::string& place) {
+        std::string_view words = rest;
+        const std::string first = lower(take_word(words));
+        if (first == "spectral" || first == "xyz") {
+            report_.once(place, "colours as " + quote(first) + " are ignored, expected r g b");
+            return std::nullopt;
+        }
+        const std::vector<double> values = read_obj_numbers(rest, 3, place);
+        if (values.empty()) throw input_error(place, "lacks its colour, expected r g b");
+        glm::vec3 colour{0.0F};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double value = i < values.size() ? values[i] : values[0];
+            if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+                throw input_error(place, "colour that is not finite, expected r g b");
+            colour[static_cast<int>(i)] = static_cast<float>(value);
+        }
+        return colour;
+    }
+
+    [[nodiscard]] glm::vec3 clamped(const glm::vec3& colour, float most, const std::string& place) {
+        const glm::vec3 inside = glm::clamp(colour, 0.0F, most);
+        if (inside != colour) report_.once(place, "colours outside their range are clamped");
+        return inside;
+    }
+
+    /// One to three numbers, but never the last word, which is the name of the file.
+    [[nodiscard]] static std::vector<double> take_numbers(std::string_view& rest) {
+        std::vector<double> values;
+        while (values.size() < 3) {
+            std::string_view after = rest;
+            double value = 0.0;
+            const std::string_view word = take_word(after);
+            if (word.empty() || trim_blanks(after).empty() || !read_obj_number(word, value) ||
+                !std::isfinite(value))
+                break;
+            values.push_back(value);
+            rest = after;
+        }
+        return values;
+    }
+
+    [[nodiscard]] std::optional<MtlMap> read_map(std::string_view rest, const std::string& place) {
+        MtlMap map;
+        map.place = place;
+        rest = trim_blanks(rest);
+        while (rest.starts_with('-')) {
+            std::string_view after = rest;
+            const std::string option = lower(take_word(after));
+            if (!read_map_option(option, after, map)) break;
+            rest = trim_blanks(after);
+        }
+        if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
+            rest = rest.substr(1, rest.size() - 2);
+        if (rest.empty()) {
+            report_.once(place, "a texture map without the name of a file is ignored");
+            return std::nullopt;
+        }
+        map.file = rest;
+        return map;
+    }
+
+    /// False where it is no option, but the start of a file name.
+    [[nodiscard]] bool read_map_option(const std::string& option, std::string_view& rest,
+                                       MtlMap& map) {
+        if (option == "-o" || option == "-s" || option == "-t") {
+            const std::vector<double> values = take_numbers(rest);
+            if (option == "-t") report_.once(map.place, "option '-t' of a texture map is ignored");
+            glm::dvec2& target = option == "-s" ? map.scale : map.offset;
+            for (std::size_t i = 0; i < std::min<std::size_t>(values.size(), 2); ++i)
+                if (option != "-t") target[static_cast<int>(i)] = values[i];
+            return true;
+        }
+        if (option == "-clamp") {
+            map.clamp = lower(take_word(rest)) == "on";
+            return true;
+        }
+        const auto* const known =
+            std::find_if(map_options.begin(), map_options.end(),
+                         [&](const MapOption& entry) { return entry.name == option; });
+        if (known == map_options.end()) return false;
+        for (std::size_t i = 0; i < known->words; ++i) static_cast<void>(take_word(rest));
+        if (!known->harmless)
+            report_.once(map.place, "option " + quote(option) + " of a texture map is ignored");
+        return true;
+    }
+
+    void report_unsimulated(const std::string& keyword, std::string_view rest,
+                            const std::string& place) {
+        const auto* const known =
+            std::find_if(unsimulated.begin(), unsimulated.end(),
+                         [&](const Unsimulated& entry) { return entry.keyword == keyword; });
+        if (known == unsimulated.end()) {
+            if (std::find(passive.begin(), passive.end(), keyword) == passive.end())
+                report_.once(place, "statement " + quote(keyword) + " is not known and ignored");
+            return;
+        }
+        bool neutral = !std::isnan(known->neutral);
+        for (std::string_view word = take_word(rest); neutral && !word.empty();
+             word = take_word(rest)) {
+            double value = 0.0;
+            neutral = !read_obj_number(word, value) || value == known->neutral;
+        }
+        if (!neutral) report_.once(place, known->message);
+    }
+
+    ObjLines lines_;
+    WarningCollector& report_;
+    Materials& materials_;
+    MtlMaterial* current_ = nullptr;
+    MtlMaterial ignored_;
+};
+
+}  // namespace
+
+void parse_mtl(std::string_view text, const std::string& file, WarningCollector& report,
+               std::map<std::string, MtlMaterial, std::less<>>& materials) {
+    MtlParser(text, file, report, materials).parse();
+}
+
+}  // namespace weft

@@ -1,0 +1,43 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_OBJ_OBJ_MTL_H
+#define WEFT_SCENE_OBJ_OBJ_MTL_H
+
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/warning_collector.h"
+
+namespace weft {
+
+/// A picture that a material names, with its options. Texture coordinates uv of the file become
+/// uv * scale + offset.
+struct MtlMap {
+    std::string file;  ///< as it is written
+    std::string place;
+    bool clamp = false;
+    glm::dvec2 scale{1.0};
+    glm::dvec2 offset{0.0};
+};
+
+/// What a material of an MTL file says that Weft uses.
+struct MtlMaterial {
+    std::string place;
+    std::optional<glm::vec3> diffuse;  ///< Kd, linear, in [0, 1]
+    glm::vec3 emission{0.0F};          ///< Ke, radiance
+    std::optional<MtlMap> diffuse_map;
+    std::optional<MtlMap> emission_map;
+};
+
+/// Reads the materials of an MTL file into `materials`, where the first one of a name stays. What
+/// Weft does not simulate is named in `report`. Throws Error (exit code 2) with `file:line` for
+/// numbers that are wrong.
+void parse_mtl(std::string_view text, const std::string& file, WarningCollector& report,
+               std::map<std::string, MtlMaterial, std::less<>>& materials);
+
+}  // namespace weft
+
+#endif

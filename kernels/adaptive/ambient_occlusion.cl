@@ -1,0 +1,45 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cosine-weighted openness of the hemisphere about each receiver, as irradiance of a white sky of
+// radiance 1: pi times the share of its set's directions (unit vectors about +z with density
+// cos / pi) along which nothing lies within the reach, their w. A direction below the surface is
+// hidden by it. One work-item per slot, and one ray at a time: the rays of a receiver share no end
+// point.
+#include "kernels/adaptive/sample_sets.h"
+#include "kernels/bvh/trace.h"
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/core/receiver_values.h"
+#include "kernels/core/sampling.h"
+
+WEFT_KERNEL(ambient_occlusion)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
+    uint stride = slots;
+    uint open = 0u;
+    uint rays = 0u;
+    if (receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f) {
+        SCENE_MAKE(scene);
+        float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
+        float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
+        float3 normal = shading;
+        if (HAS(&params, FEATURE_SMOOTH_NORMALS))
+            normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
+        uint set = receiver_set(&params, block_set, slot);
+        GLOBAL const float4* first = directions + list.first + set * list.stride;
+        for (uint i = 0u; i < list.length; ++i) {
+            float4 about_z = first[i];
+            float3 direction = turn_to(xyz(about_z), shading);
+            if (!(dot3(direction, normal) > 0.0f)) continue;
+            ++rays;
+            if (trace_any(scene, position, direction, about_z.w) == 0) ++open;
+        }
+    }
+    float sky = COSINE_IRRADIANCE * ((float)open / (float)list.length);
+    irradiance[slot] = sky;
+    irradiance[stride + slot] = sky;
+    irradiance[2u * stride + slot] = sky;
+    count_rays(counters + range.counter, rays);
+}

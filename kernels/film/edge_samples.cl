@@ -1,0 +1,264 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Anti-aliasing of edge pixels: further primary rays, whose surfaces take the irradiance that is
+// there already, from a pixel close by that shows the same surface. One work-item for as many edge
+// pixels as fill a packet of rays.
+#include "kernels/bsdf/surface.h"
+#include "kernels/bvh/trace.h"
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/core/sampling.h"
+#include "kernels/film/camera.h"
+#include "kernels/film/film.h"
+#include "kernels/light/environment.h"
+
+// Pixels about the sample in which irradiance is looked for: first 3 x 3, then 5 x 5.
+#define NEAR_RADIUS 1
+#define FAR_RADIUS 2
+
+/// Where in a pixel sample `k` of `count` lies, from its centre, in [-1/2, 1/2]. An odd number of
+/// points of a lattice about the centre, which is the last one: the projections to both axes are
+/// evenly spaced, and the mean is 0. Pixels choose between the lattice and its mirror image.
+static inline void sample_offset(uint k, uint count, int mirrored, float* x, float* y) {
+    int half_count = (int)(count / 2u);
+    int column = (int)(k / 2u) + 1;
+    int row = count > 3u ? 2 * column : column;
+    if (row > half_count) row -= (int)count;
+    if (k % 2u != 0u) {
+        column = -column;
+        row = -row;
+    }
+    *x = (float)column / (float)count;
+    *y = (float)(mirrored != 0 ? -row : row) / (float)count;
+}
+
+/// The surface of a hit as pixels are held against it; see gbuffer.cl for its footprint.
+static inline PixelSurface hit_surface(const RenderParams* params, const Surface* hit_point,
+                                       Hit hit, float3 direction) {
+    PixelSurface surface;
+    float distance = hit.t * length3(direction);
+    float facing = -dot3(hit_point->normal, direction) / length3(direction);
+    surface.position = hit_point->position;
+    surface.normal = hit_point->normal;
+    surface.shading = hit_point->shading;
+    surface.reach =
+        params->filter.planes * (distance * params->camera.pixel_angle / m_max(facing, 0.05f));
+    surface.cosine = params->filter.cosine;
+    return surface;
+}
+
+/// The pixel within `radius` about `pixel` that lies on the surface and is nearest to (`x`, `y`), a
+/// point of the film inside of `pixel`, in pixels; NO_TRIANGLE where none does.
+static inline uint nearest_on_surface(const RenderParams* params, const SeenPixels* seen,
+                                      const PixelSurface* surface, uint pixel, float x, float y,
+                                      int radius) {
+    int column = (int)(pixel % params->camera.width);
+    int row = (int)(pixel / params->camera.width);
+    uint nearest = NO_TRIANGLE;
+    float least = RAY_INFINITY;
+    // No other pixel's point is nearer.
+    if (pixel_is_lit(seen->ids, seen->albedo, pixel) != 0 &&
+        on_surface(surface, seen->position, seen->shading, pixel) != 0)
+        return pixel;
+    for (int j = row - radius; j <= row + radius; ++j) {
+        for (int i = column - radius; i <= column + radius; ++i) {
+            if (i < 0 || j < 0 || i >= (int)params->camera.width || j >= (int)params->camera.height)
+                continue;
+            float across = (float)i + params->camera.jitter_x - x;
+            float down = (float)j + params->camera.jitter_y - y;
+            float square = across * across + down * down;
+            if (!(square < least)) continue;
+            uint other = (uint)j * params->camera.width + (uint)i;
+            if (pixel_is_lit(seen->ids, seen->albedo, other) == 0) continue;
+            if (on_surface(surface, seen->position, seen->shading, other) == 0) continue;
+            least = square;
+            nearest = other;
+        }
+    }
+    return nearest;
+}
+
+/// The pixel within FAR_RADIUS most like a surface that none of them shows: of its instance if
+/// there is one, then the closest by normal; `pixel` itself where nothing about it is lit.
+static inline uint most_similar(const RenderParams* params, const SeenPixels* seen,
+                                const Surface* surface, uint pixel) {
+    int column = (int)(pixel % params->camera.width);
+    int row = (int)(pixel / params->camera.width);
+    uint best = pixel;
+    float most = -RAY_INFINITY;
+    for (int j = row - FAR_RADIUS; j <= row + FAR_RADIUS; ++j) {
+        for (int i = column - FAR_RADIUS; i <= column + FAR_RADIUS; ++i) {
+            if (i < 0 || j < 0 || i >= (int)params->camera.width || j >= (int)params->camera.height)
+                continue;
+            uint other = (uint)j * params->camera.width + (uint)i;
+            if (pixel_is_lit(seen->ids, seen->albedo, other) == 0) continue;
+            // No two cosines are further apart than 2.
+            float likeness = dot3(surface->shading, xyz(seen->shading[other])) +
+                             (seen->ids[2u * other] == surface->instance ? 3.0f : 0.0f);
+            if (!(likeness > most)) continue;
+            most = likeness;
+            best = other;
+        }
+    }
+    return best;
+}
+
+/// The pixel whose irradiance a hit seen through the point (`x`, `y`) of `pixel` takes. Adds to
+/// `misses` where it is that of another surface.
+static inline uint irradiance_source(const RenderParams* params, const SeenPixels* seen,
+                                     const Surface* surface, Hit hit, float3 direction, uint pixel,
+                                     float x, float y, uint* misses) {
+    PixelSurface about = hit_surface(params, surface, hit, direction);
+    uint from = nearest_on_surface(params, seen, &about, pixel, x, y, NEAR_RADIUS);
+    if (from == NO_TRIANGLE)
+        from = nearest_on_surface(params, seen, &about, pixel, x, y, FAR_RADIUS);
+    if (from != NO_TRIANGLE) return from;
+    ++*misses;
+    return most_similar(params, seen, surface, pixel);
+}
+
+/// The pixel within NEAR_RADIUS of `pixel` that shows this instance, or the background where that
+/// is NO_TRIANGLE; `pixel` itself where none does.
+static inline uint pixel_of_instance(const RenderParams* params, const SeenPixels* seen,
+                                     uint instance, uint pixel) {
+    if (seen->ids[2u * pixel] == instance) return pixel;
+    int column = (int)(pixel % params->camera.width);
+    int row = (int)(pixel / params->camera.width);
+    for (int j = row - NEAR_RADIUS; j <= row + NEAR_RADIUS; ++j) {
+        for (int i = column - NEAR_RADIUS; i <= column + NEAR_RADIUS; ++i) {
+            if (i < 0 || j < 0 || i >= (int)params->camera.width || j >= (int)params->camera.height)
+                continue;
+            uint other = (uint)j * params->camera.width + (uint)i;
+            if (seen->ids[2u * other] == instance) return other;
+        }
+    }
+    return pixel;
+}
+
+/// What a ray through the point (`x`, `y`) of `pixel` in that direction shows.
+static inline FilmSample hit_sample(const RenderParams* params, const Geometry* geometry,
+                                    const SeenPixels* seen, const IrradianceBuffers* buffers,
+                                    GLOBAL NonfiniteCounter* nonfinite, uint pixel, float x,
+                                    float y, float3 direction, Hit hit, float texture_angle,
+                                    uint* misses) {
+    float3 none = f3(0.0f, 0.0f, 0.0f);
+    PixelLight light = no_pixel_light();
+    if (hit.triangle == NO_TRIANGLE) {
+        float3 emission =
+            HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction) : none;
+        if (HAS(params, FEATURE_MEDIA))
+            add_view_media(params, buffers, pixel_of_instance(params, seen, NO_TRIANGLE, pixel),
+                           &light);
+        return film_sample(params, nonfinite, pixel, emission, none, light, none, 0.0f);
+    }
+    Surface surface = surface_at(params, geometry, hit, direction, texture_angle);
+    float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
+    if (max_component(albedo) > 0.0f) {
+        uint from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
+        light = pixel_light(params, buffers, from, pixel_is_lit(seen->ids, seen->albedo, from));
+    } else if (HAS(params, FEATURE_MEDIA)) {
+        add_view_media(params, buffers, pixel_of_instance(params, seen, surface.instance, pixel),
+                       &light);
+    }
+    return film_sample(params, nonfinite, pixel, surface.emission, albedo, light, surface.shading,
+                       hit.t);
+}
+
+/// Adds a share of a sample; shares come first, so that no sum of finite values overflows.
+static inline void add_share(FilmSample* sum, const FilmSample* sample, float share) {
+    sum->emission += sample->emission * share;
+    sum->direct += sample->direct * share;
+    sum->indirect += sample->indirect * share;
+    sum->media += sample->media * share;
+    sum->albedo += sample->albedo * share;
+    sum->normal += sample->normal * share;
+    sum->depth += sample->depth * share;
+}
+
+// The rays of a work-item, sample by sample of its pixels.
+#define MAX_ITEM_RAYS (LANES > MAX_EDGE_SAMPLES ? LANES : MAX_EDGE_SAMPLES)
+
+typedef struct {
+    float x[MAX_ITEM_RAYS], y[MAX_ITEM_RAYS];  // points of the film
+    float3 directions[MAX_ITEM_RAYS];
+    Hit hits[MAX_ITEM_RAYS];
+    uint count;
+} EdgeRays;
+
+/// The rays of edge pixels [first, end) of the list.
+static inline void make_edge_rays(const RenderParams* params, GLOBAL const uint* edge_pixels,
+                                  uint first, uint end, EdgeRays* rays) {
+    rays->count = 0u;
+    for (uint at = first; at < end; ++at) {
+        uint pixel = edge_pixels[at];
+        int mirrored = (int)(hash_pair(params->sampling.seed, pixel) & 1u);
+        for (uint k = 0u; k < params->sampling.edge_samples; ++k) {
+            uint ray = rays->count++;
+            float x;
+            float y;
+            sample_offset(k, params->sampling.edge_samples + 1u, mirrored, &x, &y);
+            rays->x[ray] = x + (float)(pixel % params->camera.width) + params->camera.jitter_x;
+            rays->y[ray] = y + (float)(pixel / params->camera.width) + params->camera.jitter_y;
+            rays->directions[ray] = camera_direction(params, rays->x[ray], rays->y[ray]);
+        }
+    }
+}
+
+static inline void trace_edge_rays(const RenderParams* params, Scene scene, EdgeRays* rays) {
+    for (uint first = 0u; first < rays->count; first += LANES) {
+        uint count = rays->count - first < LANES ? rays->count - first : LANES;
+        PacketDirections directions;
+        Hit hits[LANES];
+        for (uint lane = 0u; lane < LANES; ++lane) {
+            // Lanes that are not in use repeat a ray.
+            float3 direction = rays->directions[first + (lane < count ? lane : 0u)];
+            directions.x[lane] = direction.x;
+            directions.y[lane] = direction.y;
+            directions.z[lane] = direction.z;
+        }
+        uint active = 0xFFFFFFFFu >> (32u - count);
+        trace_closest_packet(scene, xyz(params->camera.origin), &directions, active, RAY_INFINITY,
+                             hits);
+        for (uint lane = 0u; lane < count; ++lane) rays->hits[first + lane] = hits[lane];
+    }
+}
+
+WEFT_KERNEL(edge_samples)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    IRRADIANCE_MAKE(buffers);
+    SEEN_PIXELS_MAKE(seen);
+    uint pixels = edge_pixels_of_item((uint)LANES, params.sampling.edge_samples);
+    uint first = (range.first + WORK_ITEM(range)) * pixels;
+    uint end = first + pixels < edge_pixel_count ? first + pixels : edge_pixel_count;
+    EdgeRays rays;
+    make_edge_rays(&params, edge_pixels, first, end, &rays);
+    trace_edge_rays(&params, scene, &rays);
+    float share = 1.0f / (float)(params.sampling.edge_samples + 1u);
+    uint misses = 0u;
+    uint ray = 0u;
+    for (uint at = first; at < end; ++at) {
+        uint pixel = edge_pixels[at];
+        FilmSample sum = {f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          f3(0.0f, 0.0f, 0.0f),
+                          0.0f};
+        FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
+        add_share(&sum, &centre, share);
+        for (uint k = 0u; k < params.sampling.edge_samples; ++k, ++ray) {
+            FilmSample sample = hit_sample(&params, &geometry, &seen, &buffers, nonfinite, pixel,
+                                           rays.x[ray], rays.y[ray], rays.directions[ray],
+                                           rays.hits[ray], texture_angle, &misses);
+            add_share(&sum, &sample, share);
+        }
+        add_film_sample(&params, film_high, film_low, pixel, &sum);
+    }
+    count_rays(counters + range.counter, rays.count);
+    if (misses > 0u) atomic_add_uint(&counters[range.counter].misses, misses);
+}

@@ -1,0 +1,191 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Components to radiance, and radiance into the film: what a pixel shows is a sum of radiance, to
+// which irradiance adds the surface's diffuse reflectance times it. What is not finite or negative
+// is counted, set to 0 and never reaches the film. The film sums samples in compensated float
+// pairs.
+#ifndef WEFT_KERNELS_FILM_FILM_H
+#define WEFT_KERNELS_FILM_FILM_H
+
+#include "kernels/bsdf/lambert.h"
+#include "kernels/core/guard.h"
+#include "kernels/film/discontinuity.h"
+
+// Fills in IrradianceBuffers from `slots` and the arguments of GROUP_ComposedLight; those that a
+// frame does not have are never read.
+#define IRRADIANCE_MAKE(name)                 \
+    IrradianceBuffers name;                   \
+    name.pixel_slot = pixel_slot;             \
+    name.direct = direct;                     \
+    name.exact_irradiance = exact_irradiance; \
+    name.slots = slots;                       \
+    name.indirect = indirect;                 \
+    name.view_left = view_left;               \
+    name.view_glow = view_glow;               \
+    name.media_light = media_light
+
+#define SEEN_PIXELS_MAKE(name)   \
+    SeenPixels name;             \
+    name.ids = gb_ids;           \
+    name.position = gb_position; \
+    name.shading = gb_shading;   \
+    name.albedo = gb_albedo;     \
+    name.emission = gb_emission
+
+typedef struct {
+    GLOBAL const uint* pixel_slot;         // where exact irradiance is found
+    GLOBAL const float4* direct;           // by pixel
+    GLOBAL const float* exact_irradiance;  // by slot
+    uint slots;                            // stride of its planes
+    GLOBAL const float4* indirect;         // by pixel
+    GLOBAL const float4* view_left;        // what media leave of a pixel's light
+    GLOBAL const float4* view_glow;        // radiance that they emit to it
+    GLOBAL const float4* media_light;      // and that they scatter to it
+} IrradianceBuffers;
+
+// Light of a pixel's surface, and of the media before it.
+typedef struct {
+    float3 direct, indirect;                    // irradiance
+    float3 direct_radiance, indirect_radiance;  // that the surface sends to the camera besides what
+                                                // it reflects diffusely
+    float3 left;   // what media leave of the surface's light on its way to the camera
+    float3 glow;   // radiance that media emit to it
+    float3 media;  // and that they scatter to it
+} PixelLight;
+
+/// Radiance of a component of one channel or of all: what comes as radiance, and what irradiance
+/// adds. Of numbers, vectors or wide values.
+#define COMPOSED(radiance, reflectance, irradiance) ((radiance) + (reflectance) * (irradiance))
+
+// What the primary rays through pixels found; see gbuffer.h.
+typedef struct {
+    GLOBAL const uint* ids;
+    GLOBAL const float4* position;
+    GLOBAL const float4* shading;
+    GLOBAL const float4* albedo;
+    GLOBAL const float4* emission;
+} SeenPixels;
+
+// What the film holds of one point of the picture.
+typedef struct {
+    float3 emission, direct, indirect, media;  // radiance
+    float3 albedo, normal;
+    float depth;  // scene units
+} FilmSample;
+
+static inline PixelLight no_pixel_light(void) {
+    PixelLight light;
+    light.direct = f3(0.0f, 0.0f, 0.0f);
+    light.indirect = light.direct;
+    light.direct_radiance = light.direct;
+    light.indirect_radiance = light.direct;
+    light.left = f3(1.0f, 1.0f, 1.0f);
+    light.glow = light.direct;
+    light.media = light.direct;
+    return light;
+}
+
+/// What media do to a pixel's light.
+static inline void add_view_media(const RenderParams* params, const IrradianceBuffers* buffers,
+                                  uint pixel, PixelLight* light) {
+    if (HAS(params, FEATURE_MEDIA)) light->left = xyz(buffers->view_left[pixel]);
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) light->glow = xyz(buffers->view_glow[pixel]);
+    if (HAS(params, FEATURE_AIRLIGHT)) light->media = xyz(buffers->media_light[pixel]);
+}
+
+/// Light of a pixel; `lit` says whether it shows a surface that reflects diffusely.
+static inline PixelLight pixel_light(const RenderParams* params, const IrradianceBuffers* buffers,
+                                     uint pixel, int lit) {
+    PixelLight light = no_pixel_light();
+    if (HAS(params, FEATURE_SAMPLED_DIRECT)) light.direct = xyz(buffers->direct[pixel]);
+    if (HAS(params, FEATURE_EXACT_DIRECT) && lit != 0)
+        light.direct +=
+            slot_irradiance(buffers->exact_irradiance, buffers->slots, buffers->pixel_slot[pixel]);
+    if (HAS(params, FEATURE_INDIRECT)) light.indirect = xyz(buffers->indirect[pixel]);
+    add_view_media(params, buffers, pixel, &light);
+    return light;
+}
+
+/// What a surface under that light sends to the camera; `depth` in kernel units.
+static inline FilmSample film_sample(const RenderParams* params, GLOBAL NonfiniteCounter* nonfinite,
+                                     uint pixel, float3 emission, float3 albedo, PixelLight light,
+                                     float3 normal, float depth) {
+    FilmSample sample;
+    float3 reflectance = LAMBERT_REFLECTANCE(albedo);
+    if (HAS(params, FEATURE_MEDIA)) {
+        reflectance *= light.left;
+        emission *= light.left;
+        light.direct_radiance *= light.left;
+        light.indirect_radiance *= light.left;
+    }
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += light.glow;
+    float3 direct = COMPOSED(light.direct_radiance, reflectance, light.direct);
+    float3 indirect = COMPOSED(light.indirect_radiance, reflectance, light.indirect);
+    sample.emission = guard(nonfinite, COMPONENT_EMISSION, pixel, emission);
+    sample.direct = guard(nonfinite, COMPONENT_DIRECT, pixel, direct);
+    sample.indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, indirect);
+    sample.media = light.media;
+    if (HAS(params, FEATURE_AIRLIGHT))
+        sample.media = guard(nonfinite, COMPONENT_MEDIA, pixel, light.media);
+    sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
+    sample.normal = normal;
+    sample.depth =
+        guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth / params->scene.unit, 0.0f, 0.0f)).x;
+    return sample;
+}
+
+/// What the pixel's own primary ray shows.
+static inline FilmSample pixel_sample(const RenderParams* params, const SeenPixels* seen,
+                                      const IrradianceBuffers* buffers,
+                                      GLOBAL NonfiniteCounter* nonfinite, uint pixel) {
+    int lit = pixel_is_lit(seen->ids, seen->albedo, pixel);
+    PixelLight light = pixel_light(params, buffers, pixel, lit);
+    return film_sample(params, nonfinite, pixel, xyz(seen->emission[pixel]),
+                       xyz(seen->albedo[pixel]), light, xyz(seen->shading[pixel]),
+                       seen->position[pixel].w);
+}
+
+/// Neumaier's compensated sum, to which `samples` have been added. What is undefined before the
+/// first one is not read, and what is 0 after it is neither written nor read.
+static inline void add_to_film(GLOBAL float* high, GLOBAL float* low, uint at, uint samples,
+                               float x) {
+    if (samples == 0u) {
+        high[at] = 0.0f + x;
+        return;
+    }
+    float sum = high[at];
+    float rest = samples == 1u ? 0.0f : low[at];
+    float total = sum + x;
+    if (absolute(sum) >= absolute(x))
+        rest += (sum - total) + x;
+    else
+        rest += (x - total) + sum;
+    high[at] = total;
+    low[at] = rest;
+}
+
+static inline void add_vector(GLOBAL float* high, GLOBAL float* low, uint at, uint stride,
+                              uint samples, float3 x) {
+    add_to_film(high, low, at, samples, x.x);
+    add_to_film(high, low, at + stride, samples, x.y);
+    add_to_film(high, low, at + 2u * stride, samples, x.z);
+}
+
+static inline void add_film_sample(const RenderParams* params, GLOBAL float* film_high,
+                                   GLOBAL float* film_low, uint pixel, const FilmSample* sample) {
+    uint stride = FILM_STRIDE(params->camera.width * params->camera.height);
+    uint samples = params->sampling.sample;
+    GLOBAL float* high = film_high + pixel;
+    GLOBAL float* low = film_low + pixel;
+    add_vector(high, low, FILM_EMISSION * stride, stride, samples, sample->emission);
+    add_vector(high, low, FILM_DIRECT * stride, stride, samples, sample->direct);
+    add_vector(high, low, FILM_INDIRECT * stride, stride, samples, sample->indirect);
+    add_vector(high, low, FILM_ALBEDO * stride, stride, samples, sample->albedo);
+    add_vector(high, low, FILM_NORMAL * stride, stride, samples, sample->normal);
+    add_to_film(high, low, FILM_DEPTH * stride, samples, sample->depth);
+    if (HAS(params, FEATURE_AIRLIGHT))
+        add_vector(high, low, FILM_MEDIA * stride, stride, samples, sample->media);
+}
+
+#endif

@@ -1,0 +1,89 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Primary visibility: one ray a pixel, through its centre or the frame's jittered point, in packets
+// of a small block of pixels. One work-item per block, row by row.
+#include "kernels/bsdf/surface.h"
+#include "kernels/bvh/trace.h"
+#include "kernels/core/kernel.h"
+#include "kernels/film/camera.h"
+#include "kernels/film/gbuffer.h"
+#include "kernels/light/environment.h"
+
+/// What a pixel's ray in that direction met; `facet` is the triangle's.
+static inline void store_pixel(const RenderParams* params, const Geometry* geometry,
+                               const Facet* facet, uint pixel, float3 direction, Hit hit,
+                               GLOBAL uint* gb_ids, GLOBAL float4* gb_position,
+                               GLOBAL float4* gb_normal, GLOBAL float4* gb_shading,
+                               GLOBAL float4* gb_albedo, GLOBAL float4* gb_emission) {
+    gb_ids[2u * pixel] = NO_TRIANGLE;
+    gb_ids[2u * pixel + 1u] = hit.triangle;
+    if (hit.triangle == NO_TRIANGLE) {
+        gb_position[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
+        gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
+        gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
+        gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
+        float3 sky = HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction)
+                                                      : f3(0.0f, 0.0f, 0.0f);
+        gb_emission[pixel] = f4(sky.x, sky.y, sky.z, 0.0f);
+        return;
+    }
+    Surface surface =
+        surface_on(params, geometry, facet, hit, direction, params->camera.texture_angle);
+    // The forward component of `direction` is 1, so t is the distance along the viewing axis.
+    float depth = hit.t;
+    float length = length3(direction);
+    float distance = depth * length;
+    float facing = -dot3(surface.normal, direction) / length;
+    float footprint = distance * params->camera.pixel_angle / m_max(facing, 0.05f);
+    float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
+    float lit = albedo.x > 0.0f || albedo.y > 0.0f || albedo.z > 0.0f ? 1.0f : 0.0f;
+    gb_ids[2u * pixel] = surface.instance;
+    gb_position[pixel] = f4(surface.position.x, surface.position.y, surface.position.z, depth);
+    gb_normal[pixel] = f4(surface.normal.x, surface.normal.y, surface.normal.z, footprint);
+    gb_shading[pixel] = f4(surface.shading.x, surface.shading.y, surface.shading.z, 0.0f);
+    gb_albedo[pixel] = f4(albedo.x, albedo.y, albedo.z, lit);
+    gb_emission[pixel] = f4(surface.emission.x, surface.emission.y, surface.emission.z, 0.0f);
+}
+
+WEFT_KERNEL(gbuffer)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint block = range.first + WORK_ITEM(range);
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    float3 origin = xyz(params.camera.origin);
+    const uint block_width = pixel_block_width((uint)LANES);
+    const uint block_height = (uint)LANES / block_width;
+    uint blocks = (params.camera.width + block_width - 1u) / block_width;
+    uint left = block % blocks * block_width;
+    uint top = block / blocks * block_height;
+    PacketDirections directions;
+    uint inside = 0u;
+    for (uint lane = 0u; lane < LANES; ++lane) {
+        uint x = left + lane % block_width;
+        uint y = top + lane / block_width;
+        float3 direction = camera_direction(&params, (float)x + params.camera.jitter_x,
+                                            (float)y + params.camera.jitter_y);
+        directions.x[lane] = direction.x;
+        directions.y[lane] = direction.y;
+        directions.z[lane] = direction.z;
+        if (x < params.camera.width && y < params.camera.height) inside |= 1u << lane;
+    }
+    Hit hits[LANES];
+    trace_closest_packet(scene, origin, &directions, inside, RAY_INFINITY, hits);
+    Facet facet;
+    uint facet_id = NO_TRIANGLE;
+    for (uint lane = 0u; lane < LANES; ++lane) {
+        if ((inside >> lane & 1u) == 0u) continue;
+        // Neighbours mostly show the same triangle.
+        if (hits[lane].triangle != facet_id) {
+            facet_id = hits[lane].triangle;
+            if (facet_id != NO_TRIANGLE) facet = facet_of(&geometry, facet_id);
+        }
+        uint pixel = (top + lane / block_width) * params.camera.width + left + lane % block_width;
+        store_pixel(&params, &geometry, &facet, pixel,
+                    f3(directions.x[lane], directions.y[lane], directions.z[lane]), hits[lane],
+                    gb_ids, gb_position, gb_normal, gb_shading, gb_albedo, gb_emission);
+    }
+}

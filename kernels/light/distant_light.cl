@@ -1,0 +1,69 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Light from infinitely far away: the environment, sampled by the set's directions turned about
+// each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
+// irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
+#include "kernels/adaptive/sample_sets.h"
+#include "kernels/bvh/visibility.h"
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/core/receiver_values.h"
+#include "kernels/light/environment.h"
+#include "kernels/media/packet_media.h"
+
+/// What media leave of light from that direction; see packet_transmittance.
+static inline float3 distant_transmittance(const RenderParams* params, const Media* media,
+                                           float3 position, float3 direction, uint inside,
+                                           uint number) {
+    if (!HAS(params, FEATURE_MEDIA)) return f3(1.0f, 1.0f, 1.0f);
+    Random random = way_random(params, position, number);
+    return ray_transmittance(params, media, position, direction, RAY_INFINITY, inside, &random);
+}
+
+WEFT_KERNEL(distant_light)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
+    uint stride = slots;
+    if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
+    SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
+    float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
+    float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
+    float3 normal = shading;
+    if (HAS(&params, FEATURE_SMOOTH_NORMALS))
+        normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
+    uint inside = 0u;
+    if (HAS(&params, FEATURE_MEDIA))
+        inside = as_bits(receiver_planes[RECEIVER_INSIDE * stride + slot]);
+    uint rays = 0u;
+    if (HAS(&params, FEATURE_ENVIRONMENT)) {
+        uint set = receiver_set(&params, block_set, slot);
+        uint count = params.sampling.environment_samples * receiver_sets(&params);
+        GLOBAL const Vpl* first = samples + list.first + set * list.stride;
+        float3 open = f3(0.0f, 0.0f, 0.0f);
+        for (uint i = 0u; i < count; ++i) {
+            float3 direction = turn_to(xyz(first[i].position), shading);
+            if (!(dot3(direction, normal) > 0.0f)) continue;
+            ++rays;
+            if (sees_infinity(scene, &params, position, direction) == 0) continue;
+            open += distant_transmittance(&params, &through, position, direction, inside, i);
+        }
+        add_irradiance(sampled_irradiance, stride, slot,
+                       xyz(params.scene.environment) * (open * (COSINE_IRRADIANCE / (float)count)));
+    }
+    if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
+        for (uint i = 0u; i < params.scene.directional_lights; ++i) {
+            LightRecord light = lights[params.scene.directional_lights_first + i];
+            float3 direction = distant_direction(light);
+            float cosine = dot3(direction, shading);
+            if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
+            ++rays;
+            if (sees_infinity(scene, &params, position, direction) == 0) continue;
+            float3 left = distant_transmittance(&params, &through, position, direction, inside, i);
+            add_irradiance(exact_irradiance, stride, slot, xyz(light.power) * left * cosine);
+        }
+    }
+    count_rays(counters + range.counter, rays);
+}

@@ -1,0 +1,54 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Irradiance from a set's VPLs, in packets: LANES pixels of one set connect to one VPL at a time.
+// Serves indirect VPLs, points on area lights and punctual lights alike; the launch says which
+// stretch of the buffer belongs to a set.
+//
+// Where `roulette`, a share of the mean contribution, is above 0, VPLs that would add little are
+// traced by chance, and then count for more (Russian roulette, Arvo and Kirk 1990). A VPL's random
+// number is the same for all receivers, so that what roulette adds to the error is smooth but for
+// steps of the size of one small contribution.
+#include "kernels/adaptive/sample_sets.h"
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/light/connection.h"
+#include "kernels/media/packet_media.h"
+
+WEFT_KERNEL(vpl_gather)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
+    SCENE_MAKE(scene);
+    MEDIA_MAKE(through);
+    ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);
+    PacketInside inside =
+        load_inside(&params, &through, receiver_planes, slots, packet.position, slot);
+    uint set = receiver_set(&params, block_set, slot);
+    GLOBAL const Vpl* vpl = vpls + list.first + set * list.stride;
+    WideLight light = no_light();
+    uint rays = 0u;
+    uint count = mask_any(packet.valid) ? list.length : 0u;
+    WFloat level = WIDE(0.0f);
+    if (roulette > 0.0f && count > 0u) level = roulette_level(roulette, &packet, vpl, count);
+    for (uint i = 0u; i < count; ++i, ++vpl) {
+        float4 flux = vpl->flux;
+        if (!(flux.x > 0.0f || flux.y > 0.0f || flux.z > 0.0f)) continue;
+        WFloat3 d = from_vpl(&packet, vpl);
+        WMask useful;
+        WFloat g = connection(&packet, vpl, as_bits(vpl->normal.w), d, &useful);
+        if (roulette > 0.0f) {
+            // A contribution below the level survives in proportion to it, and is the level then.
+            WFloat least = level / luminance(xyz(flux));
+            useful = useful & (g >= least * flux.w);
+            g = VMAX(g, least);
+        }
+        if (!mask_any(useful)) continue;
+        rays += mask_count(useful);
+        WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
+        add_connection(&params, &through, &packet, &inside, xyz(vpl->position), flux, g, d, i,
+                       useful & mask_not(blocked), &light);
+    }
+    store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
+    count_rays(counters + range.counter, rays);
+}

@@ -1,0 +1,68 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The reference: path tracing without bounds or a longest path (path.h). A work-item traces
+// PathParams::samples samples of one pixel and adds them to the film's exact sums.
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/film/camera.h"
+#include "kernels/path/path.h"
+#include "kernels/path/path_film.h"
+
+#define ROULETTE_START 3u  // surfaces that every path may reach
+
+static inline PathSample trace_path(const RenderParams* params, const PathParams* path_params,
+                                    const PathScene* world, uint pixel, Random* random,
+                                    uint* rays) {
+    PathSample sample = no_path_sample();
+    float x = next_random(random);
+    float y = next_random(random);
+    if (path_params->through_centres != 0u) {
+        x = 0.5f;
+        y = 0.5f;
+    }
+    float3 direction = camera_direction(params, (float)(pixel % params->camera.width) + x,
+                                        (float)(pixel / params->camera.width) + y);
+    Hit hit = trace_closest(world->scene, xyz(params->camera.origin), direction, RAY_INFINITY);
+    ++*rays;
+    if (hit.triangle == NO_TRIANGLE) {
+        if (HAS(params, FEATURE_ENVIRONMENT))
+            sample.emission = environment_radiance(params, direction);
+        return sample;
+    }
+    PathVertex vertex;
+    vertex.bounce = 0u;
+    vertex.light_weight = 1.0f;
+    vertex.surface =
+        surface_at(params, &world->geometry, hit, direction, params->camera.texture_angle);
+    sample.emission = vertex.surface.emission;
+    sample.albedo = bsdf_diffuse_albedo(&vertex.surface.bsdf);
+    sample.normal = vertex.surface.shading;
+    sample.depth = hit.t;
+    int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
+    while (goes_on != 0) {
+        *rays += next_event(params, world, &vertex, random, &sample.light);
+        goes_on = scatter(params, world, &vertex, random, &sample.light, rays);
+        if (!HAS(params, FEATURE_INDIRECT)) break;
+        if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, random);
+    }
+    return sample;
+}
+
+WEFT_KERNEL(path)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
+    uint pixels = params.camera.width * params.camera.height;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
+    GLOBAL uint* sums = film_sums + pixel;
+    uint rays = 0u;
+    for (uint i = 0u; i < path_params.samples; ++i) {
+        Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
+        PathSample sample = trace_path(&params, &path_params, &world, pixel, &random, &rays);
+        add_sample(path_params.film_scale, sums, pixels, pixel, &sample, nonfinite);
+    }
+    count_rays(counters + range.counter, rays);
+}

@@ -1,0 +1,70 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the film of path tracing keeps of a sample.
+#ifndef WEFT_KERNELS_PATH_PATH_FILM_H
+#define WEFT_KERNELS_PATH_PATH_FILM_H
+
+#include "kernels/core/guard.h"
+#include "kernels/film/film_sums.h"
+#include "kernels/path/path.h"
+
+// One sample: what the film keeps of it.
+typedef struct {
+    float3 emission;
+    PathLight light;
+    float3 albedo, normal;
+    float depth;
+} PathSample;
+
+/// A sample that has met nothing yet.
+static inline PathSample no_path_sample(void) {
+    PathSample sample;
+    float3 black = f3(0.0f, 0.0f, 0.0f);
+    sample.emission = black;
+    sample.light.direct = black;
+    sample.light.indirect = black;
+    sample.albedo = black;
+    sample.normal = black;
+    sample.depth = 0.0f;
+    return sample;
+}
+
+static inline void add_plane(GLOBAL uint* sums, uint pixels, uint plane, float value) {
+    add_to_sum(sums + plane * FILM_SUM_WORDS * pixels, pixels, FILM_SUM_WORDS, value,
+               FILM_SUM_SHIFT);
+}
+
+static inline void add_planes(GLOBAL uint* sums, uint pixels, uint plane, float3 value) {
+    add_plane(sums, pixels, plane, value.x);
+    add_plane(sums, pixels, plane + 1u, value.y);
+    add_plane(sums, pixels, plane + 2u, value.z);
+}
+
+static inline void add_square(GLOBAL uint* sums, uint pixels, uint channel, float value) {
+    GLOBAL uint* words =
+        sums + (FILM_PLANES * FILM_SUM_WORDS + channel * FILM_SQUARE_WORDS) * pixels;
+    add_to_sum(words, pixels, FILM_SQUARE_WORDS, value * value, FILM_SQUARE_SHIFT);
+}
+
+/// Adds a sample to the sums of its pixel, which begin at `sums`.
+static inline void add_sample(float scale, GLOBAL uint* sums, uint pixels, uint pixel,
+                              const PathSample* sample, GLOBAL NonfiniteCounter* nonfinite) {
+    // Scaled by a power of two, so that the sums' range fits the scene's light.
+    float3 emission = guard(nonfinite, COMPONENT_EMISSION, pixel, sample->emission) * scale;
+    float3 direct = guard(nonfinite, COMPONENT_DIRECT, pixel, sample->light.direct) * scale;
+    float3 indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, sample->light.indirect) * scale;
+    add_planes(sums, pixels, FILM_EMISSION, emission);
+    add_planes(sums, pixels, FILM_DIRECT, direct);
+    add_planes(sums, pixels, FILM_INDIRECT, indirect);
+    add_planes(sums, pixels, FILM_ALBEDO,
+               guard(nonfinite, COMPONENT_SURFACE, pixel, sample->albedo));
+    add_planes(sums, pixels, FILM_NORMAL, sample->normal);
+    add_plane(sums, pixels, FILM_DEPTH, sample->depth);
+    float3 beauty = emission + direct + indirect;
+    add_square(sums, pixels, 0u, beauty.x);
+    add_square(sums, pixels, 1u, beauty.y);
+    add_square(sums, pixels, 2u, beauty.z);
+}
+
+#endif

@@ -1,0 +1,195 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The reference for scenes with participating media: path tracing as in path.cl, with free paths,
+// scattering in media and transmittance towards lights (path_media.h), multiple scattering
+// and emission included. Scenes without media run path.cl.
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/film/camera.h"
+#include "kernels/path/path_film.h"
+#include "kernels/path/path_grid.h"
+#include "kernels/path/path_media.h"
+
+#define ROULETTE_START 3u  // scatterings that every path may reach
+
+static inline MediaPath camera_path(const RenderParams* params, const PathParams* path_params,
+                                    const Media* media, uint pixel, Random* random) {
+    MediaPath path;
+    float x = next_random(random);
+    float y = next_random(random);
+    if (path_params->through_centres != 0u) {
+        x = 0.5f;
+        y = 0.5f;
+    }
+    // Distances are what media know; a camera's directions are of any length.
+    path.direction = normalize3(camera_direction(params, (float)(pixel % params->camera.width) + x,
+                                                 (float)(pixel / params->camera.width) + y));
+    path.origin = xyz(params->camera.origin);
+    path.throughput = f3(1.0f, 1.0f, 1.0f);
+    path.ratio = path.throughput;
+    path.inside = media->record->around_camera;
+    path.bounce = 0u;
+    path.kind = RAY_OF_CAMERA;
+    path.density = 0.0f;
+    return path;
+}
+
+/// Scatters the path at `t` of the stretch, where it has been found by a free path.
+static inline void scatter_in_medium(const RenderParams* params, const PathScene* world,
+                                     const Media* media, const Stretch* stretch, float t,
+                                     MediaPath* path, Random* random, PathLight* sum, uint* rays) {
+    ++path->bounce;
+    if (world->light_count != 0u) {
+        ChosenPoint chosen = choose_point(world, random);
+        add_scattered(params, sum, path->bounce,
+                      scattered_light(params, world, media, stretch, &chosen, t, random, rays));
+    }
+    float u = next_random(random);
+    float v = next_random(random);
+    path->free_density =
+        update_ratio(&path->ratio, stretch->sigma_t * transmittance(stretch->sigma_t, t));
+    scatter_path(stretch, t, u, v, path);
+}
+
+/// Goes through a stretch of a homogeneous medium. Returns 1 where the path is scattered there, -1
+/// where it ends.
+static inline int cross_stretch(const RenderParams* params, const PathScene* world,
+                                const Media* media, const Stretch* stretch, MediaPath* path,
+                                Random* random, PathSample* sample, uint* rays) {
+    PathLight* sum = &sample->light;
+    if (has_emission(params, &stretch->medium) != 0)
+        add_emitted(params, stretch, stretch->length, path, sample);
+    if (!(max_component(xyz(stretch->medium.albedo)) > 0.0f)) {
+        // Nothing to gain from chance: what absorbs only is known.
+        path->throughput = path->throughput * transmittance(stretch->sigma_t, stretch->length);
+        return max_component(path->throughput) > 0.0f ? 0 : -1;
+    }
+    if (!(max_component(stretch->sigma_t) > 0.0f && stretch->length > 0.0f)) return 0;
+    int wanted = wants_bounce(params, path->bounce + 1u);
+    if (wanted != 0 && world->light_count != 0u) {
+        ChosenPoint chosen = choose_point(world, random);
+        float u = next_random(random);
+        AngularView view = angular_view(stretch->origin, stretch->direction, stretch->length,
+                                        chosen.point.position);
+        if (has_place(chosen.light) != 0 && view.distance > 0.0f)
+            add_scattered(params, sum, path->bounce + 1u,
+                          scattered_light(params, world, media, stretch, &chosen,
+                                          angular_sample(view, stretch->length, u), random, rays));
+    }
+    float choice = next_random(random);
+    float u = next_random(random);
+    float t = free_path(stretch->sigma_t, path->ratio, choice, u);
+    if (t < stretch->length) {
+        if (wanted == 0) return -1;
+        scatter_in_medium(params, world, media, stretch, t, path, random, sum, rays);
+        return path->free_density > 0.0f && path->density > 0.0f ? 1 : -1;
+    }
+    float left = update_ratio(&path->ratio, transmittance(stretch->sigma_t, stretch->length));
+    // The ratio's mean is 1 again; its density cancels against the probability of passing.
+    return left > 0.0f ? 0 : -1;
+}
+
+/// Goes through the media of a ray that ends after `length`. Returns 1 where the path is scattered
+/// before, -1 where it ends.
+static inline int cross_media(const RenderParams* params, const PathScene* world,
+                              const Media* media, MediaPath* path, float length, Random* random,
+                              PathSample* sample, uint* rays) {
+    MediumWalk walk = start_walk(media, path->origin, path->direction, path->inside);
+    while (next_stretch(params, media, &walk, length) != 0) {
+        path->inside = walk.inside;
+        if (walk.medium == NO_MEDIUM) continue;
+        Stretch stretch;
+        stretch.medium = media->media[walk.medium];
+        stretch.sigma_t = xyz(stretch.medium.sigma_t);
+        stretch.length = walk.end - walk.begin;
+        stretch.origin = walk.origin + walk.direction * walk.begin;
+        stretch.direction = walk.direction;
+        stretch.throughput = path->throughput;
+        stretch.ratio = path->ratio;
+        stretch.inside = walk.inside;
+        int done = has_grid(params, &stretch.medium) != 0
+                       ? cross_grid(params, world, media, &stretch, path, random, sample, rays)
+                       : cross_stretch(params, world, media, &stretch, path, random, sample, rays);
+        if (done != 0) return done;
+    }
+    return 0;
+}
+
+/// Goes on from a surface. Returns 0 where the path ends.
+static inline int scatter_on_surface(const RenderParams* params, const PathScene* world,
+                                     const Media* media, MediaPath* path, Random* random,
+                                     PathLight* sum, uint* rays) {
+    PathVertex vertex;
+    vertex.bounce = path->bounce;
+    vertex.light_weight = 1.0f;
+    vertex.surface = path->surface;
+    int goes_on = enter_surface(params, &vertex, path->throughput);
+    path->bounce = vertex.bounce;
+    if (goes_on == 0 || wants_bounce(params, path->bounce) == 0) return 0;
+    *rays += surface_light(params, world, media, path, &vertex, random, sum);
+    float u = next_random(random);
+    float v = next_random(random);
+    BsdfSample scattered = bsdf_sample(&path->surface.bsdf, surface_out(&path->surface), u, v);
+    path->direction = normalize3(turn_to(scattered.in, path->surface.shading));
+    path->density = scattered.pdf;
+    path->origin = vertex.origin;
+    path->throughput = scattered_throughput(&vertex, scattered.weight);
+    path->kind = RAY_OF_SURFACE;
+    LitPoint lit = lit_point(&path->surface);
+    return faces(&lit, path->direction);
+}
+
+/// Follows the path to where it is scattered next. Returns 0 where it ends.
+static inline int go_on(const RenderParams* params, const PathScene* world, const Media* media,
+                        MediaPath* path, Random* random, PathSample* sample, uint* rays) {
+    Hit hit = trace_closest(world->scene, path->origin, path->direction, RAY_INFINITY);
+    ++*rays;
+    int met = hit.triangle != NO_TRIANGLE ? 1 : 0;
+    if (met != 0) {
+        float angle = path->kind == RAY_OF_CAMERA ? params->camera.texture_angle : 0.0f;
+        path->surface = surface_at(params, &world->geometry, hit, path->direction, angle);
+        if (path->kind == RAY_OF_CAMERA) {
+            sample->albedo = bsdf_diffuse_albedo(&path->surface.bsdf);
+            sample->normal = path->surface.shading;
+            sample->depth = hit.t * dot3(path->direction, xyz(params->camera.forward));
+        }
+    }
+    int scattered = cross_media(params, world, media, path, met != 0 ? hit.t : RAY_INFINITY, random,
+                                sample, rays);
+    if (scattered < 0) return 0;
+    if (scattered > 0)
+        return path_survives(path, ROULETTE_START,
+                             path->inside != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST,
+                             random);
+    float3 light = f3(0.0f, 0.0f, 0.0f);
+    if (met == 0 && HAS(params, FEATURE_ENVIRONMENT))
+        light = environment_radiance(params, path->direction);
+    if (met != 0 && max_component(path->surface.emission) > 0.0f)
+        light = path->surface.emission * met_weight(world, path, &path->surface, hit.t);
+    add_met(params, path, light, sample);
+    if (met == 0) return 0;
+    if (scatter_on_surface(params, world, media, path, random, &sample->light, rays) == 0) return 0;
+    return path_survives(path, ROULETTE_START, ROULETTE_MOST, random);
+}
+
+WEFT_KERNEL(path_media)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
+    uint pixels = params.camera.width * params.camera.height;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    MEDIA_MAKE(through);
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
+    GLOBAL uint* sums = film_sums + pixel;
+    uint rays = 0u;
+    for (uint i = 0u; i < path_params.samples; ++i) {
+        Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
+        PathSample sample = no_path_sample();
+        MediaPath path = camera_path(&params, &path_params, &through, pixel, &random);
+        while (go_on(&params, &world, &through, &path, &random, &sample, &rays) != 0) continue;
+        add_sample(path_params.film_scale, sums, pixels, pixel, &sample, nonfinite);
+    }
+    count_rays(counters + range.counter, rays);
+}

@@ -1,0 +1,93 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What VPLs leave out, by path tracing (Kollig and Keller 2004). Virtual lights stand for the light
+// of surface y that falls on x, with the geometry term G(x, y) cut off at a bound b. The rest,
+// max(0, G - b), is the share max(0, 1 - b / G) of what a scattered ray from x finds at y: of light
+// by up to SamplingParams::bounces surfaces before x. Light by more surfaces has no virtual lights
+// at all, so its share is 1. Samples on area lights have bounds of their own.
+//
+// A work-item adds one path to the irradiance of one receiver: to the direct part where bit 0 of
+// `parts` is set, to the indirect part where bit 1 is.
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/core/receiver_values.h"
+#include "kernels/light/near_lamp_limit.h"
+#include "kernels/path/path.h"
+
+/// Share of a connection over `distance` between surfaces at these cosines that `bound` cuts off.
+static inline float share_beyond(float bound, float distance, float cosine_x, float cosine_y) {
+    if (!(cosine_x > 0.0f && cosine_y > 0.0f)) return 0.0f;
+    // In this order nothing overflows that is not beyond the bound anyway.
+    float share = 1.0f - bound * (distance / cosine_x) * (distance / cosine_y);
+    return m_max(share, 0.0f);
+}
+
+/// Share of a lamp's light that its samples leave out; all of it where they know nothing of it, and
+/// nothing where near_lamp.h makes up for it.
+static inline float lamp_share(const RenderParams* params, const PathScene* world, uint instance,
+                               float distance, float cosine_x, float cosine_y) {
+    uint index = world->geometry.instances[instance].light;
+    if (index == NO_TRIANGLE) return 1.0f;
+    if (has_closed_form(params, world->lights + index) != 0) return 0.0f;
+    return share_beyond(params->sampling.lights.bound_scale / world->lights[index].area, distance,
+                        cosine_x, cosine_y);
+}
+
+/// Follows a ray from the receiver to the first surface, and from there the path of all light.
+static inline PathLight trace_residual(const RenderParams* params, const PathScene* world,
+                                       uint parts, float3 position, float3 normal, float3 shading,
+                                       Random* random, uint* rays) {
+    PathLight sum;
+    sum.direct = f3(0.0f, 0.0f, 0.0f);
+    sum.indirect = sum.direct;
+    float u = next_random(random);
+    float v = next_random(random);
+    float3 about_z = cosine_direction(u, v);
+    float3 direction = normalize3(turn_to(about_z, shading));
+    if (!(dot3(direction, normal) > 0.0f)) return sum;
+    Hit hit = trace_closest(world->scene, position, direction, RAY_INFINITY);
+    ++*rays;
+    if (hit.triangle == NO_TRIANGLE) return sum;
+    PathVertex vertex;
+    vertex.bounce = 1u;
+    vertex.surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
+    float facing = -dot3(direction, vertex.surface.normal);
+    if ((parts & 1u) != 0u && max_component(vertex.surface.emission) > 0.0f)
+        sum.direct = vertex.surface.emission *
+                     lamp_share(params, world, vertex.surface.instance, hit.t, about_z.z, facing);
+    if ((parts & 2u) == 0u) return sum;
+    float share = share_beyond(params->sampling.vpl_bound, hit.t, about_z.z, facing);
+    int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
+    while (goes_on != 0) {
+        vertex.light_weight = vertex.bounce <= params->sampling.bounces + 1u ? share : 1.0f;
+        if (vertex.light_weight > 0.0f) *rays += next_event(params, world, &vertex, random, &sum);
+        goes_on = scatter(params, world, &vertex, random, &sum, rays);
+        if (goes_on != 0) goes_on = survives(&vertex, 1u, random);
+    }
+    return sum;
+}
+
+WEFT_KERNEL(vpl_residual)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint slot = range.first + WORK_ITEM(range);
+    uint stride = slots;
+    if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
+    float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
+    float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
+    float3 normal = shading;
+    if (HAS(&params, FEATURE_SMOOTH_NORMALS))
+        normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
+    uint rays = 0u;
+    Random random = make_random(params.sampling.seed, slot_pixel[slot], params.sampling.sample);
+    PathLight light =
+        trace_residual(&params, &world, parts, position, normal, shading, &random, &rays);
+    if ((parts & 1u) != 0u) add_irradiance(direct, stride, slot, light.direct * COSINE_IRRADIANCE);
+    if ((parts & 2u) != 0u)
+        add_irradiance(indirect, stride, slot, light.indirect * COSINE_IRRADIANCE);
+    count_rays(counters + range.counter, rays);
+}

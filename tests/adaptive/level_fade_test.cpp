@@ -1,0 +1,167 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "adaptive/level_fade.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tests/testing/made_up_frames.h"
+#include "tests/testing/render_fixture.h"
+#include "tests/testing/room_scenes.h"
+
+// Tiles that fade to a coarser level: their heights against a closed form, the samples that they
+// need, and what pictures show of them.
+namespace weft {
+namespace {
+
+using test::Backend;
+using test::Frame;
+using test::Picture;
+using test::room_with_ball;
+using test::Uniform;
+
+TEST(LevelFade, HeightsRiseAtOnceAndFallBySteps) {
+    Uniform random(1);
+    for (int run = 0; run < 100; ++run) {
+        std::vector<Level> wanted;
+        float height = 0.0F;
+        for (int picture = 0; picture < 80; ++picture) {
+            const bool changes = random.below(12) == 0;
+            wanted.push_back(wanted.empty() || changes ? static_cast<Level>(random.below(3))
+                                                       : wanted.back());
+            height =
+                wanted.size() == 1 ? height_of(wanted.back()) : faded_height(height, wanted.back());
+            // What was wanted in any picture so far, less a step for each since then.
+            float expected = 0.0F;
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                expected =
+                    std::max(expected, height_of(wanted[i]) -
+                                           fade_step * static_cast<float>(wanted.size() - 1 - i));
+            ASSERT_EQ(height, expected);
+            ASSERT_LE(height_of(level_below(height)), height);
+            ASSERT_GE(height_of(level_above(height)), height);
+            ASSERT_LT(height_of(level_above(height)) - height_of(level_below(height)), 1.5F);
+        }
+    }
+}
+
+TEST(LevelFade, GoesOnFromTheLastWholePicture) {
+    LevelFade fade;
+    fade.begin_sequence();
+    EXPECT_TRUE(fade.earlier().empty());
+    fade.show({2.0F});
+    fade.show({1.0F});
+    EXPECT_TRUE(fade.earlier().empty()) << "frames of one picture";
+    fade.begin_picture();
+    ASSERT_EQ(fade.earlier().size(), 1U);
+    EXPECT_EQ(fade.earlier()[0], 1.0F);
+    fade.begin_picture();  // after one without a whole frame
+    ASSERT_EQ(fade.earlier().size(), 1U);
+    EXPECT_EQ(fade.earlier()[0], 1.0F);
+    fade.begin_sequence();
+    EXPECT_TRUE(fade.earlier().empty());
+    fade.begin_picture();
+    EXPECT_TRUE(fade.earlier().empty());
+}
+
+std::vector<float> random_heights(const TileGrid& grid, Uniform& random) {
+    std::vector<float> heights;
+    for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
+        heights.push_back(fade_step * static_cast<float>(random.below(33)));
+    return heights;
+}
+
+TEST(LevelFade, SamplesServeBothLevelsAndNothingIsJudgedOtherwise) {
+    Uniform random(2);
+    std::size_t between = 0;
+    for (const TileGrid& grid : test::small_pictures())
+        for (const double threshold : {0.03, 0.3, 3.0}) {
+            const Picture picture = test::random_picture(grid, random);
+            const test::Signal signal = test::random_signal(random);
+            const std::vector<float> earlier = random_heights(grid, random);
+            const Frame free = test::run_frame(picture, threshold, signal);
+            const Frame faded = test::run_frame(picture, threshold, signal, false, {}, {}, earlier);
+            EXPECT_EQ(faded.levels, free.levels);
+            EXPECT_EQ(faded.verdict.asked, free.verdict.asked);
+            EXPECT_EQ(faded.verdict.kept, free.verdict.kept);
+            EXPECT_EQ(faded.rounds[0].pixels, free.rounds[0].pixels);
+            EXPECT_EQ(faded.rounds[1].pixels, free.rounds[1].pixels);
+            std::vector<Level> below;
+            std::vector<Level> above;
+            for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
+                const float height = faded.heights[tile];
+                ASSERT_EQ(free.heights[tile], height_of(free.levels[tile]));
+                ASSERT_EQ(height, faded_height(earlier[tile], free.levels[tile]));
+                below.push_back(level_below(height));
+                above.push_back(level_above(height));
+                between += below.back() != above.back() ? 1U : 0U;
+            }
+            const std::vector<TileMask> coarser = required_masks(grid, below);
+            const std::vector<TileMask> finer = required_masks(grid, above);
+            for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
+                const TileMask needed = (coarser[tile] | finer[tile]) & picture.lit[tile];
+                ASSERT_EQ(needed & ~faded.sampled[tile], 0U) << "tile " << tile;
+            }
+        }
+    EXPECT_GT(between, 100U) << "nothing faded";
+}
+
+const Camera from_the_left = test::look_at({0.3, 0.1, 0.95}, {-0.1, -0.1, 0.0}, 1.2);
+const Camera from_the_right = test::look_at({-0.2, 0.0, 0.95}, {0.1, -0.1, 0.0}, 1.2);
+
+RenderSettings settings() {
+    RenderSettings small = test::small_settings(Algorithm::ais, 85, 67);
+    small.sampling.vpls_per_set = 16;
+    small.sampling.threshold = 6.0;
+    small.direct = false;
+    return small;
+}
+
+/// A picture from one side, and then some from the other.
+std::vector<Image> sequence(Backend backend, int pictures) {
+    Renderer renderer(test::shared_executor(backend), room_with_ball(), from_the_left, settings());
+    EXPECT_TRUE(renderer.render_frame({}));
+    std::vector<Image> images;
+    for (int picture = 0; picture < pictures; ++picture) {
+        renderer.move_camera(from_the_right);
+        EXPECT_TRUE(renderer.render_frame({}));
+        images.push_back(renderer.image());
+    }
+    return images;
+}
+
+TEST(LevelFade, OpenClEqualsTheNativeKernelsBitForBit) {
+    if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
+    const std::vector<Image> native = sequence(Backend::own_bvh, 24);
+    const std::vector<Image> opencl = sequence(Backend::opencl, 24);
+    for (std::size_t i = 0; i < native.size(); ++i)
+        EXPECT_EQ(test::differing_values(native[i], opencl[i]), 0U) << i;
+}
+
+// From level to level takes 16 pictures, and with what is held no two tiles are more than
+// quiet_pictures apart: from the 8th to the 15th picture all that fade are between the same two
+// levels, and pictures change evenly. In the end nothing fades any more.
+TEST(LevelFade, PicturesChangeEvenlyAndThenNoMore) {
+    const std::vector<Image> images = sequence(Backend::own_bvh, 48);
+    std::size_t fading = 0;
+    for (std::size_t i = 8; i < 14; ++i) {
+        const auto& before = images[i - 1].find("indirect")->values;
+        const auto& now = images[i].find("indirect")->values;
+        const auto& after = images[i + 1].find("indirect")->values;
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            const float change = now[k] - before[k];
+            ASSERT_NEAR(after[k] - now[k], change, 4e-6F * now[k]) << "picture " << i;
+            fading += std::abs(change) > 1e-4F * now[k] ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(fading, 100U) << "nothing fades";
+    EXPECT_EQ(test::differing_values(images.back(), images[images.size() - 2]), 0U);
+}
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,286 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "image/exr.h"
+#include "tests/testing/gltf_builder.h"
+#include "tests/testing/program_backends.h"
+#include "tests/testing/run_program.h"
+
+namespace weft {
+namespace {
+
+using nlohmann::json;
+using test::program_backends;
+using test::ProgramResult;
+using test::run_program;
+using test::RunningProgram;
+using test::shipped_scene;
+using test::text_of_file;
+
+/// The camera's x at the three keys, at 0, 1 and 2 s; exact as floats.
+constexpr std::array<float, 3> places = {0.25F, 0.28125F, 0.3125F};
+
+class ProgramFrames : public testing::Test {
+  protected:
+    ProgramFrames() {
+        json box = json::parse(text_of_file(shipped_scene("cornell-box.gltf")));
+        // As keys hold it.
+        for (json& number : box["nodes"].back()["translation"])
+            number = static_cast<double>(number.get<float>());
+        folder_.write("moving.gltf", moving(box).dump());
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            json still = box;
+            still["nodes"].back()["translation"][0] = places[i];
+            folder_.write("still" + std::to_string(i) + ".gltf", still.dump());
+        }
+    }
+
+    /// The box with a camera that moves along x.
+    static json moving(json box) {
+        std::string bytes;
+        const auto add = [&](float number) {
+            char word[sizeof number];
+            std::memcpy(word, &number, sizeof number);
+            bytes.append(word, sizeof number);
+        };
+        for (const float time : {0.0F, 1.0F, 2.0F}) add(time);
+        for (const float place : places)
+            for (const int axis : {0, 1, 2})
+                add(axis == 0 ? place : box["nodes"].back()["translation"][axis].get<float>());
+        const std::size_t buffer = box["buffers"].size();
+        const std::size_t view = box["bufferViews"].size();
+        const std::size_t accessor = box["accessors"].size();
+        box["buffers"].push_back(
+            {{"byteLength", bytes.size()},
+             {"uri", "data:application/octet-stream;base64," + encode_base64(bytes)}});
+        box["bufferViews"].push_back({{"buffer", buffer}, {"byteLength", 12}});
+        box["bufferViews"].push_back({{"buffer", buffer}, {"byteOffset", 12}, {"byteLength", 36}});
+        for (const char* type : {"SCALAR", "VEC3"})
+            box["accessors"].push_back({{"bufferView", *type == 'S' ? view : view + 1},
+                                        {"componentType", 5126},
+                                        {"type", type},
+                                        {"count", 3}});
+        const std::size_t camera = box["nodes"].size() - 1;
+        box["animations"] = {
+            {{"samplers", {{{"input", accessor}, {"output", accessor + 1}}}},
+             {"channels",
+              {{{"sampler", 0}, {"target", {{"node", camera}, {"path", "translation"}}}}}}}};
+        return box;
+    }
+
+    [[nodiscard]] std::string at(const std::string& name) const { return folder_.path() / name; }
+
+    [[nodiscard]] std::vector<std::string> command(const std::string& scene,
+                                                   const std::string& output,
+                                                   const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments{"render",   at(scene), "-o",
+                                           at(output), "--size",  "32x24"};
+        if (std::find(more.begin(), more.end(), "--progress") == more.end())
+            arguments.insert(arguments.end(), {"--progress", "none"});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+
+    TemporaryFolder folder_;
+};
+
+bool same_values(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height && a.layers.size() == b.layers.size() &&
+           std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(),
+                      [](const Layer& x, const Layer& y) {
+                          return x.name == y.name && x.values == y.values;
+                      });
+}
+
+TEST_F(ProgramFrames, EveryFrameIsThePictureFromThere) {
+    for (const std::string& backend : program_backends())
+        for (const std::string algorithm : {"igi", "path"}) {
+            SCOPED_TRACE(backend + " " + algorithm);
+            const std::vector<std::string> options{
+                "--backend", backend,    "--algorithm", algorithm,      "--spp",
+                "3",         "--frames", "0:3",         "--frame-rate", "1"};
+            const ProgramResult result = run_program(command("moving.gltf", "out.exr", options));
+            ASSERT_EQ(result.exit_code, 0) << result.err;
+            EXPECT_EQ(result.err, "");
+            std::vector<Image> frames;
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                SCOPED_TRACE(i);
+                const std::string number = std::to_string(i);
+                frames.push_back(read_exr(at("out.000" + number + ".exr")));
+                EXPECT_EQ(frames[i].metadata.at("samples"), "3");
+                const std::vector<std::string> alone(options.begin(), options.begin() + 6);
+                ASSERT_EQ(
+                    run_program(command("still" + number + ".gltf", "alone.exr", alone)).exit_code,
+                    0);
+                EXPECT_TRUE(same_values(frames[i], read_exr(at("alone.exr"))));
+            }
+            EXPECT_FALSE(same_values(frames[0], frames[1]));
+            EXPECT_FALSE(same_values(frames[1], frames[2]));
+            std::filesystem::remove(at("alone.exr"));
+            EXPECT_FALSE(std::filesystem::exists(at("out.exr")));
+            EXPECT_FALSE(std::filesystem::exists(at("out.0003.exr")));
+        }
+}
+
+TEST_F(ProgramFrames, FramesStandOnTheirOwn) {
+    // Half a second is between two keys. Nothing depends on which frames were asked for.
+    const std::vector<std::string> rate{"--backend",    "embree", "--algorithm", "igi",
+                                        "--frame-rate", "2",      "--frames"};
+    const auto run = [&](const std::string& output, const std::string& range) {
+        std::vector<std::string> options = rate;
+        options.push_back(range);
+        const ProgramResult result = run_program(command("moving.gltf", output, options));
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    run("all.png", "0:5");
+    run("one.png", "3:4");
+    EXPECT_TRUE(text_of_file(at("all.0003.png")) == text_of_file(at("one.0003.png")));
+    EXPECT_FALSE(text_of_file(at("all.0003.png")) == text_of_file(at("all.0002.png")));
+    run("end.png", "9999:10001");
+    EXPECT_TRUE(text_of_file(at("end.9999.png")) == text_of_file(at("all.0004.png")));
+    EXPECT_TRUE(text_of_file(at("end.10000.png")) == text_of_file(at("all.0004.png")));
+    EXPECT_EQ(folder_.entry_count(), 4u + 5u + 1u + 2u) << "something else was left";
+}
+
+TEST_F(ProgramFrames, ThirtyFramesAreASecond) {
+    const std::vector<std::string> options{"--backend", "embree", "--frames", "30:31"};
+    ASSERT_EQ(run_program(command("moving.gltf", "out.exr", options)).exit_code, 0);
+    ASSERT_EQ(run_program(command("still1.gltf", "alone.exr", {"--backend", "embree"})).exit_code,
+              0);
+    EXPECT_TRUE(same_values(read_exr(at("out.0030.exr")), read_exr(at("alone.exr"))));
+}
+
+TEST_F(ProgramFrames, StatisticsHoldAllFrames) {
+    const ProgramResult result =
+        run_program(command("moving.gltf", "out.png",
+                            {"--backend", "native", "--algorithm", "igi", "--spp", "2", "--frames",
+                             "7:10", "--frame-rate", "12.5", "--stats", at("stats.json")}));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json stats = json::parse(text_of_file(at("stats.json")));
+    std::vector<int> numbers;
+    for (const json& frame : stats.at("frames")) numbers.push_back(frame.at("frame"));
+    EXPECT_EQ(numbers, (std::vector<int>{7, 7, 8, 8, 9, 9}));
+    EXPECT_EQ(stats.at("options").at("frames"), json({7, 10}));
+    EXPECT_EQ(stats.at("options").at("frame_rate"), 12.5);
+    EXPECT_EQ(stats.at("samples"), 2);
+    EXPECT_EQ(stats.at("kernels").size(), 8u) << "kernels are built once";
+}
+
+TEST_F(ProgramFrames, TimeIsOfAllFrames) {
+    const ProgramResult result = run_program(command(
+        "moving.gltf", "out.png",
+        {"--backend", "embree", "--frames", "0:3", "--time", "1ms", "--stats", at("stats.json")}));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json stats = json::parse(text_of_file(at("stats.json")));
+    EXPECT_EQ(stats.at("frames").size(), 3u) << "each picture has one sample in any case";
+    EXPECT_TRUE(std::filesystem::exists(at("out.0002.png")));
+}
+
+TEST_F(ProgramFrames, AStillCameraGivesEqualFramesAndAWarning) {
+    const ProgramResult result =
+        run_program(command("still0.gltf", "out.png", {"--backend", "embree", "--frames", "0:2"}));
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.err.find(
+                  "neither the scene nor camera 'camera' is animated, all frames are the same"),
+              std::string::npos)
+        << result.err;
+    EXPECT_TRUE(text_of_file(at("out.0000.png")) == text_of_file(at("out.0001.png")));
+    EXPECT_FALSE(text_of_file(at("out.0001.png")).empty());
+}
+
+TEST_F(ProgramFrames, WithoutFramesTheSceneIsAtRest) {
+    ASSERT_EQ(run_program(command("moving.gltf", "rest.png", {"--backend", "embree"})).exit_code,
+              0);
+    EXPECT_TRUE(std::filesystem::exists(at("rest.png")));
+    EXPECT_FALSE(std::filesystem::exists(at("rest.0000.png")));
+}
+
+TEST_F(ProgramFrames, InterruptionKeepsTheFinishedPictures) {
+    RunningProgram program(command(
+        "moving.gltf", "out.png",
+        {"--backend", "embree", "--spp", "20", "--frames", "0:100000", "--progress", "plain"}));
+    // The first lines come at the start and a second later.
+    ASSERT_TRUE(program.wait_for_lines(2)) << program.err();
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait(), 130);
+    std::size_t finished = 0;
+    while (std::filesystem::exists(at("out." +
+                                      std::string(finished < 10     ? "000"
+                                                  : finished < 100  ? "00"
+                                                  : finished < 1000 ? "0"
+                                                                    : "") +
+                                      std::to_string(finished) + ".png")))
+        ++finished;
+    EXPECT_NE(program.err().find("interrupted, " + std::to_string(finished) +
+                                 " of 100000 pictures are finished"),
+              std::string::npos)
+        << program.err();
+    EXPECT_EQ(folder_.entry_count(), 4u + finished) << "something else was left";
+}
+
+TEST_F(ProgramFrames, ACameraThatVanishesLaterIsRefusedAtOnce) {
+    json scene = json::parse(text_of_file(at("moving.gltf")));
+    scene["animations"][0]["channels"][0]["target"]["path"] = "scale";
+    json ones = scene["accessors"].back();
+    ones["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", scene["bufferViews"].size()}, {"componentType", 5121}}},
+        {"values", {{"bufferView", ones["bufferView"]}}}};
+    ones.erase("bufferView");  // what is not listed is zero: the scale at the last key
+    scene["bufferViews"].push_back({{"buffer", scene["buffers"].size()}, {"byteLength", 2}});
+    scene["buffers"].push_back({{"byteLength", 2}, {"uri", "data:;base64,AAE="}});
+    scene["accessors"].back() = ones;
+    folder_.write("vanishing.gltf", scene.dump());
+    const auto run = [&](const char* range) {
+        return run_program(
+            command("vanishing.gltf", "out.png",
+                    {"--backend", "embree", "--frame-rate", "1", "--frames", range}));
+    };
+    const ProgramResult result = run("0:3");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err, "weft: " + at("vanishing.gltf") +
+                              ": camera 'camera' at 2 s has a transform that cannot be inverted\n");
+    EXPECT_EQ(folder_.entry_count(), 5u) << "a picture was written";
+    EXPECT_EQ(run("0:2").exit_code, 0);
+}
+
+TEST_F(ProgramFrames, ImpossibleOptionsAreUsageErrors) {
+    struct Case {
+        std::vector<std::string> options;
+        std::string message;
+    };
+    const std::vector<Case> cases = {
+        {{"--frames", "3"}, "--frames: '3' is not valid, expected A:B, such as 0:30"},
+        {{"--frames", "3:3"}, "--frames: '3:3' is not valid"},
+        {{"--frames", "-1:3"}, "--frames: '-1:3' is not valid"},
+        {{"--frames", "0:99999999"}, "--frames: '0:99999999' is not valid"},
+        {{"--frames", "0:3", "--frame-rate", "0"}, "--frame-rate: '0' is not valid"},
+        {{"--frames", "0:3", "--frame-rate", "1001"}, "--frame-rate: '1001' is not valid"},
+        {{"--frame-rate", "25"}, "--frame-rate: is for animations, expected it together with"},
+        {{"--frames", "0:3", "--algorithm", "path", "--samples", "0:4"},
+         "--samples: is for a single picture, expected it without --frames"},
+        {{"--frames", "0:3", "--algorithm", "path", "--resume", at("sums.exr")},
+         "--resume: is for a single picture, expected it without --frames"},
+        {{"--frames", "0:3", "--stats", at("out.0001.exr")},
+         "--stats: names the same file as one of the pictures of --frames"},
+    };
+    for (const Case& wrong : cases) {
+        const ProgramResult result = run_program(command("moving.gltf", "out.exr", wrong.options));
+        EXPECT_EQ(result.exit_code, 1) << wrong.message;
+        EXPECT_NE(result.err.find(wrong.message), std::string::npos) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+    EXPECT_EQ(folder_.entry_count(), 4u) << "something was written";
+}
+
+}  // namespace
+}  // namespace weft

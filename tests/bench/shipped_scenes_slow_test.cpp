@@ -1,0 +1,94 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every scene that ships, of any size and anywhere, is the same picture.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/camera_params.h"
+#include "scene/load/load_scene.h"
+#include "scene/pose_scene.h"
+#include "selftest/placed_scene.h"
+#include "tests/testing/render_fixture.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Backend;
+using test::Rendering;
+
+// Rays that graze an edge may pass where they did not before: that is all that may change.
+constexpr double allowed_mse = 1e-4;
+
+std::vector<fs::path> shipped_scenes() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(fs::path(WEFT_SOURCE_DIR) / "scenes"))
+        if (entry.path().extension() == ".gltf") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The scene under a root node that scales and moves all of it. Radiance stays the same where
+/// intensities grow with the square of the scale and media thin out with it.
+void place(Scene& scene, Camera& camera, double scale, const glm::dvec3& move) {
+    const glm::dmat4 root = test::placement(scale, move);
+    for (Instance& instance : scene.instances) instance.to_world = root * instance.to_world;
+    for (PunctualLight& light : scene.lights) {
+        light.position = glm::dvec3(root * glm::dvec4(light.position, 1.0));
+        if (light.type != LightType::directional)
+            light.intensity *= static_cast<float>(scale * scale);
+    }
+    for (Medium& medium : scene.media) {
+        medium.scale /= static_cast<float>(scale);
+        medium.emission /= static_cast<float>(scale);
+        medium.grid_to_world = root * medium.grid_to_world;
+    }
+    for (MediumBoundary& boundary : scene.medium_boundaries)
+        boundary.to_world = root * boundary.to_world;
+    camera.to_world = root * camera.to_world;
+}
+
+Rendering picture(Backend backend, Scene scene, Camera camera, double scale,
+                  const glm::dvec3& move) {
+    place(scene, camera, scale, move);
+    return test::render(backend, scene, camera,
+                        selftest::small_settings(default_algorithm, 72, 72));
+}
+
+void expect_same_everywhere(Backend backend, const fs::path& file) {
+    SCOPED_TRACE(file.filename().string() + " on " + test::backend_name(backend));
+    Diagnostics diagnostics;
+    Scene scene = load_scene(file, diagnostics);
+    hold_still(scene);
+    const Camera camera = choose_camera(scene, flatten(scene), "", diagnostics);
+    const glm::dvec3 far_away(1e5, 1e3, -1e5);
+    const Rendering reference = picture(backend, scene, camera, 1.0, {});
+    struct Place {
+        double scale;
+        glm::dvec3 move;
+    };
+    for (const Place& where : {Place{1e-3, {}}, Place{1e3, {}}, Place{1.0, far_away}}) {
+        SCOPED_TRACE(where.scale);
+        const Rendering placed = picture(backend, scene, camera, where.scale, where.move);
+        EXPECT_LE(selftest::relative_mse(reference.layer(""), placed.layer("")), allowed_mse);
+        EXPECT_EQ(selftest::isolated_dark_pixels(reference, placed), 0U);
+        EXPECT_EQ(selftest::guarded_values(placed.stats), 0U);
+    }
+}
+
+TEST(ShippedScenesSlow, AreTheSamePictureAnywhere) {
+    const std::vector<fs::path> files = shipped_scenes();
+    ASSERT_GE(files.size(), 5U);
+    // OpenCL and the native build with the same BVH agree bit for bit: one of them is enough.
+    const Backend own = test::has_opencl() ? Backend::opencl : Backend::own_bvh;
+    for (const Backend backend : {own, Backend::embree})
+        for (const fs::path& file : files) expect_same_everywhere(backend, file);
+}
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,129 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#if WEFT_HAS_OPENCL
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "device/opencl/opencl_devices.h"
+#include "image/exr.h"
+#include "tests/testing/child_processes.h"
+#include "tests/testing/run_program.h"
+
+namespace weft {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::children_of;
+using test::comes_true;
+using test::RunningProgram;
+using test::text_of_file;
+
+/// Pictures by the program, each compiling every kernel that it needs.
+class CompileServerSlow : public testing::Test {
+  protected:
+    struct Picture {
+        int exit_code = -1;
+        std::string messages;
+        json stats;
+        Image image;
+        bool had_workers = false;
+        std::size_t entries = 0;  ///< of the cache
+    };
+    using Interference = std::function<void(pid_t program, pid_t server)>;
+
+    void SetUp() override {
+        if (opencl_devices().empty()) GTEST_SKIP() << "there is no OpenCL device";
+        const DeviceInfo device = choose_opencl_device("").info;
+        if (!device.is_cpu || is_simulator(device) || std::thread::hardware_concurrency() < 2)
+            GTEST_SKIP() << "kernels are compiled by one process";
+        if (process_state_unknown()) GTEST_SKIP() << "the system does not tell of processes";
+    }
+
+    /// With empty caches; `interfere` is called when workers are at it.
+    static Picture cold_picture(const Interference& interfere) {
+        const TemporaryFolder folder;
+        const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+        fs::create_directory(at("pocl"));
+        RunningProgram::Settings settings;
+        settings.environment = {{"WEFT_CACHE_DIR", at("weft")}, {"POCL_CACHE_DIR", at("pocl")}};
+        RunningProgram program(
+            {"render", test::shipped_scene("cornell-box.gltf"), "-o", at("x.exr"), "--size",
+             "48x40", "--stats", at("x.json"), "--backend", "opencl", "--progress", "none",
+             "--algorithm", "igi", "--components", "direct"},
+            settings);
+        Picture picture;
+        picture.had_workers = comes_true([&] {
+                                  for (const pid_t server : children_of(program.process()))
+                                      if (!children_of(server).empty()) {
+                                          interfere(program.process(), server);
+                                          return true;
+                                      }
+                                  return test::has_ended(program.process());
+                              }) &&
+                              !test::has_ended(program.process());
+        picture.exit_code = program.wait();
+        picture.messages = program.err();
+        picture.stats = json::parse(text_of_file(at("x.json")), nullptr, false);
+        if (fs::exists(at("x.exr"))) picture.image = read_exr(at("x.exr"));
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(at("weft")))
+            ++picture.entries;
+        return picture;
+    }
+
+    static void expect_compiled(const Picture& picture) {
+        EXPECT_TRUE(picture.had_workers);
+        ASSERT_TRUE(picture.stats.is_object());
+        EXPECT_GT(picture.entries, 2u);
+        EXPECT_EQ(picture.stats.at("kernels").size(), picture.entries);
+        for (const json& kernel : picture.stats["kernels"]) {
+            EXPECT_EQ(kernel.at("from_cache"), false) << kernel;
+            EXPECT_GT(kernel.at("build_ms"), 0.0) << kernel;
+        }
+    }
+
+  private:
+    static bool process_state_unknown() { return test::has_ended(::getpid()); }
+};
+
+TEST_F(CompileServerSlow, AKilledServerCostsNoPicture) {
+    const Picture undisturbed = cold_picture([](pid_t, pid_t) {});
+    EXPECT_EQ(undisturbed.exit_code, 0);
+    EXPECT_EQ(undisturbed.messages, "");
+    expect_compiled(undisturbed);
+    const Picture killed = cold_picture([](pid_t, pid_t server) { ::kill(server, SIGKILL); });
+    EXPECT_EQ(killed.exit_code, 0);
+    EXPECT_EQ(killed.messages, "");
+    expect_compiled(killed);
+    ASSERT_FALSE(undisturbed.image.layers.empty());
+    ASSERT_EQ(killed.image.layers.size(), undisturbed.image.layers.size());
+    for (std::size_t layer = 0; layer < killed.image.layers.size(); ++layer)
+        EXPECT_EQ(killed.image.layers[layer].values, undisturbed.image.layers[layer].values);
+}
+
+TEST_F(CompileServerSlow, CtrlCEndsAsWithoutIt) {
+    // A terminal sends it to the whole group of processes.
+    const Picture picture = cold_picture([](pid_t program, pid_t server) {
+        for (const pid_t worker : children_of(server)) ::kill(worker, SIGINT);
+        ::kill(server, SIGINT);
+        ::kill(program, SIGINT);
+    });
+    EXPECT_TRUE(picture.had_workers);
+    EXPECT_EQ(picture.exit_code, 130);
+    EXPECT_NE(picture.messages.find("interrupted"), std::string::npos) << picture.messages;
+    EXPECT_FALSE(picture.image.layers.empty());
+    EXPECT_GT(picture.entries, 2u);  // what was being compiled was not lost
+}
+
+}  // namespace
+}  // namespace weft
+
+#endif

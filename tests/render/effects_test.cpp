@@ -1,0 +1,293 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "components/component.h"
+#include "device/executor.h"
+#include "tests/testing/counting_executor.h"
+#include "tests/testing/media_builder.h"
+#include "tests/testing/render_fixture.h"
+
+// A frame does what its scene calls for, and nothing else: for each scene the kernels that its plan
+// builds, the stages that a frame runs, and the rays that components trace are written out here. A
+// component that joins the program must not change any of these lists.
+namespace weft {
+namespace {
+
+using test::Rendering;
+using test::SceneBuilder;
+
+/// What a scene has.
+struct Contents {
+    bool lamp = false;  ///< an area light
+    bool point = false;
+    bool sun = false;
+    bool sky = false;
+    bool black = false;  ///< surfaces reflect nothing
+    bool fog = false;    ///< all space is filled with a medium
+    float fog_albedo = 0.5F;
+};
+
+FlatScene flat_scene(const Contents& contents) {
+    SceneBuilder builder;
+    builder.add(test::room_mesh(), builder.material(glm::vec3(contents.black ? 0.0F : 0.6F)));
+    if (contents.lamp)
+        builder.add(test::quad_mesh({-0.2F, 0.9F, -0.2F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.4F}),
+                    builder.material(glm::vec3(0.0F), glm::vec3(5.0F)));
+    if (contents.point) builder.light(LightType::point, glm::dvec3(0.3, 0.2, 0.1), glm::vec3(1.0F));
+    if (contents.sun)
+        builder.light(LightType::directional, glm::dvec3(0.0, 1.0, 0.0), glm::vec3(1.0F));
+    if (contents.sky) builder.scene.environment = Environment{glm::vec3(0.5F)};
+    if (contents.fog) {
+        builder.scene.media.push_back(
+            test::medium_of(glm::vec3(0.5F), glm::vec3(contents.fog_albedo)));
+        builder.scene.outer_medium = 0;
+    }
+    validate_scene(builder.scene);
+    return flatten(builder.scene);
+}
+
+RenderSettings settings() {
+    RenderSettings small = test::small_settings(Algorithm::ais, 48, 32);
+    small.sampling.vpls_per_set = 16;
+    return small;
+}
+
+std::set<std::string> kernel_names(const FlatScene& flat, const RenderSettings& how) {
+    std::set<std::string> names;
+    for (const KernelId kernel : kernels_of(plan_for(flat, how)))
+        names.insert(std::string(kernel_name(kernel)));
+    return names;
+}
+
+const std::set<std::string> always{"gbuffer", "compose", "edge_masks", "edge_samples"};
+const std::set<std::string> area{"receivers",    "light_samples", "shadow_probes",
+                                 "shadow_edges", "soft_shadows",  "reconstruct"};
+const std::set<std::string> punctual{"receivers", "light_samples", "vpl_gather"};
+const std::set<std::string> indirect{"receivers",  "tile_geometry",  "vpl_walk",
+                                     "vpl_gather", "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> sky{"receivers", "light_samples", "distant_light", "reconstruct"};
+const std::set<std::string> sun{"receivers", "distant_light"};
+const std::set<std::string> media{"view_media"};
+const std::set<std::string> airlight{"receivers",        "view_media",    "media_gather",
+                                     "vpl_walk",         "tile_geometry", "lattice_signal",
+                                     "reconstruct_tiles"};
+const std::set<std::string> distant_airlight{"media_distant"};
+
+std::set<std::string> joined(std::initializer_list<std::set<std::string>> parts) {
+    std::set<std::string> all = always;
+    for (const auto& part : parts) all.insert(part.begin(), part.end());
+    return all;
+}
+
+struct Case {
+    const char* name;
+    Contents contents;
+    bool direct, indirect;  ///< wanted by the user
+    std::set<std::string> kernels;
+};
+
+std::vector<Case> cases() {
+    const Contents lamp{.lamp = true};
+    const Contents point{.point = true};
+    const Contents black_lamp{.lamp = true, .black = true};
+    return {{"lamp", lamp, true, true, joined({area, indirect})},
+            {"lamp, direct alone", lamp, true, false, joined({area})},
+            {"lamp, indirect alone", lamp, false, true, joined({indirect})},
+            {"point light", point, true, true, joined({punctual, indirect})},
+            {"point light, direct alone", point, true, false, joined({punctual})},
+            {"sun", {.sun = true}, true, false, joined({sun})},
+            {"sky", {.sky = true}, true, false, joined({sky})},
+            {"nothing reflects", black_lamp, true, true, joined({area})},
+            {"lamp and point light",
+             {.lamp = true, .point = true},
+             true,
+             true,
+             joined({area, punctual, indirect})},
+            {"no light", {}, true, true, joined({})},
+            {"fog", {.lamp = true, .fog = true}, true, true, joined({area, indirect, airlight})},
+            {"fog that absorbs",
+             {.lamp = true, .fog = true, .fog_albedo = 0.0F},
+             true,
+             true,
+             joined({area, indirect, media})},
+            {"sun in fog, seen in the fog alone",
+             {.sun = true, .fog = true},
+             false,
+             false,
+             joined({airlight, distant_airlight})},
+            {"fog without light", {.fog = true}, true, true, joined({media})}};
+}
+
+RenderSettings settings_of(const Case& of) {
+    RenderSettings how = settings();
+    how.direct = of.direct;
+    how.indirect = of.indirect;
+    return how;
+}
+
+TEST(Effects, PlansBuildTheKernelsThatTheSceneCallsFor) {
+    for (const Case& of : cases())
+        EXPECT_EQ(kernel_names(flat_scene(of.contents), settings_of(of)), of.kernels) << of.name;
+}
+
+TEST(Effects, FramesTraceRaysOfTheirComponentsAlone) {
+    for (const Case& of : cases()) {
+        SCOPED_TRACE(of.name);
+        const Rendering rendering = test::render_flat(
+            test::shared_executor(test::Backend::own_bvh), flat_scene(of.contents),
+            test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2), settings_of(of));
+        std::set<std::string> components;
+        for (const StageStats& stage : rendering.stats[0].stages)
+            if (stage.rays > 0 && !stage.component.empty()) components.insert(stage.component);
+        const Contents& c = of.contents;
+        const bool lit = c.lamp || c.point || c.sun || c.sky;
+        EXPECT_EQ(components.count("direct"), of.direct && lit && !c.black ? 1U : 0U);
+        EXPECT_EQ(components.count("indirect"), of.indirect && lit && !c.black ? 1U : 0U);
+        EXPECT_EQ(components.count("media"), c.fog && c.fog_albedo > 0.0F && lit ? 1U : 0U);
+        EXPECT_LE(components.size(), 3U);
+        test::expect_clean(rendering);
+    }
+}
+
+TEST(Effects, NoBufferForWhatIsNotThere) {
+    const auto bytes = [](const Contents& contents, bool direct, bool wants_indirect) {
+        const auto executor = test::make_executor(test::Backend::own_bvh);
+        const FlatScene flat = flat_scene(contents);
+        RenderSettings how = settings();
+        how.direct = direct;
+        how.indirect = wants_indirect;
+        const Renderer renderer(*executor, flat, test::look_at({0, 0, 0.9}, {0, 0, 0}, 1.0), how);
+        return executor->allocated_bytes();
+    };
+    const Contents lamp{.lamp = true};
+    const std::size_t both = bytes(lamp, true, true);
+    const std::size_t direct = bytes(lamp, true, false);
+    const std::size_t none = bytes(lamp, false, false);
+    EXPECT_GT(both, direct);
+    EXPECT_GT(direct, none);
+    // Without lights or reflection it is as if the component had not been asked for.
+    EXPECT_EQ(bytes({}, true, true), bytes({}, false, false));
+    EXPECT_EQ(bytes({.lamp = true, .black = true}, true, true),
+              bytes({.lamp = true, .black = true}, true, false));
+}
+
+/// All that two frames of a scene make a device do, and what comes of it.
+struct Deeds {
+    std::vector<std::string> kernels;
+    std::vector<std::uint32_t> features;
+    std::vector<test::CountingExecutor::Run> runs;
+    std::vector<test::CountingExecutor::Allocation> allocations;
+    std::size_t bytes = 0;
+    Rendering rendering;
+};
+
+Deeds deeds_of(const FlatScene& flat, const RenderSettings& how) {
+    test::CountingExecutor executor(test::make_executor(test::Backend::own_bvh));
+    Renderer renderer(executor, flat, test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2), how);
+    for (int frame = 0; frame < 2; ++frame) EXPECT_TRUE(renderer.render_frame({}));
+    return {executor.kernels(),
+            executor.features(),
+            executor.runs(),
+            executor.allocations(),
+            executor.allocated_bytes(),
+            {renderer.image(), renderer.stats(), renderer.plan()}};
+}
+
+std::vector<std::uint64_t> rays_of(const Rendering& rendering) {
+    std::vector<std::uint64_t> rays;
+    for (const FrameStats& frame : rendering.stats)
+        for (const StageStats& stage : frame.stages) rays.push_back(stage.rays);
+    return rays;
+}
+
+/// The components without those that have to be asked for: the program before they joined it.
+std::vector<ComponentKind> components_by_default() {
+    std::vector<ComponentKind> kinds;
+    for (const ComponentKind& kind : components())
+        if (kind.choice != Choice::on_request) kinds.push_back(kind);
+    return kinds;
+}
+
+TEST(Effects, FramesRunTheKernelsThatWereBuilt) {
+    for (const Case& of : cases()) {
+        const Deeds deeds = deeds_of(flat_scene(of.contents), settings_of(of));
+        std::set<std::string> run;
+        for (const auto& [kernel, first, items] : deeds.runs) run.insert(kernel);
+        EXPECT_EQ(std::set<std::string>(deeds.kernels.begin(), deeds.kernels.end()), of.kernels)
+            << of.name;
+        // Without any surface that reflects there is nothing to sample, and without anything in the
+        // way of light nothing to look at again.
+        run.insert("soft_shadows");
+        if (of.kernels.count("soft_shadows") == 0) run.erase("soft_shadows");
+        if (of.contents.black)
+            EXPECT_TRUE(std::includes(of.kernels.begin(), of.kernels.end(), run.begin(), run.end()))
+                << of.name;
+        else
+            EXPECT_EQ(run, of.kernels) << of.name;
+    }
+}
+
+// A program with further components that nobody asks for does what one without them does: the same
+// kernels and features, the same launches over the same work-items, the same buffers, the same
+// rays, the same picture.
+TEST(Effects, AComponentThatIsNotAskedForChangesNothing) {
+    const std::vector<ComponentKind> without = components_by_default();
+    ASSERT_LT(without.size(), components().size());  // or nothing would be compared
+    for (const Case& of : cases())
+        for (const Algorithm algorithm : {Algorithm::ais, Algorithm::igi}) {
+            SCOPED_TRACE(of.name);
+            RenderSettings how = settings_of(of);
+            how.algorithm = algorithm;
+            how.sampling.compensation = true;
+            const FlatScene flat = flat_scene(of.contents);
+            const Deeds with = deeds_of(flat, how);
+            how.components = without;
+            const Deeds bare = deeds_of(flat, how);
+            EXPECT_EQ(with.kernels, bare.kernels);
+            EXPECT_EQ(with.features, bare.features);
+            EXPECT_EQ(with.runs, bare.runs);
+            EXPECT_EQ(with.allocations, bare.allocations);
+            EXPECT_EQ(with.bytes, bare.bytes);
+            EXPECT_EQ(rays_of(with.rendering), rays_of(bare.rendering));
+            EXPECT_EQ(test::differing_values(with.rendering.image, bare.rendering.image), 0U);
+        }
+}
+
+/// The picture without the layers of components that have to be asked for.
+Image without_requested(Image image) {
+    std::erase_if(image.layers, [](const Layer& layer) {
+        for (const std::string_view name : choosable_components(Choice::on_request))
+            if (layer.name.starts_with(name)) return true;
+        return false;
+    });
+    return image;
+}
+
+TEST(Effects, AComponentThatIsAskedForLeavesTheOthersAlone) {
+    for (const Case& of : cases()) {
+        SCOPED_TRACE(of.name);
+        const FlatScene flat = flat_scene(of.contents);
+        RenderSettings how = settings_of(of);
+        const Deeds bare = deeds_of(flat, how);
+        for (const std::string_view name : choosable_components(Choice::on_request)) {
+            how.requested = {std::string(name)};
+            const Deeds with = deeds_of(flat, how);
+            // It does something, or this would compare nothing.
+            EXPECT_GT(with.runs.size(), bare.runs.size());
+            EXPECT_GT(with.bytes, bare.bytes);
+            EXPECT_GT(with.rendering.image.layers.size(), bare.rendering.image.layers.size());
+            EXPECT_EQ(test::differing_values(bare.rendering.image,
+                                             without_requested(with.rendering.image)),
+                      0U);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace weft

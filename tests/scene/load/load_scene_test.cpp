@@ -1,0 +1,61 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/load/load_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/error.h"
+#include "tests/testing/temporary_folder.h"
+
+namespace weft {
+namespace {
+
+constexpr const char* empty_gltf = R"({"asset": {"version": "2.0"}})";
+
+std::string error_of(const std::filesystem::path& path) {
+    Diagnostics ignored;
+    try {
+        (void)load_scene(path, ignored);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(LoadScene, ChoosesTheReaderByExtensionInAnyCase) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("a.GlTf", empty_gltf);
+    Diagnostics diagnostics;
+    EXPECT_EQ(load_scene(path, diagnostics).source, path.string());
+    // Not glTF to the reader of XML, whatever it says about it.
+    EXPECT_NE(error_of(folder.write("a.XML", empty_gltf)), "no error");
+}
+
+TEST(LoadScene, NamesTheKnownFormats) {
+    for (const char* name : {"a.stl", "a", ".gltf", "a.gltf.bak"})
+        EXPECT_EQ(error_of(name), std::string(name) +
+                                      ": is not a known kind of scene file, expected glTF 2.0 "
+                                      "(.gltf, .glb), Mitsuba 3 (.xml), OBJ (.obj) or PLY (.ply)");
+}
+
+TEST(LoadScene, SaysThatAFileIsMissing) {
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / "none.gltf").string();
+    EXPECT_EQ(error_of(path), path + ": cannot be opened: No such file or directory");
+}
+
+TEST(LoadScene, ValidatesWhatItRead) {
+    const TemporaryFolder folder;
+    const auto path = folder.write(
+        "a.gltf",
+        R"({"asset": {"version": "2.0"}, "extensions": {"KHR_lights_punctual": {"lights":
+        [{"type": "point"}]}}, "nodes": [{"name": "far", "translation": [1e16, 0, 0],
+        "extensions": {"KHR_lights_punctual": {"light": 0}}}]})");
+    EXPECT_EQ(error_of(path), path.string() + ": light 'far' lies too far from the origin");
+}
+
+}  // namespace
+}  // namespace weft

@@ -1,0 +1,74 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_TESTS_TESTING_PATH_FIXTURE_H
+#define WEFT_TESTS_TESTING_PATH_FIXTURE_H
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "render/path_renderer.h"
+#include "selftest/path_rendering.h"
+#include "selftest/statistics.h"
+#include "tests/testing/closed_forms.h"
+#include "tests/testing/render_fixture.h"
+
+namespace weft::test {
+
+/// A channel of a colour, in double precision.
+inline double at(const glm::vec3& colour, std::uint32_t channel) {
+    return static_cast<double>(colour[static_cast<glm::length_t>(channel)]);
+}
+
+/// Renders all samples of `settings` and returns the sums, after those that `before` may hold.
+inline FilmSums path_sums(Executor& executor, const FlatScene& flat, const Camera& camera,
+                          const PathSettings& settings, FilmSums before = {}) {
+    PathRenderer renderer(executor, flat, camera, settings, std::move(before));
+    while (renderer.render_frame({})) continue;
+    for (const FrameStats& frame : renderer.stats())
+        for (std::size_t c = 0; c < frame.nonfinite.size(); ++c)
+            EXPECT_EQ(frame.nonfinite[c].count, 0U) << "component " << c;
+    return renderer.sums();
+}
+
+/// A path-traced picture with the variance of its pixels.
+inline Rendering path_picture(Executor& executor, const FlatScene& flat, const Camera& camera,
+                              const PathSettings& settings) {
+    Rendering rendering{resolve_sums(path_sums(executor, flat, camera, settings)), {}, {}};
+    expect_clean(rendering);
+    return rendering;
+}
+
+/// Validates, flattens and renders.
+inline Rendering path_picture(Backend backend, const Scene& scene, const Camera& camera,
+                              const PathSettings& settings) {
+    validate_scene(scene);
+    return path_picture(shared_executor(backend), flatten(scene), camera, settings);
+}
+
+/// What a comparison allows.
+struct Tolerance {
+    std::size_t comparisons = 100;  ///< of the file: for sidak_limit
+    double error = 0.01;  ///< largest standard error, relative: above it anything would pass
+    double bias = 2e-6;   ///< what model and floats are off by, relative
+};
+
+/// That an estimate agrees with a closed form and is good enough to say so.
+inline void expect_estimate(const Estimate& found, double expected, const Tolerance& tolerance,
+                            const std::string& what) {
+    EXPECT_LE(found.error, tolerance.error * expected) << what;
+    EXPECT_NEAR(found.mean, expected,
+                sidak_limit(tolerance.comparisons) * found.error + tolerance.bias * expected)
+        << what << ", " << (found.mean - expected) / found.error << " standard errors of "
+        << found.error;
+}
+
+}  // namespace weft::test
+
+#endif
