@@ -13,7 +13,8 @@ namespace weft {
 
 /// Connections of VPLs that shine with records that face them which meet any of the triangles, or
 /// whose VPL is elsewhere (VPL_MOVED in `changes`, by VPL): by testing each with every triangle, in
-/// double precision (Moeller and Trumbore 1997). The twin of kernels/cache/cache_doubts.cl.
+/// double precision (Moeller and Trumbore 1997). The reference
+/// implementation of kernels/cache/cache_doubts.cl.
 [[nodiscard]] std::uint64_t affected_connections(std::span<const shared::CacheRecord> records,
                                                  std::span<const shared::Vpl> vpls,
                                                  std::span<const std::uint32_t> changes,

@@ -39,7 +39,7 @@ class RecordPool {
     /// Those, as the device has them.
     [[nodiscard]] std::vector<std::uint32_t> states();
 
-    /// How many bits of all packets are in doubt; see kernels/cache/cache_masks.h.
+    /// How many connections of all packets are stale; see kernels/cache/cache_masks.h.
     [[nodiscard]] std::uint64_t count_doubts();
 
     /// Records with the slots that they are in.

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// C++ half of port.h. Included inside the namespace of one native variant, after
-// host/device/native/native_intrinsics.h has brought in the compiler's intrinsics.
+// C++ half of port.h. Included inside the namespace of one native variant, after the
+// file that includes it has brought in the compiler's intrinsics.
 #ifndef WEFT_KERNELS_CORE_PORT_NATIVE_H
 #define WEFT_KERNELS_CORE_PORT_NATIVE_H
 

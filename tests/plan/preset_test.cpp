@@ -172,6 +172,13 @@ TEST_F(PresetFile, RefusesOtherFiles) {
     EXPECT_THROW((void)read_preset(folder_.path() / "missing.json"), Error);
 }
 
+TEST_F(PresetFile, AlgorithmsMayHaveTheirLongNames) {
+    const Preset preset = read(
+        R"({"weft_preset": 1, "algorithm": "adaptive-maximum", "indirect": "instant-caching"})");
+    EXPECT_EQ(preset.algorithm, Algorithm::amax);
+    EXPECT_EQ(source_of(preset.sampling), IndirectSource::ic);
+}
+
 TEST_F(PresetFile, TheCommandLineWins) {
     SamplingSettings sampling;
     sampling.compensation = true;
