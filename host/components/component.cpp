@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "components/component.h"
 
-#include <algorithm>
 #include <set>
 
 namespace weft {

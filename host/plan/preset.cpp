@@ -85,6 +85,8 @@ double real(const JsonValue& value, double least, double most) {
     return number;
 }
 
+/// The index in `names`, those of algorithms or of sources of indirect light, of a name or of the
+/// long name that means the same.
 std::size_t name_of(const JsonValue& value, std::span<const std::string_view> names) {
     const std::string& text = value.as_string();
     const auto found = std::find(names.begin(), names.end(), short_algorithm_name(text));

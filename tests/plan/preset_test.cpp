@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "image/exr.h"
+#include "plan/algorithm.h"
 #include "plan/quality.h"
 #include "tests/testing/parse_options.h"
 #include "tests/testing/run_program.h"
