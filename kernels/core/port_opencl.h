@@ -17,10 +17,10 @@
 #define VALUE_ARGUMENT(type, name) const type name
 #define KERNEL_ENTRY __kernel __attribute__((reqd_work_group_size(LOCAL_SIZE, 1, 1)))
 #define GLOBAL_ID ((uint)get_global_id(0))
-// Which item of its range a work-item takes. Drivers for processors give each thread groups that
-// are neighbours, so that a launch with few items would keep one thread busy: work group g takes
-// the items of group (g * spread) mod (number of groups), and where there are fewer items than
-// groups, each group takes one.
+// Which item of its range a work-item takes. A launch of few items starts a work group for each.
+// Drivers for processors give each thread groups that are neighbours, so that a longer launch that
+// leaves groups without items would keep few threads busy: work group g takes the items of group
+// (g * spread) mod (number of groups).
 #define GROUP_RANK(range) ((uint)get_group_id(0) * (range).spread % (uint)get_num_groups(0))
 #define WORK_ITEM(range)                                                       \
     ((range).count <= (uint)get_num_groups(0)                                  \

@@ -3,12 +3,20 @@
 #ifndef WEFT_DEVICE_OPENCL_GROUP_SPREAD_H
 #define WEFT_DEVICE_OPENCL_GROUP_SPREAD_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <numeric>
 
 namespace weft {
+
+/// How many of the `groups` work groups of a kernel's longest launch (1 to 65535) a launch of
+/// `items` work-items starts: no more than there are items, since one that only finds out that it
+/// has none costs longer than a short launch lasts on slow devices.
+[[nodiscard]] inline std::uint32_t busy_groups(std::uint32_t groups, std::uint32_t items) {
+    return std::clamp(items, 1U, groups);
+}
 
 /// The LaunchRange::spread of a launch of `groups` work groups (1 to 65535) of which some have no
 /// work: coprime to their number, so that each group is taken once, and close to their golden

@@ -318,8 +318,10 @@ void OpenClExecutor::bind(cl::Kernel& kernel, const Launch& launch) {
 }
 
 cl::Event OpenClExecutor::enqueue(cl::Kernel& kernel, KernelId id, shared::LaunchRange range) {
-    const std::uint32_t size = launch_size(id, settings_);
-    range.spread = range.count == size ? 1 : group_spread(size / settings_.local_size);
+    const std::uint32_t groups =
+        busy_groups(launch_size(id, settings_) / settings_.local_size, range.count);
+    const std::uint32_t size = groups * settings_.local_size;
+    range.spread = range.count <= groups || range.count == size ? 1 : group_spread(groups);
     kernel.setArg(range_argument, sizeof(range), &range);
     cl::Event event;
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(size),

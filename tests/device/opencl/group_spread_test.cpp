@@ -16,6 +16,14 @@ bool has_work(std::uint32_t group, std::uint32_t groups, std::uint32_t busy) {
     return group * group_spread(groups) % groups < busy;
 }
 
+TEST(GroupSpread, ShortLaunchesHaveAGroupForEachItem) {
+    EXPECT_EQ(busy_groups(64, 0), 1U) << "launches that only build a program";
+    EXPECT_EQ(busy_groups(64, 1), 1U);
+    EXPECT_EQ(busy_groups(64, 63), 63U);
+    EXPECT_EQ(busy_groups(64, 64), 64U);
+    EXPECT_EQ(busy_groups(64, 500), 64U);
+}
+
 TEST(GroupSpread, EveryGroupIsTakenOnce) {
     for (std::uint32_t groups = 1; groups <= 600; ++groups) {
         std::vector<int> taken(groups);
