@@ -24,7 +24,7 @@ function(weft_folder folder)
     add_library(${target} STATIC ${sources})
     target_compile_options(${target} PRIVATE -Wpedantic) # not for kernels: they use vector extensions
     set(scope PUBLIC)
-    weft_precompile_host(${target})
+    weft_precompile_once(${target} host)
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

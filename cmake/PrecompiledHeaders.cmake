@@ -24,16 +24,17 @@ function(weft_precompile target)
   endif()
 endfunction()
 
-# weft_precompile_host(<target>): the common ones and fmt, once for all folders of the program,
-# which are compiled with the same options.
-function(weft_precompile_host target)
+# weft_precompile_once(<target> <group>): the common ones, fmt and JSON, once for all targets of a
+# group, which are compiled with the same options.
+function(weft_precompile_once target group)
   if(WEFT_PRECOMPILED_HEADERS)
-    get_property(owner GLOBAL PROPERTY WEFT_PRECOMPILED_OWNER)
+    get_property(owner GLOBAL PROPERTY WEFT_PRECOMPILED_OWNER_${group})
     if(owner)
       target_precompile_headers(${target} REUSE_FROM ${owner})
     else()
-      target_precompile_headers(${target} PRIVATE ${weft_common_headers} <fmt/format.h>)
-      set_property(GLOBAL PROPERTY WEFT_PRECOMPILED_OWNER ${target})
+      target_precompile_headers(${target} PRIVATE ${weft_common_headers} <fmt/format.h>
+                                                  <nlohmann/json.hpp>)
+      set_property(GLOBAL PROPERTY WEFT_PRECOMPILED_OWNER_${group} ${target})
     endif()
     weft_precompile_warnings(${target})
   endif()

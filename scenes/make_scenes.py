@@ -5,6 +5,7 @@
 
     make_scenes.py            writes every file of this folder's scenes
     make_scenes.py --check    compares them with what would be written; exit code 1 if one differs
+    make_scenes.py --only desk office    some of them
 """
 
 import argparse
@@ -19,6 +20,7 @@ from generator import (  # noqa: E402 (after the line above, on purpose)
 
 SCENES = (cornell, gallery, shafts, smoke, figure, sibenik, subdivided, desk, deskar, shirley6,
           office, conference)
+NAMES = {scene.__name__.rpartition(".")[2]: scene for scene in SCENES}
 
 
 def difference(path, wanted):
@@ -39,9 +41,12 @@ def main():
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path(__file__).parent,
                         help="folder to write to or compare with (default: this script's)")
+    parser.add_argument("--only", nargs="+", choices=sorted(NAMES), metavar="SCENE",
+                        help="these of " + ", ".join(sorted(NAMES)))
     options = parser.parse_args()
     wrong = 0
-    files = {name: content for scene in SCENES for name, content in scene.build().items()}
+    scenes = [NAMES[name] for name in options.only] if options.only else SCENES
+    files = {name: content for scene in scenes for name, content in scene.build().items()}
     for name, content in files.items():
         path = options.out / name
         if not options.check:

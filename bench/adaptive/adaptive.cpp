@@ -42,7 +42,7 @@ struct Settings {
     std::string device;
     std::string references = WEFT_SOURCE_DIR "/build/references";
     std::string published = WEFT_SOURCE_DIR "/../shared/reference/tables.json";
-    std::string pictures;
+    std::string images;
     int threads = 0;
     std::uint32_t size = 0;           ///< 0: by `quick`
     std::uint32_t repetitions = 0;    ///< 0: by `quick`
@@ -88,7 +88,7 @@ struct Settings {
         run.filters = without_errors ? std::vector<std::string>{} : filters;
         run.references = references;
         run.reference_spp = spp();
-        run.pictures = pictures;
+        run.images = images;
         run.say = [](const std::string& text) { print(text + "\n"); };
         return run;
     }
@@ -96,7 +96,7 @@ struct Settings {
 
 void add_options(CLI::App& app, Settings& settings) {
     app.add_flag("--quick", settings.quick,
-                 "fewer scenes, a smaller picture, fewer runs, coarse references");
+                 "fewer scenes, a smaller image, fewer runs, coarse references");
     app.add_option("--scenes", settings.scenes,
                    "folder of scenes, each DIR/NAME/NAME.xml, with fog NAME-fog.xml beside it");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
@@ -106,7 +106,7 @@ void add_options(CLI::App& app, Settings& settings) {
         ->check(CLI::IsMember({"opencl", "embree", "native"}));
     app.add_option("--device", settings.device, "OpenCL device; default: the first processor");
     app.add_option("--only", settings.only, "measure only the scenes of these names");
-    app.add_option("--size", settings.size, "width and height of the picture")
+    app.add_option("--size", settings.size, "width and height of the image")
         ->check(CLI::Range(16, 4096));
     app.add_option("--repetitions", settings.repetitions, "timed frames of every method")
         ->check(CLI::Range(1, 1000));
@@ -126,7 +126,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--filters", settings.filters, "compare with references of these filters only")
         ->check(CLI::IsMember({"box", "centre"}));
     app.add_flag("--no-errors", settings.without_errors, "times alone, without references");
-    app.add_option("--pictures", settings.pictures, "folder to write all pictures to");
+    app.add_option("--pictures", settings.images, "folder to write all images to");
     app.add_option("--published", settings.published,
                    "JSON file of published figures to print beside these");
 }

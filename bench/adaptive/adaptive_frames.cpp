@@ -35,15 +35,15 @@ class PacketRate {
         frame_ = record_frame(executor, scene, camera);
         const PacketSet packets = shadow_packets(frame_, packet_slots);
         rays_ = packets.rays;
-        contender_ = OwnQueries("packets", executor, *frame_.scene).packets(packets);
+        candidate_ = OwnQueries("packets", executor, *frame_.scene).packets(packets);
     }
 
     /// Runs for at least `ms` on the device: what is compared is to meet the same machine.
     void measure(double ms, std::vector<StageSum>& rates) const {
-        if (!contender_) return;
+        if (!candidate_) return;
         StageSum sum;
         do {
-            sum.ms += contender_->run().ms;
+            sum.ms += candidate_->run().ms;
             sum.rays += rays_;
         } while (sum.ms < ms);
         rates.push_back(sum);
@@ -52,7 +52,7 @@ class PacketRate {
   private:
     RecordedFrame frame_;
     std::uint64_t rays_ = 0;
-    std::optional<Contender> contender_;
+    std::optional<Candidate> candidate_;
 };
 
 /// One view of all methods; `between` runs once a round, and is told how long most shadow rays
@@ -71,7 +71,7 @@ void measure_view(Executor& executor, const FlatScene& scene, const Camera& came
         for (std::size_t m = 0; m < methods.size(); ++m) {
             Renderer& renderer = *renderers[m];
             renderer.set_camera(camera);
-            const Stopwatch watch;
+            const RunTimer watch;
             renderer.render_frame({});
             const FrameTime time = frame_time(renderer.stats().back(), watch.elapsed());
             gather_ms = std::max(gather_ms, time.vpl_gather.ms + time.area_lights.ms);

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 #include "device/executor.h"
 #include "image/image.h"
 #include "pipeline/frame_renderer.h"

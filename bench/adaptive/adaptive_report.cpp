@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 
 namespace weft::bench {
 namespace {
@@ -119,10 +119,10 @@ std::string percent_cell(const std::optional<double>& value) {
     return cell(value ? std::optional(100.0 * *value) : std::nullopt);
 }
 
-std::string error_row(const std::string& method, const char* what, const PictureErrors& box,
-                      const PictureErrors& centre) {
+std::string error_row(const std::string& method, const char* what, const ImageErrors& box,
+                      const ImageErrors& centre) {
     std::string row = fmt::format("  {:10}{:9}", method, what);
-    for (const PictureErrors* const errors : {&box, &centre})
+    for (const ImageErrors* const errors : {&box, &centre})
         row += shares_cells(errors->published) + shares_cells(errors->display) +
                cell(errors->hdrflip, 4) + cell(errors->relmse, 4) + percent_cell(errors->bias);
     return row + "\n";

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/adaptive/adaptive_frames.h"
-#include "tradeoff/picture_errors.h"
+#include "tradeoff/image_errors.h"
 
 namespace weft::bench {
 
@@ -18,11 +18,11 @@ namespace weft::bench {
 inline constexpr const char* method_igi = "igi";
 inline constexpr const char* method_amax = "amax";
 
-/// Errors of a method's picture, and of its layers, against one reference.
+/// Errors of a method's image, and of its layers, against one reference.
 struct LayerErrors {
-    PictureErrors beauty;
-    PictureErrors indirect;
-    PictureErrors direct;
+    ImageErrors beauty;
+    ImageErrors indirect;
+    ImageErrors direct;
 };
 
 /// Errors of one method against both references.

@@ -9,7 +9,7 @@
 #include "image/png.h"
 #include "render/camera_params.h"
 #include "scene/flat_scene.h"
-#include "tradeoff/reference_pictures.h"
+#include "tradeoff/reference_images.h"
 
 namespace weft::bench {
 namespace {
@@ -19,38 +19,38 @@ LayerErrors layer_errors(const Image& reference, const Image& test, bool compone
                          bool components_visible) {
     const ErrorChoice whole{true, true};
     const ErrorChoice part{components_visible, false};
-    if (!components) return {picture_errors(reference, test, "", whole), {}, {}};
-    return {picture_errors(reference, test, "", whole),
-            picture_errors(reference, test, "indirect", part),
-            picture_errors(reference, test, "direct", part)};
+    if (!components) return {image_errors(reference, test, "", whole), {}, {}};
+    return {image_errors(reference, test, "", whole),
+            image_errors(reference, test, "indirect", part),
+            image_errors(reference, test, "direct", part)};
 }
 
-/// The picture, for the screen with this exposure and as it is.
-void write_picture(const std::filesystem::path& folder, const AdaptiveScene& scene,
-                   const std::string& name, const Image& image, double exposure) {
+/// The image, for the screen with this exposure and as it is.
+void write_image(const std::filesystem::path& folder, const AdaptiveScene& scene,
+                 const std::string& name, const Image& image, double exposure) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     write_png(folder / (scene.name + "-" + name + ".png"), image, exposure);
     write_exr(folder / (scene.name + "-" + name + ".exr"), image);
 }
 
-/// Of all pictures of a scene.
+/// Of all images of a scene.
 double exposure_of(const AdaptiveScene& scene) {
     const MethodFrames* const amax = scene.frames.find(method_amax);
     return auto_exposure(amax != nullptr ? amax->image : scene.frames.methods.front().image);
 }
 
-void write_pictures(const AdaptiveRun& run, const AdaptiveScene& scene) {
-    if (run.pictures.empty()) return;
+void write_images(const AdaptiveRun& run, const AdaptiveScene& scene) {
+    if (run.images.empty()) return;
     const double exposure = exposure_of(scene);
     for (const MethodFrames& method : scene.frames.methods)
-        write_picture(run.pictures, scene, method.name, method.image, exposure);
+        write_image(run.images, scene, method.name, method.image, exposure);
 }
 
 void compare(const AdaptiveRun& run, const FlatScene& flat, const Camera& camera,
              Executor& path_executor, AdaptiveScene& scene) {
     SharedScene shared(path_executor);
-    ReferencePictures references(run.references, shared, run.say);
+    ReferenceImages references(run.references, shared, run.say);
     const std::vector<MethodFrames>& methods = scene.frames.methods;
     scene.errors.resize(methods.size());
     for (const bool centre : {false, true}) {
@@ -64,9 +64,9 @@ void compare(const AdaptiveRun& run, const FlatScene& flat, const Camera& camera
             (centre ? errors.centre : errors.box) = layer_errors(
                 reference.image, methods[m].image, run.layers && !scene.media, !centre);
         }
-        if (!run.pictures.empty())
-            write_picture(run.pictures, scene, std::string("reference-") + wish.filter(),
-                          reference.image, exposure_of(scene));
+        if (!run.images.empty())
+            write_image(run.images, scene, std::string("reference-") + wish.filter(),
+                        reference.image, exposure_of(scene));
     }
 }
 
@@ -86,7 +86,7 @@ AdaptiveScene measure_scene(const AdaptiveSource& source, const AdaptiveRun& run
         SharedScene shared(executor);
         result.frames = measure_frames(shared, flat, camera, run.methods, run.frames);
     }
-    write_pictures(run, result);
+    write_images(run, result);
     if (!run.filters.empty()) compare(run, flat, camera, path_executor, result);
     return result;
 }

@@ -17,7 +17,7 @@
 
 namespace weft::bench {
 
-/// How scenes are measured, and what their pictures are compared with.
+/// How scenes are measured, and what their images are compared with.
 struct AdaptiveRun {
     std::vector<FrameMethod> methods;
     FrameRun frames;
@@ -25,7 +25,7 @@ struct AdaptiveRun {
     bool layers = true;                ///< errors of direct and indirect light as well
     std::filesystem::path references;  ///< folder
     std::uint32_t reference_spp = 2500;
-    std::filesystem::path pictures{};             ///< folder to write all of them to; or empty
+    std::filesystem::path images{};               ///< folder to write all of them to; or empty
     std::function<void(const std::string&)> say;  ///< is told what takes long, without line ends
 };
 

@@ -82,7 +82,7 @@ Value least_share(bool indirect, bool direct) {
 
 using Pick = std::function<std::optional<double>(const LayerErrors&)>;
 
-/// An error of a method's picture.
+/// An error of a method's image.
 Value error(const std::string& method, bool centre, const Pick& pick) {
     return [=](const AdaptiveScene& scene) -> std::optional<double> {
         const MethodErrors* const errors = scene.errors_of(method);

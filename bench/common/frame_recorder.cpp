@@ -70,7 +70,7 @@ RecordedFrame record_frame(Executor& executor, const FlatScene& scene, const Cam
     settings.sampling.interleave = 3;
     settings.sampling.vpls_per_set = 64;
     if (!plan_for(scene, settings).has_indirect())
-        throw Error(ExitCode::bad_input, "the scene calls for no indirect light, expected some");
+        throw Error(ExitCode::bad_input, "the scene has no indirect light, expected some");
     FrameRecorder recorder(executor);
     Renderer renderer(recorder, scene, camera, settings);
     renderer.render_frame({});

@@ -18,7 +18,7 @@ namespace {
 /// Runs a kernel and waits for it.
 template <class Kernel>
 Timing timed(Executor& executor, const Kernel& arguments, std::size_t items) {
-    const Stopwatch watch;
+    const RunTimer watch;
     run_kernel(executor, {}, arguments, static_cast<std::uint32_t>(items));
     const double ms = executor.take_milliseconds();
     Timing timing = watch.elapsed();
@@ -94,7 +94,7 @@ OwnQueries::OwnQueries(std::string name, Executor& executor, const TracedScene& 
     executor_.build(kernels, 0);
 }
 
-Contender OwnQueries::closest(const RaySet& rays) const {
+Candidate OwnQueries::closest(const RaySet& rays) const {
     const auto query = std::make_shared<ClosestQuery>(executor_, scene_, rays);
     const auto answers = [query] {
         std::vector<std::uint32_t> ids;
@@ -104,13 +104,13 @@ Contender OwnQueries::closest(const RaySet& rays) const {
     return {name_, false, {}, [query] { return query->run(); }, answers};
 }
 
-Contender OwnQueries::any(const RaySet& rays) const {
+Candidate OwnQueries::any(const RaySet& rays) const {
     const auto query = std::make_shared<AnyQuery>(executor_, scene_, rays);
     const auto answers = [query] { return query->read<std::uint32_t>(); };
     return {name_, false, {}, [query] { return query->run(); }, answers};
 }
 
-Contender OwnQueries::packets(const PacketSet& packets) const {
+Candidate OwnQueries::packets(const PacketSet& packets) const {
     const auto query = std::make_shared<PacketQuery>(executor_, scene_, packets);
     const auto answers = [query] {
         std::vector<std::uint32_t> blocked;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 #include "bench/common/ray_sets.h"
 #include "device/executor.h"
 
@@ -16,13 +16,13 @@ namespace weft::bench {
 /// Ray queries by the kernels query_closest, query_any and query_packet.
 class OwnQueries {
   public:
-    /// Builds the kernels. Executor and scene must outlive this object and its contenders.
+    /// Builds the kernels. Executor and scene must outlive this object and its candidates.
     OwnQueries(std::string name, Executor& executor, const TracedScene& scene);
 
-    /// Contenders for one ray set, which may be gone when they run.
-    [[nodiscard]] Contender closest(const RaySet& rays) const;
-    [[nodiscard]] Contender any(const RaySet& rays) const;
-    [[nodiscard]] Contender packets(const PacketSet& packets) const;
+    /// Candidates for one ray set, which may be gone when they run.
+    [[nodiscard]] Candidate closest(const RaySet& rays) const;
+    [[nodiscard]] Candidate any(const RaySet& rays) const;
+    [[nodiscard]] Candidate packets(const PacketSet& packets) const;
 
     /// Closest hits at once.
     [[nodiscard]] std::vector<QueryHit> trace(const RaySet& rays) const;

@@ -162,7 +162,7 @@ std::vector<SurfacePoint> bounce_points(const FlatScene& scene, const RecordedFr
         const RaySet rays = first_bounces(frame, count, random);
         const std::vector<QueryHit> hits = trace(rays);
         for (std::size_t i = 0; i < hits.size() && points.size() < count; ++i)
-            if (hits[i].triangle != NO_TRIANGLE)
+            if (hits[i].triangle != INVALID_INDEX)
                 points.push_back(point_of(scene, hits[i], vec(rays.directions[i])));
     }
     if (points.size() < count)

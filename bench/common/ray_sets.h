@@ -35,7 +35,7 @@ struct PacketSet {
 
 /// A closest hit as query_closest writes it.
 struct QueryHit {
-    std::uint32_t triangle;  ///< NO_TRIANGLE for a miss
+    std::uint32_t triangle;  ///< INVALID_INDEX for a miss
     float t, u, v;
 };
 
@@ -65,7 +65,7 @@ struct SurfacePoint {
 [[nodiscard]] RaySet segments(const std::vector<SurfacePoint>& points);
 
 /// What vpl_gather traces for about `slots` slots of the frame's work list, in its order: runs of
-/// neighbouring blocks from all over the picture, every block against all VPLs of its set.
+/// neighbouring blocks from all over the image, every block against all VPLs of its set.
 /// Blocks without a ray to trace are left out.
 [[nodiscard]] PacketSet shadow_packets(const RecordedFrame& frame, std::size_t slots);
 

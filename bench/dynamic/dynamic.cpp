@@ -32,7 +32,7 @@
 #include "render/camera_params.h"
 #include "scene/load/load_scene.h"
 #include "scene/pose_scene.h"
-#include "tradeoff/reference_pictures.h"
+#include "tradeoff/reference_images.h"
 
 namespace {
 
@@ -42,7 +42,7 @@ namespace fs = std::filesystem;
 
 struct Settings {
     bool quick = false;
-    bool audit = false;
+    bool validation = false;
     bool single = false;  ///< frames of scenes that hold still
     bool resume = false;
     std::string scenes = WEFT_SOURCE_DIR "/../shared/data/scenes";
@@ -64,12 +64,12 @@ struct Settings {
     [[nodiscard]] bool wants_method(const std::string& name) const {
         return named(algorithms, name);
     }
-    [[nodiscard]] std::vector<Happening> happenings(const std::string& scene) const {
-        if (sequences.empty()) return happenings_in(scene);
-        const std::vector<std::string> names = happening_names();
-        std::vector<Happening> found;
+    [[nodiscard]] std::vector<Event> events(const std::string& scene) const {
+        if (sequences.empty()) return events_in(scene);
+        const std::vector<std::string> names = event_names();
+        std::vector<Event> found;
         for (std::size_t i = 0; i < names.size(); ++i)
-            if (named(sequences, names[i])) found.push_back(static_cast<Happening>(i));
+            if (named(sequences, names[i])) found.push_back(static_cast<Event>(i));
         return found;
     }
     [[nodiscard]] DynamicRun run() const {
@@ -96,8 +96,8 @@ struct Settings {
 };
 
 void add_options(CLI::App& app, Settings& settings) {
-    app.add_flag("--quick", settings.quick, "a smaller picture, fewer frames");
-    app.add_flag("--audit", settings.audit,
+    app.add_flag("--quick", settings.quick, "a smaller image, fewer frames");
+    app.add_flag("--audit", settings.validation,
                  "instead of times: compare all kept records with records computed anew");
     app.add_flag("--static", settings.single,
                  "single frames of scenes that hold still: times and errors");
@@ -105,7 +105,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--scenes", settings.scenes, "folder of scenes, each DIR/NAME/NAME.xml");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
     app.add_option("--report", settings.report,
-                   "folder for the JSON and small pictures, for dynamic_report.py");
+                   "folder for the JSON and small images, for dynamic_report.py");
     app.add_option("--threads", settings.threads, "threads; 0: all")
         ->check(CLI::Range(0, static_cast<int>(limits::max_threads)));
     app.add_option("--backend", settings.backend, "what renders")
@@ -113,9 +113,9 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--device", settings.device, "OpenCL device; default: the first processor");
     app.add_option("--only", settings.only, "measure only the scenes of these names");
     app.add_option("--sequences", settings.sequences, "make only these, in every scene")
-        ->check(CLI::IsMember(happening_names()));
+        ->check(CLI::IsMember(event_names()));
     app.add_option("--methods", settings.algorithms, "measure only the methods of these names");
-    app.add_option("--size", settings.size, "width and height of the picture")
+    app.add_option("--size", settings.size, "width and height of the image")
         ->check(CLI::Range(16, 4096));
     app.add_option("--frames", settings.frames, "frames of every sequence")
         ->check(CLI::Range(3, 1000));
@@ -139,7 +139,7 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         status = *code;
         return std::nullopt;
     }
-    if (settings.audit && settings.single)
+    if (settings.validation && settings.single)
         throw Error(ExitCode::usage, "--static: keeps no records, expected it without --audit");
     if (settings.resume && settings.json_file().empty())
         throw Error(ExitCode::usage, "--resume: expected --json or --report with it");
@@ -193,17 +193,17 @@ nlohmann::json header_of(const Settings& settings, const char* mode,
             {"device", device_json(executor)}};
 }
 
-/// Sequences of all scenes, measured or audited; `table` shows one.
+/// Sequences of all scenes, measured or validated; `table` shows one.
 void run_sequences(const Settings& settings, const std::vector<DynamicMethod>& methods,
                    Executor& executor, GrowingReport& report, decltype(measure_sequence)* make,
                    std::string (*table)(const nlohmann::json&)) {
     Diagnostics diagnostics;
     for (const BenchScene& source : wanted_scenes(settings)) {
         std::optional<DynamicScene> scene;
-        for (const Happening happening : settings.happenings(source.name)) {
-            if (report.has({{"scene", source.name}, {"happening", to_string(happening)}})) continue;
+        for (const Event event : settings.events(source.name)) {
+            if (report.has({{"scene", source.name}, {"happening", to_string(event)}})) continue;
             if (!scene) scene = load_dynamic_scene(source, diagnostics);
-            report.add(make(*scene, happening, methods, settings.run(), executor));
+            report.add(make(*scene, event, methods, settings.run(), executor));
             print(table(report.parts().back()));
         }
     }
@@ -225,14 +225,14 @@ void measure_all(const Settings& settings, Executor& executor) {
 }
 
 /// Whether every kept record is what it would be if computed anew.
-bool audit_all(const Settings& settings, Executor& executor) {
+bool validate_all(const Settings& settings, Executor& executor) {
     const std::vector<DynamicMethod> methods = wanted_methods(settings);
     GrowingReport report(settings.json_file(), header_of(settings, "audit", methods, executor),
-                         "sequences", audit_summary);
+                         "sequences", validation_summary);
     resume(settings, report);
     print(fmt::format("{:>12} {:>9} {:>16} {:>9} {:>12} {:>9} {:>14} {:>14}\n", "scene", "what",
                       "method", "frames", "compared", "differ", "traced", "affected"));
-    run_sequences(settings, methods, executor, report, audit_sequence, audit_table);
+    run_sequences(settings, methods, executor, report, validate_sequence, validation_table);
     print("\n" + report.summary().dump(2) + "\n");
     if (report.summary()["compared"] == 0)
         throw Error(ExitCode::usage,
@@ -250,10 +250,10 @@ nlohmann::json static_scene(const Settings& settings, const BenchScene& source,
     const Camera camera = choose_camera(scene, flat, "", diagnostics);
     const StaticRun run = settings.static_run();
     SharedScene path_shared(path_executor);
-    ReferencePictures pictures(settings.references, path_shared,
-                               [](const std::string& text) { print(text + "\n"); });
+    ReferenceImages images(settings.references, path_shared,
+                           [](const std::string& text) { print(text + "\n"); });
     const Reference reference =
-        pictures.find(flat, camera, {source.name, run.edge, true, settings.spp()});
+        images.find(flat, camera, {source.name, run.edge, true, settings.spp()});
     SharedScene shared(executor);
     const StaticReferences references{reference.image,
                                       many_vpls(shared, flat, camera, run.edge, run.converged)};
@@ -285,7 +285,7 @@ void measure_single(const Settings& settings, Executor& executor) {
 int run(const Settings& settings) {
     const auto limit = limit_threads(settings.threads);
     const auto executor = open_backend(settings.backend, settings.device, settings.threads);
-    if (settings.audit) return audit_all(settings, *executor) ? 0 : 1;
+    if (settings.validation) return validate_all(settings, *executor) ? 0 : 1;
     if (settings.single)
         measure_single(settings, *executor);
     else

@@ -13,7 +13,7 @@ namespace weft::bench {
 void show_indirect(Image& image) {
     const Layer* const indirect = image.find("indirect");
     if (indirect == nullptr)
-        throw Error(ExitCode::bad_input, "a picture lacks the layer 'indirect', expected light");
+        throw Error(ExitCode::bad_input, "an image lacks the layer 'indirect', expected light");
     const std::vector<float> values = indirect->values;
     for (Layer& layer : image.layers)
         if (layer.name.empty()) layer.values = values;

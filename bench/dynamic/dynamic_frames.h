@@ -49,7 +49,7 @@ class DynamicRenderer {
     std::uint32_t frame_ = 0;
 };
 
-/// Pictures of a frame by `ir`, whose pixels gather all VPLs: their beauty layers hold the indirect
+/// Images of a frame by `ir`, whose pixels gather all VPLs: their beauty layers hold the indirect
 /// light alone, beside the other layers.
 struct ReferenceFrame {
     Image same_vpls;  ///< with those that all methods with fixed random numbers have
@@ -70,10 +70,10 @@ class ReferenceRenderer {
     std::unique_ptr<Renderer> renderer_;
 };
 
-/// A picture in whose place the indirect light is the beauty layer.
+/// An image in whose place the indirect light is the beauty layer.
 void show_indirect(Image& image);
 
-/// Brings a renderer to what its scene is now, and the next picture to this camera; returns the
+/// Brings a renderer to what its scene is now, and the next image to this camera; returns the
 /// wall time, ms.
 double follow_scene(Renderer& renderer, const Camera& camera);
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 
 namespace weft::bench {
 namespace {
@@ -149,8 +149,8 @@ std::string sequence_table(const nlohmann::json& sequence) {
 
 nlohmann::json sequence_summary(const nlohmann::json& sequences) {
     const auto ratio = [&](const char* above, const char* below, const char* path,
-                           const std::string& happening) {
-        return mean_ratio(sequences, above, below, path, happening);
+                           const std::string& event) {
+        return mean_ratio(sequences, above, below, path, event);
     };
     nlohmann::json summary{
         {"ic_vs_igi", ratio("igi", "ic", "/ms", "still")},
@@ -164,18 +164,18 @@ nlohmann::json sequence_summary(const nlohmann::json& sequences) {
         {"seen_flicker_tic_vs_igi", ratio("tic", "igi", "/flicker/seen", "")},
         {"relmse_tic_vs_igi", ratio("tic", "igi", "/errors/relmse", "")},
         {"rays_by_class", rays_by_class(sequences)}};
-    std::set<std::string> happenings;
-    for (const nlohmann::json& sequence : sequences) happenings.insert(sequence["happening"]);
-    for (const std::string& happening : happenings)
-        summary["by_happening"][happening] = {
-            {"tic_vs_ic_rays", ratio("ic", "tic", "/rays", happening)},
-            {"tic_vs_ic_ms", ratio("ic", "tic", "/ms", happening)},
-            {"tic_vs_igi_ms", ratio("igi", "tic", "/ms", happening)},
-            {"flicker_tic_vs_igi", ratio("tic", "igi", "/flicker/change", happening)}};
+    std::set<std::string> events;
+    for (const nlohmann::json& sequence : sequences) events.insert(sequence["happening"]);
+    for (const std::string& event : events)
+        summary["by_happening"][event] = {
+            {"tic_vs_ic_rays", ratio("ic", "tic", "/rays", event)},
+            {"tic_vs_ic_ms", ratio("ic", "tic", "/ms", event)},
+            {"tic_vs_igi_ms", ratio("igi", "tic", "/ms", event)},
+            {"flicker_tic_vs_igi", ratio("tic", "igi", "/flicker/change", event)}};
     return summary;
 }
 
-std::string audit_table(const nlohmann::json& sequence) {
+std::string validation_table(const nlohmann::json& sequence) {
     std::string lines;
     for (const nlohmann::json& row : sequence["methods"])
         lines += fmt::format(
@@ -188,7 +188,7 @@ std::string audit_table(const nlohmann::json& sequence) {
     return lines;
 }
 
-nlohmann::json audit_summary(const nlohmann::json& sequences) {
+nlohmann::json validation_summary(const nlohmann::json& sequences) {
     std::map<std::string, std::uint64_t> sums{{"frames", 0}, {"compared", 0}, {"differing", 0}};
     for (const nlohmann::json& sequence : sequences)
         for (const nlohmann::json& row : sequence["methods"])
@@ -209,11 +209,10 @@ std::optional<double> number_at(const nlohmann::json& json, const char* path) {
 }
 
 nlohmann::json mean_ratio(const nlohmann::json& rows, const std::string& above,
-                          const std::string& below, const char* path,
-                          const std::string& happening) {
+                          const std::string& below, const char* path, const std::string& event) {
     std::vector<double> ratios;
     for (const nlohmann::json& row : rows) {
-        if (!happening.empty() && row["happening"] != happening) continue;
+        if (!event.empty() && row["happening"] != event) continue;
         const nlohmann::json* const a = find_method(row["methods"], above);
         const nlohmann::json* const b = find_method(row["methods"], below);
         if (a == nullptr || b == nullptr) continue;

@@ -27,9 +27,9 @@ namespace weft::bench {
 /// Means over sequences; null for what has no value.
 [[nodiscard]] nlohmann::json sequence_summary(const nlohmann::json& sequences);
 
-[[nodiscard]] std::string audit_table(const nlohmann::json& sequence);
+[[nodiscard]] std::string validation_table(const nlohmann::json& sequence);
 /// Sums over sequences.
-[[nodiscard]] nlohmann::json audit_summary(const nlohmann::json& sequences);
+[[nodiscard]] nlohmann::json validation_summary(const nlohmann::json& sequences);
 
 /// The row of the method of that name in a list of methods, or null.
 [[nodiscard]] const nlohmann::json* find_method(const nlohmann::json& methods,
@@ -40,7 +40,7 @@ namespace weft::bench {
 /// where no row has both. `happening` empty: all rows.
 [[nodiscard]] nlohmann::json mean_ratio(const nlohmann::json& rows, const std::string& above,
                                         const std::string& below, const char* path,
-                                        const std::string& happening = "");
+                                        const std::string& event = "");
 
 }  // namespace weft::bench
 

@@ -18,23 +18,23 @@
 namespace weft::bench {
 namespace {
 
-/// Small pictures of the first, the middle and the last frame, all with one exposure.
+/// Small images of the first, the middle and the last frame, all with one exposure.
 class ContactSheet {
   public:
     ContactSheet(const DynamicRun& run, std::string sequence)
         : run_(run), sequence_(std::move(sequence)) {}
 
     void begin(const Image& reference) {
-        if (!exposed_ && !run_.pictures.empty()) exposure_ = auto_exposure(reference);
+        if (!exposed_ && !run_.images.empty()) exposure_ = auto_exposure(reference);
         exposed_ = true;
     }
-    /// The entry of a picture for JSON; null where none is wanted of this frame.
+    /// The entry of an image for JSON; null where none is wanted of this frame.
     nlohmann::json add(const std::string& method, const Image& image, std::uint32_t frame) const {
-        if (run_.pictures.empty() ||
+        if (run_.images.empty() ||
             (frame > 0 && frame != run_.frames / 2 && frame + 1 != run_.frames))
             return {};
         return {{"frame", frame},
-                {"file", write_thumbnail(run_.pictures,
+                {"file", write_thumbnail(run_.images,
                                          sequence_ + "-" + method + "-" + std::to_string(frame),
                                          image, exposure_)}};
     }
@@ -58,7 +58,7 @@ struct Entrant {
     DynamicRenderer renderer;
     Image before{};
     nlohmann::json frames = nlohmann::json::array();
-    nlohmann::json pictures = nlohmann::json::array();
+    nlohmann::json images = nlohmann::json::array();
 };
 
 bool asks_visible(const DynamicRun& run, std::uint32_t frame) {
@@ -70,12 +70,12 @@ void render_entrant(Entrant& entrant, const FlatScene& flat, const Camera& camer
     DynamicFrame made = entrant.renderer.render(flat, camera);
     const FrameErrors errors = judge.judge(frame > 0 ? &entrant.before : nullptr, made.light);
     entrant.frames.push_back(frame_json(made, errors));
-    append(entrant.pictures, sheet.add(entrant.renderer.method().name, made.light, frame));
+    append(entrant.images, sheet.add(entrant.renderer.method().name, made.light, frame));
     entrant.before = std::move(made.light);
 }
 
 /// Records that were compared with what they would be if computed anew.
-struct Audit {
+struct Validation {
     std::uint64_t frames = 0;  ///< in which anything was
     std::uint64_t compared = 0;
     std::uint64_t differing = 0;
@@ -83,7 +83,7 @@ struct Audit {
     std::uint64_t affected = 0;
 
     void add(const DynamicFrame& frame) {
-        // Light paths are only doubted where something has changed, and only then all is compared.
+        // Light paths are only checked where something has changed, and only then all is compared.
         const bool followed = std::any_of(
             frame.stages.begin(), frame.stages.end(),
             [](const StageStats& stage) { return stage.stage == Stage::vpl_invalidation; });
@@ -117,66 +117,66 @@ DynamicScene load_dynamic_scene(const BenchScene& source, Diagnostics& diagnosti
     return loaded;
 }
 
-nlohmann::json measure_sequence(const DynamicScene& scene, Happening happening,
+nlohmann::json measure_sequence(const DynamicScene& scene, Event event,
                                 const std::vector<DynamicMethod>& methods, const DynamicRun& run,
                                 Executor& executor) {
-    DynamicSequence sequence(scene.scene, scene.camera, *scene.probe, happening, run.frames);
+    DynamicSequence sequence(scene.scene, scene.camera, *scene.probe, event, run.frames);
     FlatScene flat = flatten(sequence.at(0));
     std::deque<Entrant> entrants;
     for (const DynamicMethod& method : methods) entrants.emplace_back(executor, method, run.edge);
     ReferenceRenderer references(executor, run.edge, run.converged);
     SequenceJudge judge;
-    ContactSheet sheet(run, scene.name + "-" + to_string(happening));
-    nlohmann::json pictures = nlohmann::json::array();
+    ContactSheet sheet(run, scene.name + "-" + to_string(event));
+    nlohmann::json images = nlohmann::json::array();
     for (std::uint32_t frame = 0; frame < run.frames; ++frame) {
         update_flat(sequence.at(frame), flat);
         const Camera camera = sequence.camera_at(frame);
         judge.next(references.render(flat, camera), camera, asks_visible(run, frame));
         sheet.begin(judge.reference().converged);
-        append(pictures, sheet.add("reference", judge.reference().converged, frame));
+        append(images, sheet.add("reference", judge.reference().converged, frame));
         for (Entrant& entrant : entrants)
             render_entrant(entrant, flat, camera, judge, sheet, frame);
     }
     nlohmann::json json{{"scene", scene.name},
-                        {"happening", to_string(happening)},
+                        {"happening", to_string(event)},
                         {"triangles", flat.triangles.size()},
                         {"moving_triangles", flat.triangles.size() - flat.first_moving_triangle}};
-    if (!pictures.empty()) json["pictures"] = pictures;
+    if (!images.empty()) json["pictures"] = images;
     for (const Entrant& entrant : entrants) {
         nlohmann::json row = method_json(entrant.renderer.method(), entrant.frames);
-        if (!entrant.pictures.empty()) row["pictures"] = entrant.pictures;
+        if (!entrant.images.empty()) row["pictures"] = entrant.images;
         json["methods"].push_back(std::move(row));
     }
     return json;
 }
 
-nlohmann::json audit_sequence(const DynamicScene& scene, Happening happening,
-                              const std::vector<DynamicMethod>& methods, const DynamicRun& run,
-                              Executor& executor) {
-    DynamicSequence sequence(scene.scene, scene.camera, *scene.probe, happening, run.frames);
+nlohmann::json validate_sequence(const DynamicScene& scene, Event event,
+                                 const std::vector<DynamicMethod>& methods, const DynamicRun& run,
+                                 Executor& executor) {
+    DynamicSequence sequence(scene.scene, scene.camera, *scene.probe, event, run.frames);
     FlatScene flat = flatten(sequence.at(0));
-    struct Audited {
-        Audited(Executor& to, DynamicMethod method, std::uint32_t edge)
+    struct Validated {
+        Validated(Executor& to, DynamicMethod method, std::uint32_t edge)
             : renderer(to, method, edge) {}
         DynamicRenderer renderer;
-        Audit audit{};
+        Validation validation{};
     };
-    std::deque<Audited> all;
+    std::deque<Validated> all;
     for (DynamicMethod method : methods) {
         if (!method.temporal()) continue;
-        method.sampling.cache_audit = true;
+        method.sampling.validate_cache = true;
         all.emplace_back(executor, method, run.edge);
     }
     for (std::uint32_t frame = 0; frame < run.frames; ++frame) {
         update_flat(sequence.at(frame), flat);
-        for (Audited& audited : all)
-            audited.audit.add(audited.renderer.render(flat, sequence.camera_at(frame)));
+        for (Validated& validated : all)
+            validated.validation.add(validated.renderer.render(flat, sequence.camera_at(frame)));
     }
     nlohmann::json json{{"scene", scene.name},
-                        {"happening", to_string(happening)},
+                        {"happening", to_string(event)},
                         {"methods", nlohmann::json::array()}};
-    for (const Audited& audited : all)
-        json["methods"].push_back(audited.audit.json(audited.renderer.method().name));
+    for (const Validated& validated : all)
+        json["methods"].push_back(validated.validation.json(validated.renderer.method().name));
     return json;
 }
 

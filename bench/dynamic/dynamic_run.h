@@ -25,11 +25,11 @@ enum class Visible : std::uint8_t { none, last, all };
 
 /// How sequences are made.
 struct DynamicRun {
-    std::uint32_t edge = 512;     ///< of the picture, pixels
+    std::uint32_t edge = 512;     ///< of the image, pixels
     std::uint32_t frames = 12;    ///< at least 3
     std::uint32_t converged = 8;  ///< frames of `ir` that make a converged one
     Visible visible = Visible::all;
-    std::filesystem::path pictures{};  ///< folder for small pictures of some frames; or empty
+    std::filesystem::path images{};  ///< folder for small images of some frames; or empty
 };
 
 /// A scene that sequences are made of, at rest.
@@ -42,17 +42,17 @@ struct DynamicScene {
 [[nodiscard]] DynamicScene load_dynamic_scene(const BenchScene& source, Diagnostics& diagnostics);
 
 /// Renders a sequence by all methods, which take turns frame by frame, and judges every frame:
-/// scene, happening and, by method, means and all frames. See dynamic_report.h.
-[[nodiscard]] nlohmann::json measure_sequence(const DynamicScene& scene, Happening happening,
+/// scene, event and, by method, means and all frames. See dynamic_report.h.
+[[nodiscard]] nlohmann::json measure_sequence(const DynamicScene& scene, Event event,
                                               const std::vector<DynamicMethod>& methods,
                                               const DynamicRun& run, Executor& executor);
 
 /// Renders a sequence by those of the methods whose records outlast their frame, and after every
-/// change computes all records and VPLs anew: scene, happening and, by method, how many were
+/// change computes all records and VPLs anew: scene, event and, by method, how many were
 /// compared and how many differ in any bit.
-[[nodiscard]] nlohmann::json audit_sequence(const DynamicScene& scene, Happening happening,
-                                            const std::vector<DynamicMethod>& methods,
-                                            const DynamicRun& run, Executor& executor);
+[[nodiscard]] nlohmann::json validate_sequence(const DynamicScene& scene, Event event,
+                                               const std::vector<DynamicMethod>& methods,
+                                               const DynamicRun& run, Executor& executor);
 
 }  // namespace weft::bench
 

@@ -39,37 +39,36 @@ double radians(double degrees) {
 
 }  // namespace
 
-const char* to_string(Happening happening) {
-    return names[static_cast<std::size_t>(happening)];
+const char* to_string(Event event) {
+    return names[static_cast<std::size_t>(event)];
 }
 
-std::vector<std::string> happening_names() {
+std::vector<std::string> event_names() {
     return {names.begin(), names.end()};
 }
 
-std::vector<Happening> happenings_in(const std::string& scene) {
-    std::vector<Happening> found{Happening::box, Happening::lamp, Happening::switching,
-                                 Happening::camera, Happening::still};
+std::vector<Event> events_in(const std::string& scene) {
+    std::vector<Event> found{Event::box, Event::area_light, Event::switching, Event::camera,
+                             Event::still};
     if (scene == "office")
-        for (const Happening happening : {Happening::door, Happening::furniture})
-            found.push_back(happening);
-    if (scene == "sibenik") found.push_back(Happening::figure);
+        for (const Event event : {Event::door, Event::furniture}) found.push_back(event);
+    if (scene == "sibenik") found.push_back(Event::figure);
     return found;
 }
 
-DynamicSequence::DynamicSequence(Scene scene, const Camera& camera, SceneProbe& probe,
-                                 Happening happening, std::uint32_t frames)
+DynamicSequence::DynamicSequence(Scene scene, const Camera& camera, SceneProbe& probe, Event event,
+                                 std::uint32_t frames)
     : first_(std::move(scene)),
       camera_(camera),
-      happening_(happening),
+      event_(event),
       frames_(frames),
       distance_(view_distance(camera, probe)) {
     for (Instance& instance : first_.instances) instance.may_move = false;
-    if (happening == Happening::box) add_box(camera, distance_);
-    if (happening == Happening::door) add_door(camera, probe);
-    if (happening == Happening::furniture) add_furniture(camera, probe);
-    if (happening == Happening::figure) add_figure(camera, probe);
-    if (happening == Happening::switching) choose_lamp();
+    if (event == Event::box) add_box(camera, distance_);
+    if (event == Event::door) add_door(camera, probe);
+    if (event == Event::furniture) add_furniture(camera, probe);
+    if (event == Event::figure) add_figure(camera, probe);
+    if (event == Event::switching) choose_area_light();
     now_ = first_;
 }
 
@@ -143,7 +142,7 @@ void DynamicSequence::add_figure(const Camera& camera, SceneProbe& probe) {
     add(prop_figure(), {0.6F, 0.45F, 0.35F}, figure);
 }
 
-void DynamicSequence::choose_lamp() {
+void DynamicSequence::choose_area_light() {
     const FlatScene flat = flatten(first_);
     const std::size_t materials = first_.materials.size();
     std::vector<double> powers(materials + first_.lights.size(), 0.0);
@@ -151,17 +150,17 @@ void DynamicSequence::choose_lamp() {
         powers[first_.instances[i].material] += flat.first_powers[i];
     for (std::size_t i = 0; i < first_.lights.size(); ++i)
         powers[materials + i] = flat.first_powers[first_.instances.size() + i];
-    lamp_ =
+    area_light_ =
         static_cast<std::size_t>(std::max_element(powers.begin(), powers.end()) - powers.begin());
     const double all = std::accumulate(flat.first_powers.begin(), flat.first_powers.end(), 0.0);
     // In the dark there would be nothing to compare.
     constexpr double enough = 0.01;
-    lamp_dark_ = all - powers[lamp_] > enough * all ? 0.0F : 0.1F;
+    area_light_dark_ = all - powers[area_light_] > enough * all ? 0.0F : 0.1F;
 }
 
 void DynamicSequence::move_props(std::uint32_t frame) {
     const double phase = 2.0 * std::numbers::pi * frame / frames_a_swing;
-    const double swing = happening_ == Happening::box ? frame : std::sin(phase);
+    const double swing = event_ == Event::box ? frame : std::sin(phase);
     const std::size_t first = now_.instances.size() - props_.size();
     for (std::size_t i = 0; i < props_.size(); ++i) {
         const Prop& prop = props_[i];
@@ -176,7 +175,7 @@ void DynamicSequence::move_props(std::uint32_t frame) {
         now_.instances[first + i].to_world = turned;
     }
     // The instance has a mesh of its own: where its vertices are, is all that tells its shape.
-    if (happening_ == Happening::figure) pose_figure(now_.meshes.back(), 2.0 * phase);
+    if (event_ == Event::figure) pose_figure(now_.meshes.back(), 2.0 * phase);
 }
 
 void DynamicSequence::dim_lights(std::uint32_t frame) {
@@ -188,30 +187,31 @@ void DynamicSequence::dim_lights(std::uint32_t frame) {
         now_.lights[i].intensity = first_.lights[i].intensity * tint;
 }
 
-void DynamicSequence::switch_lamp(std::uint32_t frame) {
+void DynamicSequence::switch_area_light(std::uint32_t frame) {
     constexpr glm::vec3 warm(1.0F, 0.6F, 0.3F);
     const std::uint32_t third = std::max(1U, frames_ / 3);
     const glm::vec3 tint = frame < third       ? glm::vec3(1.0F)
-                           : frame < 2 * third ? glm::vec3(lamp_dark_)
+                           : frame < 2 * third ? glm::vec3(area_light_dark_)
                                                : warm;
     const std::size_t materials = now_.materials.size();
-    if (lamp_ < materials)
-        now_.materials[lamp_].emission.radiance = first_.materials[lamp_].emission.radiance * tint;
+    if (area_light_ < materials)
+        now_.materials[area_light_].emission.radiance =
+            first_.materials[area_light_].emission.radiance * tint;
     else
-        now_.lights[lamp_ - materials].intensity =
-            first_.lights[lamp_ - materials].intensity * tint;
+        now_.lights[area_light_ - materials].intensity =
+            first_.lights[area_light_ - materials].intensity * tint;
 }
 
 const Scene& DynamicSequence::at(std::uint32_t frame) {
     move_props(frame);
-    if (happening_ == Happening::lamp) dim_lights(frame);
-    if (happening_ == Happening::switching) switch_lamp(frame);
+    if (event_ == Event::area_light) dim_lights(frame);
+    if (event_ == Event::switching) switch_area_light(frame);
     return now_;
 }
 
 Camera DynamicSequence::camera_at(std::uint32_t frame) const {
     Camera camera = camera_;
-    if (happening_ != Happening::camera) return camera;
+    if (event_ != Event::camera) return camera;
     const double angle = radians(degrees_a_frame) * frame;
     const glm::dvec4 x = camera_.to_world[0];
     const glm::dvec4 z = camera_.to_world[2];

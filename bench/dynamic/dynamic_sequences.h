@@ -13,30 +13,30 @@
 namespace weft::bench {
 
 /// What happens over the frames of a sequence.
-enum class Happening : std::uint8_t {
-    box,        ///< a small box slides across the middle of the picture
-    lamp,       ///< all lights become dimmer and redder
-    switching,  ///< the brightest lamp goes out, and comes back in another colour
-    camera,     ///< the camera flies forward and turns
-    still,      ///< nothing
-    door,       ///< a slab at the side of the scene turns about its hinge
-    furniture,  ///< a table, a chair and a shelf slide and turn
-    figure,     ///< a body bends and twists
+enum class Event : std::uint8_t {
+    box,         ///< a small box slides across the middle of the image
+    area_light,  ///< all lights become dimmer and redder
+    switching,   ///< the brightest area light goes out, and comes back in another colour
+    camera,      ///< the camera flies forward and turns
+    still,       ///< nothing
+    door,        ///< a slab at the side of the scene turns about its hinge
+    furniture,   ///< a table, a chair and a shelf slide and turn
+    figure,      ///< a body bends and twists
 };
 
-[[nodiscard]] const char* to_string(Happening happening);
+[[nodiscard]] const char* to_string(Event event);
 /// All of their names, in order.
-[[nodiscard]] std::vector<std::string> happening_names();
+[[nodiscard]] std::vector<std::string> event_names();
 /// What happens in a scene of that name unless others are asked for: what its rooms are made for,
 /// and what can happen anywhere.
-[[nodiscard]] std::vector<Happening> happenings_in(const std::string& scene);
+[[nodiscard]] std::vector<Event> events_in(const std::string& scene);
 
 /// A scene over frames: what it is at each follows from what it is at first.
 class DynamicSequence {
   public:
     /// `scene` holds still but for what happens; `probe` is of it. Things that are to move are
     /// added to it, in places that `camera` sees. `frames`: how many there will be.
-    DynamicSequence(Scene scene, const Camera& camera, SceneProbe& probe, Happening happening,
+    DynamicSequence(Scene scene, const Camera& camera, SceneProbe& probe, Event event,
                     std::uint32_t frames);
 
     /// The scene at a frame: that at first with other transforms, vertices, lights and materials.
@@ -58,19 +58,19 @@ class DynamicSequence {
     void add_door(const Camera& camera, SceneProbe& probe);
     void add_furniture(const Camera& camera, SceneProbe& probe);
     void add_figure(const Camera& camera, SceneProbe& probe);
-    void choose_lamp();
+    void choose_area_light();
     void move_props(std::uint32_t frame);
     void dim_lights(std::uint32_t frame);
-    void switch_lamp(std::uint32_t frame);
+    void switch_area_light(std::uint32_t frame);
 
     Scene first_, now_;
     Camera camera_;
-    Happening happening_;
+    Event event_;
     std::uint32_t frames_;
     std::vector<Prop> props_;
-    double distance_ = 0.0;   ///< of the middle of the picture from the camera, scene units
-    std::size_t lamp_ = 0;    ///< material, or beyond these a light without area
-    float lamp_dark_ = 0.0F;  ///< what is left of it when it is out
+    double distance_ = 0.0;         ///< of the middle of the image from the camera, scene units
+    std::size_t area_light_ = 0;    ///< material, or beyond these a light without area
+    float area_light_dark_ = 0.0F;  ///< what is left of it when it is out
 };
 
 }  // namespace weft::bench

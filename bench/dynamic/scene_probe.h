@@ -15,7 +15,7 @@
 namespace weft::bench {
 
 /// Finds out what is where in a scene as it is at rest, to place things there. A question takes
-/// about as long as a picture of one pixel, which it is.
+/// about as long as an image of one pixel, which it is.
 class SceneProbe {
   public:
     /// Builds an acceleration structure.

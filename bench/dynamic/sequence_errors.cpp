@@ -20,7 +20,7 @@ std::vector<float> luminance_of(const Image& image) {
     return luminance(RgbView{image.find("")->values, image.width, image.height});
 }
 
-/// By pixel, the probability that its change is seen. What one picture shows is brought to where
+/// By pixel, the probability that its change is seen. What one image shows is brought to where
 /// the other shows it, so that the camera's own movement is no change.
 std::vector<float> visible_change(const Image& before, const Image& now,
                                   const std::vector<std::uint32_t>& matches) {
@@ -56,8 +56,8 @@ void SequenceJudge::next(ReferenceFrame reference, const Camera& camera, bool vi
 
 FrameErrors SequenceJudge::judge(const Image* before, const Image& now) const {
     FrameErrors errors;
-    errors.converged = picture_errors(now_.converged, now, "", {visible_, false});
-    errors.same_vpls = picture_errors(now_.same_vpls, now, "", {false, false});
+    errors.converged = image_errors(now_.converged, now, "", {visible_, false});
+    errors.same_vpls = image_errors(now_.same_vpls, now, "", {false, false});
     if (before != nullptr && follows_) errors.flicker = flicker(*before, now);
     return errors;
 }

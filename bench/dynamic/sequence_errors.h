@@ -11,7 +11,7 @@
 #include "bench/dynamic/dynamic_frames.h"
 #include "image/image.h"
 #include "scene/scene.h"
-#include "tradeoff/picture_errors.h"
+#include "tradeoff/image_errors.h"
 
 namespace weft::bench {
 
@@ -26,8 +26,8 @@ struct Flicker {
 
 /// How one frame of a method differs from what it should be.
 struct FrameErrors {
-    PictureErrors converged;
-    PictureErrors same_vpls;  ///< without what an observer sees
+    ImageErrors converged;
+    ImageErrors same_vpls;  ///< without what an observer sees
     std::optional<Flicker> flicker;
 
     [[nodiscard]] nlohmann::json json() const;
@@ -39,7 +39,7 @@ class SequenceJudge {
     /// Goes on to the next frame; `visible`: HDR-VDP is to be asked.
     void next(ReferenceFrame reference, const Camera& camera, bool visible);
 
-    /// `before`: the same method's picture of the frame before, or null.
+    /// `before`: the same method's image of the frame before, or null.
     [[nodiscard]] FrameErrors judge(const Image* before, const Image& now) const;
 
     /// Of the frame that is judged.

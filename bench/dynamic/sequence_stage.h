@@ -12,7 +12,7 @@
 
 namespace weft::bench {
 
-/// How far the middle of the picture is from the camera; scene units.
+/// How far the middle of the image is from the camera; scene units.
 [[nodiscard]] double view_distance(const Camera& camera, SceneProbe& probe);
 
 /// Where things can be put in a scene so that a camera sees them: found by looking around.
@@ -24,7 +24,7 @@ class SequenceStage {
     [[nodiscard]] const glm::dvec3& up() const { return up_; }
     [[nodiscard]] const glm::dvec3& ahead() const { return ahead_; }
     [[nodiscard]] const glm::dvec3& right() const { return right_; }
-    /// How far the middle of the picture is, on the level.
+    /// How far the middle of the image is, on the level.
     [[nodiscard]] double depth() const { return depth_; }
     /// Of the camera above the floor; scene units.
     [[nodiscard]] double eye_height() { return depth_to_floor(eye_); }
@@ -56,7 +56,7 @@ class SequenceStage {
     SceneProbe& probe_;
     glm::dvec3 eye_, up_, ahead_, right_;
     double depth_ = 1.0;
-    double tangent_ = 1.0;  ///< of half the field of view of a square picture
+    double tangent_ = 1.0;  ///< of half the field of view of a square image
 };
 
 }  // namespace weft::bench

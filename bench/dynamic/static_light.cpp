@@ -11,10 +11,10 @@
 #include <optional>
 
 #include "base/stopwatch.h"
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 #include "bench/dynamic/dynamic_report.h"
 #include "render/renderer.h"
-#include "tradeoff/picture_errors.h"
+#include "tradeoff/image_errors.h"
 
 namespace weft::bench {
 namespace {
@@ -26,7 +26,7 @@ struct StaticMethod {
     std::vector<double> rays{};
     std::map<std::string, double> rays_by_class{};
     std::vector<double> path_errors{}, path_trimmed{}, ir_errors{};
-    PictureErrors first{};  ///< of its first frame, against the path-traced picture
+    ImageErrors first{};  ///< of its first frame, against the path-traced image
 };
 
 double mean(const std::vector<double>& values) {
@@ -51,11 +51,11 @@ void add(std::vector<double>& values, const std::optional<double>& value) {
 
 void judge(StaticMethod& entrant, const Image& image, const StaticReferences& references) {
     const bool first = entrant.ms.size() == 1;
-    const PictureErrors errors = picture_errors(references.path, image, "indirect", {first, first});
+    const ImageErrors errors = image_errors(references.path, image, "indirect", {first, first});
     add(entrant.path_errors, errors.relmse);
     add(entrant.path_trimmed, errors.relmse_trimmed);
     if (first) entrant.first = errors;
-    add(entrant.ir_errors, picture_errors(references.ir, image, "indirect", {false, false}).relmse);
+    add(entrant.ir_errors, image_errors(references.ir, image, "indirect", {false, false}).relmse);
 }
 
 /// One frame with random numbers of its own.
@@ -110,7 +110,7 @@ nlohmann::json measure_static(Executor& executor, const FlatScene& flat, const C
     std::vector<StaticMethod> entrants;
     for (const DynamicMethod& method : methods)
         if (!method.full && !method.temporal()) entrants.push_back({method});
-    // Other random numbers than the picture by `ir` has, whose VPLs would be theirs as well.
+    // Other random numbers than the image by `ir` has, whose VPLs would be theirs as well.
     for (std::uint32_t repetition = 1; repetition <= run.repetitions; ++repetition)
         for (StaticMethod& entrant : entrants)
             measure(entrant, executor, flat, camera, references, run.edge, repetition);

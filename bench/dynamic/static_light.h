@@ -18,18 +18,18 @@ namespace weft::bench {
 
 /// How single frames of a scene that holds still are compared.
 struct StaticRun {
-    std::uint32_t edge = 512;  ///< of the picture, pixels
+    std::uint32_t edge = 512;  ///< of the image, pixels
     std::uint32_t repetitions = 5;
     std::uint32_t converged = 8;  ///< frames of `ir` that make a converged one
 };
 
-/// What the indirect light of single frames is compared with; pictures of the layer `indirect`.
+/// What the indirect light of single frames is compared with; images of the layer `indirect`.
 struct StaticReferences {
     Image path;  ///< path-traced through pixel centres: all the light there is
     Image ir;    ///< many VPLs at every pixel: what a method would be without its own errors
 };
 
-/// A picture by `ir`, the mean of `count` frames with VPLs of their own.
+/// An image by `ir`, the mean of `count` frames with VPLs of their own.
 [[nodiscard]] Image many_vpls(Executor& executor, const FlatScene& flat, const Camera& camera,
                               std::uint32_t edge, std::uint32_t count);
 

@@ -32,7 +32,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("-o,--output", settings.folder, "folder to write, made where it is not there")
         ->required();
     app.add_option("--camera", settings.camera, "camera of the scene; default: its first");
-    app.add_option("--size", settings.size, "width and height of pictures; default: 512 512")
+    app.add_option("--size", settings.size, "width and height of images; default: 512 512")
         ->expected(2)
         ->check(CLI::Range(1U, limits::max_film_edge));
 }

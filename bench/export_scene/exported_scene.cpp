@@ -69,7 +69,7 @@ class MeshGatherer {
         for (auto& [key, numbered] : meshes_) {
             ExportedMesh& mesh = numbered.mesh;
             // Attributes that change nothing would cost other renderers time.
-            if (flat_.materials[mesh.material].texture == NO_TRIANGLE) mesh.uvs.clear();
+            if (flat_.materials[mesh.material].texture == INVALID_INDEX) mesh.uvs.clear();
             const auto plain = [](float value) { return value == 1.0F; };
             if (std::all_of(mesh.colours.begin(), mesh.colours.end(), plain)) mesh.colours.clear();
             taken.push_back(std::move(mesh));
@@ -151,7 +151,7 @@ json materials_json(const Scene& scene, const FlatScene& flat) {
     for (std::size_t m = 0; m < flat.materials.size(); ++m) {
         const shared::MaterialRecord& record = flat.materials[m];
         json texture;
-        if (record.texture != NO_TRIANGLE) texture = record.texture;
+        if (record.texture != INVALID_INDEX) texture = record.texture;
         const bool emits = (record.flags & MATERIAL_EMITS) != 0;
         list.push_back(
             {{"name", scene.materials[m].name},
@@ -204,7 +204,7 @@ json lights_json(const Scene& scene) {
 json medium_within(const FlatMedia& media, std::uint32_t boundaries) {
     if (!media.present()) return nullptr;
     const std::uint32_t medium =
-        boundaries == 0 ? media.space.outside : media.space.inside[std::countr_zero(boundaries)];
+        boundaries == 0 ? media.space.outside : media.space.interior[std::countr_zero(boundaries)];
     return medium == NO_MEDIUM ? json() : json(medium);
 }
 
@@ -218,7 +218,7 @@ json media_json(const FlatScene& flat) {
                         {"albedo", colour_json(medium.albedo)},
                         {"emission", scaled(medium.emission)},
                         {"anisotropy", medium.anisotropy},
-                        {"homogeneous", medium.grid == NO_TRIANGLE}});
+                        {"homogeneous", medium.grid == INVALID_INDEX}});
     }
     return list;
 }

@@ -68,7 +68,7 @@ def unpredicted(data):
     return bytes(joined)
 
 
-class Picture:
+class Image:
     """The channels of a file and its blocks of lines, which are decoded on demand."""
 
     def __init__(self, path):
@@ -129,7 +129,7 @@ def distance(one, other):
 
 
 class Difference:
-    """What differs between two pictures of one shape: `pixels` in all, and the largest difference
+    """What differs between two images of one shape: `pixels` in all, and the largest difference
     of each layer that is not the same."""
 
     def __init__(self):
@@ -164,7 +164,7 @@ class Difference:
 def compare(first, second):
     """None where all pixels of two files are the same, else what differs, for JSON. Raises
     NotReadable."""
-    one, other = Picture(first), Picture(second)
+    one, other = Image(first), Image(second)
     if one.shape() != other.shape():
         return {"shape": "size or channels differ"}
     difference = Difference()

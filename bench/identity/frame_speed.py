@@ -1,6 +1,6 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Times of two builds by turns: of frames, and of first pictures without compiled kernels."""
+"""Times of two builds by turns: of frames, and of first images without compiled kernels."""
 
 import json
 import pathlib
@@ -13,7 +13,7 @@ from builds import processor_ms, run, scene_options
 ALGORITHMS = ("ais", "igi", "ic", "path")
 SCENES = ("cornell-box", "sibenik", "office-pm")
 BACKENDS = ("opencl", "native")
-COLD = "cold"  # in place of an algorithm: a first picture
+COLD = "cold"  # in place of an algorithm: a first image
 COLD_ALGORITHM = "ais"
 LEAST_RATIO = 0.98
 RESAMPLES = 2000
@@ -53,9 +53,9 @@ class Timer:
         frames = self.frames(build, scene, backend, algorithm)
         return frames, (processor_ms() - alone - (alone - begin)) / self.args.frames
 
-    def first_picture(self, build, scene, backend):
+    def first_image(self, build, scene, backend):
         """Milliseconds from the start of a program that has to compile its kernels to the written
-        picture."""
+        image."""
         with tempfile.TemporaryDirectory() as folder:
             environment = {"WEFT_CACHE_DIR": f"{folder}/weft", "POCL_CACHE_DIR": f"{folder}/pocl"}
             options = ["--algorithm", COLD_ALGORITHM, "--spp", 1]
@@ -66,7 +66,7 @@ class Timer:
         """Milliseconds, and of the processors or None."""
         scene, backend, algorithm = cell
         if algorithm == COLD:
-            return self.first_picture(build, scene, backend), None
+            return self.first_image(build, scene, backend), None
         if self.args.cpu:
             return self.processor_frame(build, scene, backend, algorithm)
         return self.frames(build, scene, backend, algorithm), None

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Two builds of Weft side by side: whether they make the same pictures, and in what time.
+"""Two builds of Weft side by side: whether they make the same images, and in what time.
 
 By default every scene is rendered by both with every algorithm on every backend, and all channels
 of the EXR files are compared bit by bit. With --time frames of both are timed by turns instead.
@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"
 import frame_speed  # noqa: E402
 from builds import (EDITS, Failure, EXIT_OUTPUT, EXIT_USAGE, earlier_results,  # noqa: E402
                     program_digest, run, write_json)
-from pictures import (BACKENDS, KINDS, MORE_KINDS, Pictures, all_cases, name_of,  # noqa: E402
+from images import (BACKENDS, KINDS, MORE_KINDS, Images, all_cases, name_of,  # noqa: E402
                       scenes_digest)
 from processor import processor  # noqa: E402
 
@@ -63,14 +63,14 @@ def parse():
     parser.add_argument("--cpu", action="store_true",
                         help="of --time: processor time as well; twice as many processes")
     parser.add_argument("--no-cold", action="store_true",
-                        help="of --time: no first pictures with empty caches")
-    parser.add_argument("--jobs", type=int, metavar="N", help="pictures at a time, 1")
+                        help="of --time: no first images with empty caches")
+    parser.add_argument("--jobs", type=int, metavar="N", help="images at a time, 1")
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="of each program")
     parser.add_argument("--scenes", type=pathlib.Path, default=ROOT / "scenes", metavar="DIR")
     parser.add_argument("--cache", type=pathlib.Path, metavar="DIR",
-                        help="keeps the pictures of the build before, OUTPUT/before")
+                        help="keeps the images of the build before, OUTPUT/before")
     parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("identity"),
-                        metavar="DIR", help="gets the pictures that differ, and the report")
+                        metavar="DIR", help="gets the images that differ, and the report")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE",
                         help="the report, OUTPUT/identity.json, with --time OUTPUT/time.json")
     parser.add_argument("--resume", action="store_true",
@@ -144,13 +144,13 @@ def on_all(args, cases, action, done):
 
 
 def fill_cache(args):
-    pictures = Pictures(args)
+    images = Images(args)
     cases = cases_of(args)
     kept = []
 
     def made(case):
         try:
-            return pictures.before(case).name
+            return images.before(case).name
         except Failure as failure:
             return f"not rendered, {failure}"
 
@@ -163,7 +163,7 @@ def fill_cache(args):
 
 
 def words_of(found):
-    """What differs in one picture."""
+    """What differs in one image."""
     if "before" in found:
         return f"before: {found['before']}; after: {found['after']}"
     if "shape" in found:
@@ -217,7 +217,7 @@ def totals(cases, results):
             "refused_by_both": sum("refused" in cell for cell in found)}
 
 
-def compare_pictures(args):
+def compare_images(args):
     report = new_report(args, "identity")
     cases = cases_of(args)
     results = earlier_results(args.json, report, args.resume)
@@ -234,10 +234,10 @@ def compare_pictures(args):
         words = "refused by both" if "refused" in cell else f"{cell_words(cell)} the same"
         print(f"[{ready}/{len(cases)}] {name_of(case)}: {words}", flush=True)
 
-    on_all(args, missing, Pictures(args).compared, done)
+    on_all(args, missing, Images(args).compared, done)
     report["summary"] = found = show(args, cases, results)
     write_json(args.json, report)
-    print(f"\n{found['same']} of {found['pictures']} pictures are the same, "
+    print(f"\n{found['same']} of {found['pictures']} images are the same, "
           f"{found['different']} differ, {found['refused_by_both']} cases are refused by both")
     return DIFFERENT if found["different"] or not found["pictures"] else 0
 
@@ -259,7 +259,7 @@ def main():
         args.before_digest = program_digest(args.before)
         if args.fill_cache:
             return fill_cache(args)
-        return compare_times(args) if args.time else compare_pictures(args)
+        return compare_times(args) if args.time else compare_images(args)
     except Failure as failure:
         print(f"bench identity: {failure}", file=sys.stderr)
         return failure.code if failure.code > 0 else 3

@@ -54,16 +54,16 @@ class MeteredStage {
             settings.width = settings.height = run.size;
             renderer_ = std::make_unique<Renderer>(shared_, scene, camera, settings);
         }
-        whole_picture_ = method.algorithm == Algorithm::path;
+        whole_image_ = method.algorithm == Algorithm::path;
     }
 
     [[nodiscard]] MeteredFrame render(const Camera& camera) {
         renderer_->set_camera(camera);
         const std::size_t before = renderer_->stats().size();
         (void)meter_.take();
-        const Stopwatch watch;
+        const RunTimer watch;
         MeteredFrame frame;
-        while (renderer_->render_frame({}) && whole_picture_) continue;
+        while (renderer_->render_frame({}) && whole_image_) continue;
         frame.timing = watch.elapsed();
         Metered metered = meter_.take();
         take_down(before, metered, frame);
@@ -98,7 +98,7 @@ class MeteredStage {
     KernelMeter meter_;
     SharedScene shared_;
     std::unique_ptr<FrameRenderer> renderer_;
-    bool whole_picture_ = false;
+    bool whole_image_ = false;
 };
 
 using Stages = std::vector<std::unique_ptr<MeteredStage>>;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 #include "bench/kernels/kernel_meter.h"
 #include "device/executor.h"
 #include "plan/frame_plan.h"
@@ -34,10 +34,10 @@ struct MeteredRun {
     std::uint32_t size = 512;
     std::uint32_t repetitions = 9;
     std::uint32_t warm_up = 1;
-    std::uint32_t path_samples = 4;  ///< per pixel, of a picture of `path`
+    std::uint32_t path_samples = 4;  ///< per pixel, of an image of `path`
 };
 
-/// One frame; of `path` a whole picture.
+/// One frame; of `path` a whole image.
 struct MeteredFrame {
     Timing timing;
     double device_ms = 0.0;  ///< of all kernels

@@ -77,7 +77,7 @@ std::vector<std::string> method_names() {
 std::optional<Settings> parse(int argc, char** argv, int& status) {
     Settings settings;
     CLI::App app{"The same frames on OpenCL, on native kernels and with Embree, kernel by kernel"};
-    app.add_flag("--quick", settings.quick, "a small picture and few repetitions");
+    app.add_flag("--quick", settings.quick, "a small image and few repetitions");
     app.add_option("--scenes", settings.scenes, "folder of the scene files");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
     app.add_option("--threads", settings.threads, "threads of every backend; 0: all")
@@ -88,7 +88,7 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         ->check(CLI::IsMember(method_names()));
     app.add_option("--backends", settings.backends, "measure only these backends")
         ->check(CLI::IsMember(all_backends));
-    app.add_option("--size", settings.size, "width and height of the picture")
+    app.add_option("--size", settings.size, "width and height of the image")
         ->check(CLI::Range(16, 4096));
     app.add_option("--repetitions", settings.repetitions, "timed frames of every algorithm")
         ->check(CLI::Range(1, 1000));

@@ -19,7 +19,7 @@
 #include "bench/common/bench_scenes.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
-#include "bench/path/path_contenders.h"
+#include "bench/path/path_candidates.h"
 #include "bench/path/path_report.h"
 #include "device/native/native_executor.h"
 #include "render/camera_params.h"
@@ -48,37 +48,38 @@ struct Settings {
     [[nodiscard]] std::uint32_t runs() const {
         return repetitions > 0 ? repetitions : quick ? 3 : 5;
     }
-    [[nodiscard]] PathSettings picture() const {
+    [[nodiscard]] PathSettings image() const {
         PathSettings settings;
         settings.width = settings.height = size > 0 ? size : quick ? 128 : 256;
         settings.samples.end = spp > 0 ? spp : quick ? 8 : 16;
         return settings;
     }
     [[nodiscard]] MitsubaSettings mitsuba() const {
-        const char* const chosen = std::getenv("WEFT_WITNESS_PYTHON");
+        const char* chosen = std::getenv("WEFT_BENCH_PYTHON");
+        if (chosen == nullptr) chosen = std::getenv("WEFT_WITNESS_PYTHON");  // its old name
         const std::string usual = chosen != nullptr && *chosen != '\0' ? chosen : "python3";
-        return {python.empty() ? usual : python, WEFT_SOURCE_DIR "/bench/witness/mitsuba_speed.py",
-                threads};
+        return {python.empty() ? usual : python,
+                WEFT_SOURCE_DIR "/bench/cross_validation/mitsuba_speed.py", threads};
     }
 };
 
 std::optional<Settings> parse(int argc, char** argv, int& status) {
     Settings settings;
     CLI::App app{"Weft's path tracer against Mitsuba 3, in million samples per second"};
-    app.add_flag("--quick", settings.quick, "a smaller picture, fewer samples and runs");
+    app.add_flag("--quick", settings.quick, "a smaller image, fewer samples and runs");
     app.add_option("--scenes", settings.scenes, "folder of scenes, each DIR/NAME/NAME.xml");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
-    app.add_option("--threads", settings.threads, "threads of every contender; 0: all")
+    app.add_option("--threads", settings.threads, "threads of every candidate; 0: all")
         ->check(CLI::Range(0, static_cast<int>(limits::max_threads)));
     app.add_option("--device", settings.device, "OpenCL device; default: the first processor");
     app.add_option("--only", settings.only, "measure only the scenes of these names");
     app.add_option("--python", settings.python,
-                   "Python that has mitsuba; default: $WEFT_WITNESS_PYTHON, else python3");
+                   "Python that has mitsuba; default: $WEFT_BENCH_PYTHON, else python3");
     app.add_option("--spp", settings.spp, "samples per pixel")
         ->check(CLI::Range(1U, limits::max_samples_per_pixel));
-    app.add_option("--size", settings.size, "width and height of the picture")
+    app.add_option("--size", settings.size, "width and height of the image")
         ->check(CLI::Range(1, 4096));
-    app.add_option("--repetitions", settings.repetitions, "timed runs of every contender")
+    app.add_option("--repetitions", settings.repetitions, "timed runs of every candidate")
         ->check(CLI::Range(3, 1000));
     if (const auto code = parse_arguments(app, argc, argv)) {
         status = *code;
@@ -111,12 +112,11 @@ PathResult run_scene(const Settings& settings, const BenchScene& source, const B
     const Scene scene = source.load(diagnostics);
     const FlatScene flat = flatten(scene);
     const Camera camera = choose_camera(scene, flat, "", diagnostics);
-    const PathSettings picture = settings.picture();
-    std::vector<std::unique_ptr<PathContender>> contenders;
+    const PathSettings image = settings.image();
+    std::vector<std::unique_ptr<PathCandidate>> candidates;
     const auto add_own = [&](const char* name, Executor* executor) {
         if (executor != nullptr)
-            contenders.push_back(
-                std::make_unique<WeftPaths>(name, *executor, flat, camera, picture));
+            candidates.push_back(std::make_unique<WeftPaths>(name, *executor, flat, camera, image));
     };
     add_own(paths_opencl, backends.opencl.get());
     add_own(paths_native, backends.native.get());
@@ -124,14 +124,13 @@ PathResult run_scene(const Settings& settings, const BenchScene& source, const B
     for (const char* const variant : {paths_scalar, paths_llvm}) {
         if (source.file.empty()) break;
         auto mitsuba =
-            std::make_unique<MitsubaPaths>(settings.mitsuba(), variant, source.file, picture);
+            std::make_unique<MitsubaPaths>(settings.mitsuba(), variant, source.file, image);
         if (version.empty()) version = mitsuba->version();
-        contenders.push_back(std::move(mitsuba));
+        candidates.push_back(std::move(mitsuba));
     }
-    const std::uint64_t samples =
-        std::uint64_t{picture.width} * picture.height * picture.samples.end;
+    const std::uint64_t samples = std::uint64_t{image.width} * image.height * image.samples.end;
     return {source.name, flat.triangles.size(),
-            measure_paths(contenders, samples, settings.runs())};
+            measure_paths(candidates, samples, settings.runs())};
 }
 
 void run(const Settings& settings) {
@@ -139,12 +138,12 @@ void run(const Settings& settings) {
     const Backends backends{open_opencl(settings.device, settings.threads),
                             make_native_executor(NativeTraversal::own_bvh, settings.threads),
                             make_native_executor(NativeTraversal::embree, settings.threads)};
-    const PathSettings picture = settings.picture();
+    const PathSettings image = settings.image();
     nlohmann::json json{{"benchmark", "path"},
                         {"quick", settings.quick},
                         {"repetitions", settings.runs()},
-                        {"size", picture.width},
-                        {"spp", picture.samples.end},
+                        {"size", image.width},
+                        {"spp", image.samples.end},
                         {"machine", machine_json(settings.threads)},
                         {"versions", versions_json()},
                         {"opencl", nullptr}};
@@ -158,9 +157,9 @@ void run(const Settings& settings) {
         results.push_back(run_scene(settings, scene, backends, version, diagnostics));
         print(path_row(results.back()));
         json["scenes"].push_back(path_json(results.back()));
-        for (const PathFigures& contender : results.back().contenders)
-            if (!contender.problem.empty())
-                problems.warn(contender.figures.name, "not available, " + contender.problem);
+        for (const PathFigures& candidate : results.back().candidates)
+            if (!candidate.problem.empty())
+                problems.warn(candidate.figures.name, "not available, " + candidate.problem);
     }
     for (const std::string& problem : problems.warnings()) print(problem + "\n");
     json["versions"]["mitsuba"] = version.empty() ? nlohmann::json() : nlohmann::json(version);

@@ -19,7 +19,7 @@ std::string cell(const nlohmann::json& number) {
                             : fmt::format("{:8.2f}", number.get<double>());
 }
 
-/// Takes a contender's repetitions together; one that dropped out keeps none.
+/// Takes a candidate's repetitions together; one that dropped out keeps none.
 void conclude(PathFigures& result, double mean_sum, std::uint64_t rays, std::uint64_t samples) {
     Figures& figures = result.figures;
     if (!result.problem.empty()) {
@@ -42,84 +42,83 @@ void conclude(PathFigures& result, double mean_sum, std::uint64_t rays, std::uin
 nlohmann::json spread(const PathResult& result) {
     nlohmann::json most;
     const PathFigures* first = nullptr;
-    for (const PathFigures& contender : result.contenders) {
-        if (contender.figures.runs.empty()) continue;
+    for (const PathFigures& candidate : result.candidates) {
+        if (candidate.figures.runs.empty()) continue;
         if (first == nullptr) {
-            first = &contender;
+            first = &candidate;
             continue;
         }
-        const double difference = 100.0 * std::abs(contender.mean / first->mean - 1.0);
+        const double difference = 100.0 * std::abs(candidate.mean / first->mean - 1.0);
         if (most.is_null() || difference > most.get<double>()) most = difference;
     }
     return most;
 }
 
-nlohmann::json contender_json(const PathFigures& contender, const PathResult& scene) {
+nlohmann::json candidate_json(const PathFigures& candidate, const PathResult& scene) {
     nlohmann::json ms = nlohmann::json::array();
     nlohmann::json cpu = nlohmann::json::array();
-    for (const Timing& timing : contender.figures.runs) {
+    for (const Timing& timing : candidate.figures.runs) {
         ms.push_back(timing.ms);
         cpu.push_back(timing.cpu_ms);
     }
-    nlohmann::json json{{"name", contender.figures.name},
-                        {"yardstick", contender.figures.is_yardstick},
-                        {"available", contender.problem.empty()},
+    nlohmann::json json{{"name", candidate.figures.name},
+                        {"yardstick", candidate.figures.is_yardstick},
+                        {"available", candidate.problem.empty()},
                         {"ms", ms},
                         {"cpu_ms", cpu}};
-    if (!contender.problem.empty()) {
-        json["problem"] = contender.problem;
+    if (!candidate.problem.empty()) {
+        json["problem"] = candidate.problem;
         return json;
     }
-    json["msamples"] = contender.msamples;
-    json["mean"] = contender.mean;
-    if (contender.figures.is_yardstick) return json;
-    json["mrays"] = contender.figures.mrays;
-    json["ratio"] = scene.ratio(contender.figures.name);
-    json["cpu_ratio"] = scene.ratio(contender.figures.name, &Timing::cpu_ms);
+    json["msamples"] = candidate.msamples;
+    json["mean"] = candidate.mean;
+    if (candidate.figures.is_yardstick) return json;
+    json["mrays"] = candidate.figures.mrays;
+    json["ratio"] = scene.ratio(candidate.figures.name);
+    json["cpu_ratio"] = scene.ratio(candidate.figures.name, &Timing::cpu_ms);
     return json;
 }
 
 }  // namespace
 
-const PathFigures* PathResult::find(const std::string& contender) const {
-    for (const PathFigures& candidate : contenders)
-        if (candidate.figures.name == contender && !candidate.figures.runs.empty())
-            return &candidate;
+const PathFigures* PathResult::find(const std::string& wanted) const {
+    for (const PathFigures& candidate : candidates)
+        if (candidate.figures.name == wanted && !candidate.figures.runs.empty()) return &candidate;
     return nullptr;
 }
 
-nlohmann::json PathResult::ratio(const std::string& contender, double Timing::*value) const {
-    const PathFigures* const ours = find(contender);
+nlohmann::json PathResult::ratio(const std::string& wanted, double Timing::*value) const {
+    const PathFigures* const ours = find(wanted);
     std::vector<Figures> all;
-    for (const PathFigures& candidate : contenders)
+    for (const PathFigures& candidate : candidates)
         if (candidate.figures.is_yardstick) all.push_back(candidate.figures);
     if (ours == nullptr || all.empty()) return {};
     return ratio_to_best(ours->figures, all, value).ratio;
 }
 
 std::vector<PathFigures> measure_paths(
-    const std::vector<std::unique_ptr<PathContender>>& contenders, std::uint64_t samples,
+    const std::vector<std::unique_ptr<PathCandidate>>& candidates, std::uint64_t samples,
     std::uint32_t repetitions) {
-    std::vector<PathFigures> results(contenders.size());
-    std::vector<double> means(contenders.size());
-    std::vector<std::uint64_t> rays(contenders.size());
-    for (std::size_t c = 0; c < contenders.size(); ++c) {
-        const std::string name = contenders[c]->name();
+    std::vector<PathFigures> results(candidates.size());
+    std::vector<double> means(candidates.size());
+    std::vector<std::uint64_t> rays(candidates.size());
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+        const std::string name = candidates[c]->name();
         results[c].figures.name = name;
         results[c].figures.is_yardstick =
             std::find(mitsuba.begin(), mitsuba.end(), name) != mitsuba.end();
     }
     for (std::uint32_t repetition = 0; repetition <= repetitions; ++repetition)
-        for (std::size_t c = 0; c < contenders.size(); ++c) {
-            contenders[c]->prepare();
-            const auto run = contenders[c]->run();
-            results[c].problem = contenders[c]->problem();
+        for (std::size_t c = 0; c < candidates.size(); ++c) {
+            candidates[c]->prepare();
+            const auto run = candidates[c]->run();
+            results[c].problem = candidates[c]->problem();
             if (!run || repetition == 0) continue;
             results[c].figures.runs.push_back(run->timing);
             means[c] += run->mean;
             rays[c] = run->rays;
         }
-    for (std::size_t c = 0; c < contenders.size(); ++c)
+    for (std::size_t c = 0; c < candidates.size(); ++c)
         conclude(results[c], means[c], rays[c], samples);
     return results;
 }
@@ -129,7 +128,7 @@ std::string path_heading() {
         "Million samples per second of Weft (opencl, native, embree; Mr/s: million rays) and of\n"
         "Mitsuba 3's variants, medians of interleaved runs. o/best, n/best and e/best: opencl,\n"
         "native and embree against the fastest variant, o/cpu the first by processor time.\n"
-        "mean: largest difference of a picture's mean to that of the first, in per cent.\n\n";
+        "mean: largest difference of an image's mean to that of the first, in per cent.\n\n";
     text += fmt::format("{:14}{:>9}", "scene", "triangles");
     for (const char* const name : own) text += fmt::format("{:>8}{:>8}", name, "Mr/s");
     for (const char* const name : mitsuba) text += fmt::format("{:>12}", name);
@@ -153,21 +152,21 @@ std::string path_row(const PathResult& result) {
 }
 
 nlohmann::json path_json(const PathResult& result) {
-    nlohmann::json contenders = nlohmann::json::array();
-    for (const PathFigures& contender : result.contenders)
-        contenders.push_back(contender_json(contender, result));
+    nlohmann::json candidates = nlohmann::json::array();
+    for (const PathFigures& candidate : result.candidates)
+        candidates.push_back(candidate_json(candidate, result));
     return {{"name", result.name},
             {"triangles", result.triangles},
             {"mean_spread_percent", spread(result)},
-            {"contenders", contenders}};
+            {"contenders", candidates}};
 }
 
 nlohmann::json path_summary(const std::vector<PathResult>& results) {
     nlohmann::json summary;
-    const auto add = [&](const std::string& key, const char* contender, double Timing::*value) {
+    const auto add = [&](const std::string& key, const char* candidate, double Timing::*value) {
         std::vector<double> ratios;
         for (const PathResult& result : results) {
-            const nlohmann::json ratio = result.ratio(contender, value);
+            const nlohmann::json ratio = result.ratio(candidate, value);
             if (!ratio.is_null()) ratios.push_back(ratio.get<double>());
         }
         double sum = 0.0;

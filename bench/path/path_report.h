@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/common/contender.h"
-#include "bench/path/path_contenders.h"
+#include "bench/common/candidate.h"
+#include "bench/path/path_candidates.h"
 
 namespace weft::bench {
 
-// Names of the contenders, in tables and JSON.
+// Names of the candidates, in tables and JSON.
 inline constexpr const char* paths_opencl = "opencl";
 inline constexpr const char* paths_native = "native";
 inline constexpr const char* paths_embree = "embree";
@@ -24,7 +24,7 @@ inline constexpr const char* paths_llvm = "llvm_ad_rgb";
 struct PathFigures {
     Figures figures;      ///< Mitsuba's variants are yardsticks; Figures::mrays is 0 for them
     double msamples = 0;  ///< million samples per second, from the median time
-    double mean = 0;      ///< of the picture's values, over the runs
+    double mean = 0;      ///< of the image's values, over the runs
     std::string problem;  ///< why there are no runs; else empty
 };
 
@@ -32,19 +32,19 @@ struct PathFigures {
 struct PathResult {
     std::string name;
     std::size_t triangles = 0;
-    std::vector<PathFigures> contenders;
+    std::vector<PathFigures> candidates;
 
-    /// The contender of that name where it ran, or null.
-    [[nodiscard]] const PathFigures* find(const std::string& contender) const;
-    /// The smallest ratio of a contender to any of Mitsuba's variants, or null.
-    [[nodiscard]] nlohmann::json ratio(const std::string& contender,
+    /// The candidate of that name where it ran, or null.
+    [[nodiscard]] const PathFigures* find(const std::string& wanted) const;
+    /// The smallest ratio of a candidate to any of Mitsuba's variants, or null.
+    [[nodiscard]] nlohmann::json ratio(const std::string& wanted,
                                        double Timing::*value = &Timing::ms) const;
 };
 
-/// Runs all contenders once untimed, then `repetitions` times in turn. `samples` counts those of a
-/// whole picture. Whoever drops out stays in the list with its problem.
+/// Runs all candidates once untimed, then `repetitions` times in turn. `samples` counts those of a
+/// whole image. Whoever drops out stays in the list with its problem.
 [[nodiscard]] std::vector<PathFigures> measure_paths(
-    const std::vector<std::unique_ptr<PathContender>>& contenders, std::uint64_t samples,
+    const std::vector<std::unique_ptr<PathCandidate>>& candidates, std::uint64_t samples,
     std::uint32_t repetitions);
 
 /// The lines that explain the columns of the table, and the column titles.

@@ -46,7 +46,7 @@ T get(const Packet& packet, std::size_t field, std::size_t lane) {
     return value;
 }
 
-constexpr std::uint32_t unused_lane = NO_TRIANGLE;
+constexpr std::uint32_t unused_lane = INVALID_INDEX;
 
 /// Which lanes are to be traced, 0 or -1, aligned as Embree expects it.
 template <int Width>
@@ -143,7 +143,7 @@ Timing run_batch(Batch<Width, Packet>& batch, tbb::task_arena& arena, bool coher
     const std::size_t count = batch.packets.size();
     // Blocks as the native executor makes them, but short of its cut into launches.
     const std::size_t grain = std::max<std::size_t>(1, count / 1024);
-    const Stopwatch watch;
+    const RunTimer watch;
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                           [&](const tbb::blocked_range<std::size_t>& range) {
@@ -169,7 +169,7 @@ std::vector<std::uint32_t> read_answers(const Batch<Width, Packet>& batch, std::
 using Arena = std::shared_ptr<tbb::task_arena>;
 
 template <int Width>
-Contender closest_contender(SharedBatch<Width, typename EmbreeWidth<Width>::RayHit> batch,
+Candidate closest_candidate(SharedBatch<Width, typename EmbreeWidth<Width>::RayHit> batch,
                             const Arena& arena, const Mode& mode) {
     using Packet = typename EmbreeWidth<Width>::RayHit;
     const auto one = [scene = mode.scene](QueryOptions& options, const int* valid, Packet* packet) {
@@ -181,11 +181,11 @@ Contender closest_contender(SharedBatch<Width, typename EmbreeWidth<Width>::RayH
     return {fmt::format("{} {}", mode.name, Width), (Width <= mode.yardstick_widths),
             [batch] { batch->packets = batch->pristine; },
             [=] { return run_batch(*batch, *arena, mode.coherent, one); },
-            [=] { return read_answers(*batch, NO_TRIANGLE, answer); }};
+            [=] { return read_answers(*batch, INVALID_INDEX, answer); }};
 }
 
 template <int Width>
-Contender any_contender(SharedBatch<Width, typename EmbreeWidth<Width>::Ray> batch,
+Candidate any_candidate(SharedBatch<Width, typename EmbreeWidth<Width>::Ray> batch,
                         const Arena& arena, const Mode& mode) {
     using Packet = typename EmbreeWidth<Width>::Ray;
     const auto one = [scene = mode.scene](QueryOptions& options, const int* valid, Packet* packet) {
@@ -219,7 +219,7 @@ void for_all_variants(const EmbreeScenes& scenes, int yardstick_widths, const Ad
 }
 
 template <class Input>
-std::vector<Contender> any_contenders(const EmbreeScenes& scenes, const Arena& arena,
+std::vector<Candidate> any_candidates(const EmbreeScenes& scenes, const Arena& arena,
                                       const Input& input) {
     const auto make = [&]<int Width>(std::integral_constant<int, Width>) {
         if constexpr (std::is_same_v<Input, RaySet>)
@@ -230,13 +230,13 @@ std::vector<Contender> any_contenders(const EmbreeScenes& scenes, const Arena& a
     const auto batches =
         std::tuple(make(std::integral_constant<int, 1>{}), make(std::integral_constant<int, 8>{}),
                    make(std::integral_constant<int, 16>{}));
-    std::vector<Contender> contenders;
+    std::vector<Candidate> candidates;
     const int yardsticks = std::is_same_v<Input, RaySet> ? single : all_widths;
     for_all_variants(scenes, yardsticks, [&]<int Width>(const Mode& mode) {
         constexpr std::size_t index = Width == 1 ? 0 : Width == 8 ? 1 : 2;
-        contenders.push_back(any_contender<Width>(std::get<index>(batches), arena, mode));
+        candidates.push_back(any_candidate<Width>(std::get<index>(batches), arena, mode));
     });
-    return contenders;
+    return candidates;
 }
 
 }  // namespace
@@ -246,23 +246,23 @@ EmbreeQueries::EmbreeQueries(const EmbreeScenes& scenes, int threads)
       arena_(std::make_shared<tbb::task_arena>(
           threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic))) {}
 
-std::vector<Contender> EmbreeQueries::closest(const RaySet& rays) const {
+std::vector<Candidate> EmbreeQueries::closest(const RaySet& rays) const {
     const auto batches = std::tuple(make_batch<1, RTCRayHit>(rays), make_batch<8, RTCRayHit8>(rays),
                                     make_batch<16, RTCRayHit16>(rays));
-    std::vector<Contender> contenders;
+    std::vector<Candidate> candidates;
     for_all_variants(scenes_, single, [&]<int Width>(const Mode& mode) {
         constexpr std::size_t index = Width == 1 ? 0 : Width == 8 ? 1 : 2;
-        contenders.push_back(closest_contender<Width>(std::get<index>(batches), arena_, mode));
+        candidates.push_back(closest_candidate<Width>(std::get<index>(batches), arena_, mode));
     });
-    return contenders;
+    return candidates;
 }
 
-std::vector<Contender> EmbreeQueries::any(const RaySet& rays) const {
-    return any_contenders(scenes_, arena_, rays);
+std::vector<Candidate> EmbreeQueries::any(const RaySet& rays) const {
+    return any_candidates(scenes_, arena_, rays);
 }
 
-std::vector<Contender> EmbreeQueries::packets(const PacketSet& packets) const {
-    return any_contenders(scenes_, arena_, packets);
+std::vector<Candidate> EmbreeQueries::packets(const PacketSet& packets) const {
+    return any_candidates(scenes_, arena_, packets);
 }
 
 }  // namespace weft::bench

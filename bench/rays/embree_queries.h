@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 #include "bench/common/ray_sets.h"
 #include "device/executor.h"
 #include "device/native/embree_scene.h"
@@ -37,12 +37,12 @@ class EmbreeScenes {
 /// all three widths. Default mode and COHERENT packets come along.
 class EmbreeQueries {
   public:
-    /// `scenes` must outlive the contenders. `threads` is 0 for all.
+    /// `scenes` must outlive the candidates. `threads` is 0 for all.
     EmbreeQueries(const EmbreeScenes& scenes, int threads);
 
-    [[nodiscard]] std::vector<Contender> closest(const RaySet& rays) const;
-    [[nodiscard]] std::vector<Contender> any(const RaySet& rays) const;
-    [[nodiscard]] std::vector<Contender> packets(const PacketSet& packets) const;
+    [[nodiscard]] std::vector<Candidate> closest(const RaySet& rays) const;
+    [[nodiscard]] std::vector<Candidate> any(const RaySet& rays) const;
+    [[nodiscard]] std::vector<Candidate> packets(const PacketSet& packets) const;
 
   private:
     const EmbreeScenes& scenes_;

@@ -12,11 +12,11 @@ namespace {
 
 struct Column {
     const char* title;
-    const char* contender;
+    const char* candidate;
 };
 
 constexpr std::array columns{
-    Column{"opencl", contender_opencl},   Column{"native", contender_native},
+    Column{"opencl", candidate_opencl},   Column{"native", candidate_native},
     Column{"rob 1", "robust 1"},          Column{"rob 8", "robust 8"},
     Column{"rob 16", "robust 16"},        Column{"def 1", "default 1"},
     Column{"def 8", "default 8"},         Column{"def 16", "default 16"},
@@ -28,15 +28,15 @@ std::string number(const Figures* figures) {
     return figures == nullptr ? fmt::format("{:>8}", "-") : fmt::format("{:8.2f}", figures->mrays);
 }
 
-std::string ratio_text(const SetResult& set, const char* contender, double Timing::*value) {
-    const Figures* const own = set.find(contender);
+std::string ratio_text(const SetResult& set, const char* candidate, double Timing::*value) {
+    const Figures* const own = set.find(candidate);
     if (own == nullptr) return fmt::format("{:>8}", "-");
     return fmt::format("{:8.3f}", ratio_to_best(*own, set.figures, value).ratio);
 }
 
 /// How far the answers agree: rays that OpenCL answers differently, and at most any yardstick.
 std::string agreement(const SetResult& set) {
-    const Figures* const opencl = set.find(contender_opencl);
+    const Figures* const opencl = set.find(candidate_opencl);
     std::uint64_t yardsticks = 0;
     for (const Figures& figures : set.figures)
         if (figures.is_yardstick) yardsticks = std::max(yardsticks, figures.differing);
@@ -44,13 +44,13 @@ std::string agreement(const SetResult& set) {
                        yardsticks);
 }
 
-/// Smallest ratio of a contender on a ray set over the scenes.
+/// Smallest ratio of a candidate on a ray set over the scenes.
 nlohmann::json smallest_ratio(const std::vector<SceneResult>& scenes, const std::string& set_name,
-                              const std::string& contender, double Timing::*value = &Timing::ms) {
+                              const std::string& candidate, double Timing::*value = &Timing::ms) {
     nlohmann::json smallest;
     for (const SceneResult& scene : scenes)
         for (const SetResult& set : scene.sets) {
-            const Figures* const own = set.find(contender);
+            const Figures* const own = set.find(candidate);
             if (set.name != set_name || own == nullptr) continue;
             const double ratio = ratio_to_best(*own, set.figures, value).ratio;
             if (smallest.is_null() || ratio < smallest.get<double>()) smallest = ratio;
@@ -88,9 +88,9 @@ nlohmann::json figures_json(const Figures& figures, const SetResult& set) {
 
 }  // namespace
 
-const Figures* SetResult::find(const std::string& contender) const {
+const Figures* SetResult::find(const std::string& candidate) const {
     const auto found = std::find_if(figures.begin(), figures.end(),
-                                    [&](const Figures& f) { return f.name == contender; });
+                                    [&](const Figures& f) { return f.name == candidate; });
     return found == figures.end() ? nullptr : &*found;
 }
 
@@ -117,22 +117,22 @@ std::string table_heading(const SceneResult& scene) {
 
 std::string table_row(const SetResult& set) {
     std::string text = fmt::format("{:8}{:>9}", set.name, set.rays);
-    for (const Column& column : columns) text += number(set.find(column.contender));
-    const Figures* const opencl = set.find(contender_opencl);
+    for (const Column& column : columns) text += number(set.find(column.candidate));
+    const Figures* const opencl = set.find(candidate_opencl);
     text +=
         opencl == nullptr ? fmt::format("{:>8}", "-") : fmt::format("{:8.2f}", opencl->wall_mrays);
     for (const auto value : {&Timing::ms, &Timing::cpu_ms})
-        for (const char* const contender : {contender_opencl, contender_native})
-            text += ratio_text(set, contender, value);
+        for (const char* const candidate : {candidate_opencl, candidate_native})
+            text += ratio_text(set, candidate, value);
     return text + agreement(set) + "\n";
 }
 
 nlohmann::json scene_json(const SceneResult& scene) {
     nlohmann::json sets = nlohmann::json::array();
     for (const SetResult& set : scene.sets) {
-        nlohmann::json contenders = nlohmann::json::array();
-        for (const Figures& figures : set.figures) contenders.push_back(figures_json(figures, set));
-        sets.push_back({{"name", set.name}, {"rays", set.rays}, {"contenders", contenders}});
+        nlohmann::json candidates = nlohmann::json::array();
+        for (const Figures& figures : set.figures) candidates.push_back(figures_json(figures, set));
+        sets.push_back({{"name", set.name}, {"rays", set.rays}, {"contenders", candidates}});
     }
     return {{"name", scene.name},           {"triangles", scene.triangles},
             {"bvh_nodes", scene.bvh_nodes}, {"bvh_ms", scene.bvh_ms},
@@ -148,9 +148,9 @@ nlohmann::json summary_json(const std::vector<SceneResult>& scenes) {
          {"primary_closest_min", set_primary}}};
     for (const auto& [key, set] : sets) {
         const std::string name = key;
-        summary[name] = smallest_ratio(scenes, set, contender_opencl);
-        summary[name + "_cpu"] = smallest_ratio(scenes, set, contender_opencl, &Timing::cpu_ms);
-        summary["native_" + name] = smallest_ratio(scenes, set, contender_native);
+        summary[name] = smallest_ratio(scenes, set, candidate_opencl);
+        summary[name + "_cpu"] = smallest_ratio(scenes, set, candidate_opencl, &Timing::cpu_ms);
+        summary["native_" + name] = smallest_ratio(scenes, set, candidate_native);
     }
     return summary;
 }

@@ -9,26 +9,26 @@
 #include <string>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 
 namespace weft::bench {
 
-// Names of the ray sets and of Weft's own contenders, in tables and JSON.
+// Names of the ray sets and of Weft's own candidates, in tables and JSON.
 inline constexpr const char* set_primary = "primary";
 inline constexpr const char* set_closest = "closest";
 inline constexpr const char* set_any = "any";
 inline constexpr const char* set_packets = "packets";
-inline constexpr const char* contender_native = "native";
-inline constexpr const char* contender_opencl = "opencl";
+inline constexpr const char* candidate_native = "native";
+inline constexpr const char* candidate_opencl = "opencl";
 
-/// All contenders on one ray set of one scene.
+/// All candidates on one ray set of one scene.
 struct SetResult {
     std::string name;
     std::uint64_t rays = 0;
     std::vector<Figures> figures;
 
-    /// The contender of that name, or null.
-    [[nodiscard]] const Figures* find(const std::string& contender) const;
+    /// The candidate of that name, or null.
+    [[nodiscard]] const Figures* find(const std::string& candidate) const;
 };
 
 /// One scene's results.

@@ -62,13 +62,13 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
     app.add_flag("--quick", settings.quick, "fewer rays and runs, without the largest scene");
     app.add_option("--scenes", settings.scenes, "folder of scenes, each DIR/NAME/NAME.xml");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
-    app.add_option("--threads", settings.threads, "threads of every contender; 0: all")
+    app.add_option("--threads", settings.threads, "threads of every candidate; 0: all")
         ->check(CLI::Range(0, static_cast<int>(limits::max_threads)));
     app.add_option("--device", settings.device, "OpenCL device; default: the first processor");
     app.add_option("--only", settings.only, "measure only the scenes of these names");
     app.add_option("--sets", settings.sets, "measure only these ray sets")
         ->check(CLI::IsMember({set_primary, set_closest, set_any, set_packets}));
-    app.add_option("--repetitions", settings.repetitions, "timed runs of every contender")
+    app.add_option("--repetitions", settings.repetitions, "timed runs of every candidate")
         ->check(CLI::Range(1, 1000));
     if (const auto code = parse_arguments(app, argc, argv)) {
         status = *code;
@@ -85,12 +85,12 @@ class SceneBench {
         : settings_(settings),
           flat_(flat),
           frame_(record_frame(native, flat, camera)),
-          native_(contender_native, native, *frame_.scene),
+          native_(candidate_native, native, *frame_.scene),
           embree_scenes_(geometry(), settings.threads),
           embree_(embree_scenes_, settings.threads) {
         if (opencl == nullptr) return;
         opencl_scene_ = opencl->make_scene(geometry());
-        opencl_.emplace(contender_opencl, *opencl, *opencl_scene_);
+        opencl_.emplace(candidate_opencl, *opencl, *opencl_scene_);
     }
 
     /// Measures the wanted ray sets; `show` is given each as it is done.
@@ -132,10 +132,10 @@ class SceneBench {
     template <class Make>
     [[nodiscard]] SetResult measure_set(const char* name, AnswerKind kind, std::uint64_t rays,
                                         const Make& make) const {
-        std::vector<Contender> contenders{make(native_)};
-        if (opencl_) contenders.push_back(make(*opencl_));
-        for (Contender& contender : make(embree_)) contenders.push_back(std::move(contender));
-        return {name, rays, measure(contenders, kind, rays, settings_.runs())};
+        std::vector<Candidate> candidates{make(native_)};
+        if (opencl_) candidates.push_back(make(*opencl_));
+        for (Candidate& candidate : make(embree_)) candidates.push_back(std::move(candidate));
+        return {name, rays, measure(candidates, kind, rays, settings_.runs())};
     }
 
     const Settings& settings_;

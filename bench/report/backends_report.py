@@ -166,7 +166,7 @@ def make(report, output):
         "# Backends, kernel by kernel", "",
         "Made by `bench/report/backends_report.py` from what `./weft bench kernels` measured; "
         "[benchmarks](../benchmarks.md#kernels) says how, and what each column means.", "",
-        f'{report_file.about(report)} Pictures of {report["size"]} × {report["size"]} pixels, '
+        f'{report_file.about(report)} Images of {report["size"]} × {report["size"]} pixels, '
         f'medians of {report["repetitions"]} frames; the backends take turns, frame by frame. '
         f'`path` makes {report["path_samples"]} samples per pixel. A ratio is the time over that '
         f"of {base}: below 1 is faster.", "", device_table(report["devices"]),

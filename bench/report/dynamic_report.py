@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes one HTML page of what `./weft bench dynamic --report FOLDER` left in a folder.
 
-The page holds everything, plots and pictures included, and needs nothing else to be seen. Needs
+The page holds everything, plots and images included, and needs nothing else to be seen. Needs
 only Python's standard library:
     python3 bench/report/dynamic_report.py FOLDER
 """
@@ -120,12 +120,12 @@ def plots(methods, colours):
     return "\n".join(plot for plot in drawn if plot)
 
 
-def picture(folder, entry):
+def image(folder, entry):
     file = folder / "pictures" / pathlib.Path(entry["file"]).name
     try:
         data = base64.b64encode(file.read_bytes()).decode("ascii")
     except OSError as error:
-        raise BadInput(f"{file}: {error.strerror}, expected a picture of the report") from error
+        raise BadInput(f"{file}: {error.strerror}, expected an image of the report") from error
     return (f'<td><img alt="frame {entry["frame"]}" src="data:image/png;base64,{data}">'
             f'frame {entry["frame"]}</td>')
 
@@ -135,7 +135,7 @@ def contact_sheet(folder, sequence):
     rows = [("converged", sequence.get("pictures", ()))]
     rows += [(method["method"], method.get("pictures", ())) for method in sequence["methods"]]
     lines = [f"<tr><td>{html.escape(name)}</td>"
-             + "".join(picture(folder, entry) for entry in entries) + "</tr>"
+             + "".join(image(folder, entry) for entry in entries) + "</tr>"
              for name, entries in rows if entries]
     if not lines:
         return ""
@@ -153,12 +153,12 @@ def sequence_part(folder, sequence):
                       plots(methods, colours), contact_sheet(folder, sequence)])
 
 
-def audit_part(sequences):
+def validation_part(sequences):
     headings = ("frames", "compared", "differing", "connections_traced", "connections_affected")
     rows = [[f'{sequence["scene"]}: {sequence["happening"]}', method["method"],
              *(method[heading] for heading in headings)]
             for sequence in sequences for method in sequence["methods"]]
-    return "<h2>Audit</h2>" + table(["sequence", "method",
+    return "<h2>Validation</h2>" + table(["sequence", "method",
                                      *(h.replace("_", " ") for h in headings)], rows)
 
 
@@ -179,12 +179,12 @@ def summary_part(summary):
     rows = [[name.replace("_", " "), f"{value:.4g}"] for name, value in summary.items()
             if isinstance(value, (int, float))]
     parts = [table(["summary", ""], rows)]
-    happenings = summary.get("by_happening") or {}
-    if happenings:
-        figures = sorted({name for row in happenings.values() for name in row})
+    events = summary.get("by_happening") or {}
+    if events:
+        figures = sorted({name for row in events.values() for name in row})
         parts.append(table(["by what happens", *(name.replace("_", " ") for name in figures)],
-                           [[happening, *(cell(row.get(name), 2) for name in figures)]
-                            for happening, row in happenings.items()]))
+                           [[event, *(cell(row.get(name), 2) for name in figures)]
+                            for event, row in events.items()]))
     return "\n".join(parts)
 
 
@@ -199,7 +199,7 @@ def page(folder, report):
              "<h1>Scenes that move</h1>", f"<p>{html.escape(about)}. The page docs/benchmarks.md "
              "says what the figures mean.</p>", summary_part(report["summary"])]
     if report["mode"] == "audit":
-        parts.append(audit_part(report["sequences"]))
+        parts.append(validation_part(report["sequences"]))
     elif report["mode"] == "static":
         parts.append(static_part(report["scenes"]))
     else:

@@ -5,8 +5,8 @@
 import markdown_table
 
 # Means to reach in the end: times as fast as amax and as igi, percent of the pixels.
-STRETCH_FULL, STRETCH_IGI = 4.0, 6.0
-STRETCH_P75, STRETCH_P95, STRETCH_DISPLAY = 0.3, 0.15, 3.0
+GOAL_FULL, GOAL_IGI = 4.0, 6.0
+GOAL_P75, GOAL_P95, GOAL_DISPLAY = 0.3, 0.15, 3.0
 GATHERING = "gathering"
 # Stages by the part of a frame that they belong to.
 GROUPS = {
@@ -42,15 +42,15 @@ def bound(ais, amax):
 
 
 def time_limit(speedup, most, parts, sampled):
-    """In words, what keeps a scene from the stretch."""
-    if speedup is not None and speedup >= STRETCH_FULL:
-        return "stretch reached"
+    """In words, what keeps a scene from the goal."""
+    if speedup is not None and speedup >= GOAL_FULL:
+        return "goal reached"
     total = sum(parts.values())
     fixed = {name: ms for name, ms in parts.items() if name != GATHERING}
     largest = max(fixed, key=fixed.get)
     if total <= 0.0:
         return ""
-    if most is not None and most < STRETCH_FULL:
+    if most is not None and most < GOAL_FULL:
         return f"{largest}, {100.0 * fixed[largest] / total:.0f} %"
     words = f"gathering, {100.0 * parts[GATHERING] / total:.0f} %"
     if sampled is not None:
@@ -82,16 +82,16 @@ def time_row(scene):
 def time_table(scenes):
     rows = [row for row in map(time_row, scenes) if row]
     return markdown_table.table(
-        ["scene", "A, ms", *GROUPS, BETWEEN, f"FULL (of {STRETCH_FULL:g})", "bound",
-         f"over IGI (of {STRETCH_IGI:g})", "limited by"], rows)
+        ["scene", "A, ms", *GROUPS, BETWEEN, f"FULL (of {GOAL_FULL:g})", "bound",
+         f"over IGI (of {GOAL_IGI:g})", "limited by"], rows)
 
 
-def error_limit(own, dense, stretch):
-    if own <= stretch:
-        return "stretch reached"
+def error_limit(own, dense, goal):
+    if own <= goal:
+        return "goal reached"
     if dense is None:
         return ""
-    if dense > stretch:
+    if dense > goal:
         return f"what A-MAX has as well, {100.0 * min(dense, own) / own:.0f} % of it"
     return "samples left out"
 
@@ -103,13 +103,13 @@ def error_row(scene):
         return None
     return [scene["scene"], markdown_table.number(own, 2), markdown_table.number(dense, 2),
             markdown_table.number(None if dense is None else own - dense, 2),
-            markdown_table.number(own / STRETCH_P75, 1),
-            error_limit(own, dense, STRETCH_P75)]
+            markdown_table.number(own / GOAL_P75, 1),
+            error_limit(own, dense, GOAL_P75)]
 
 
 def error_table(scenes):
     rows = [row for row in map(error_row, scenes) if row]
-    return markdown_table.table(["scene", "A", "A-MAX", "A more", "times the stretch",
+    return markdown_table.table(["scene", "A", "A-MAX", "A more", "times the goal",
                                  "limited by"], rows)
 
 
@@ -130,5 +130,5 @@ def high_table(scenes):
         rows.append([scene["scene"], *(markdown_table.number(figure, 2) for figure in figures)])
     rows.append(["**mean**", *(markdown_table.number(sum(values) / len(values), 2) if values
                                else "" for values in sums)])
-    return markdown_table.table(["scene", f"display 75 (of {STRETCH_DISPLAY:g})", "display 95",
+    return markdown_table.table(["scene", f"display 75 (of {GOAL_DISPLAY:g})", "display 95",
                                  "published 75", "published 95", "A, ms"], rows)

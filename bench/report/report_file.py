@@ -24,8 +24,8 @@ class Parser(argparse.ArgumentParser):
         self.exit(1, f"{self.prog}: {message}\n")
 
 
-def read_report(file, benchmark):
-    """The JSON that `./weft bench BENCHMARK --json` wrote."""
+def read_report(file, benchmark, key=None):
+    """The JSON that `./weft bench BENCHMARK --json` wrote, in which it is called `key`, if given."""
     try:
         report = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
@@ -33,7 +33,7 @@ def read_report(file, benchmark):
                        "--json writes") from error
     except ValueError as error:
         raise BadInput(f"{file}: is no JSON ({error})") from error
-    if not isinstance(report, dict) or report.get("benchmark") != benchmark:
+    if not isinstance(report, dict) or report.get("benchmark") != (key or benchmark):
         raise BadInput(f"{file}: is no report of bench {benchmark}")
     return report
 
@@ -60,15 +60,16 @@ def about(report):
             f'{versions["compiler"]} compiler, Embree {versions["embree"]}.')
 
 
-def run(name, benchmark, make):
-    """A whole program: `make(report, output)` writes the page and returns the files it wrote."""
+def run(name, benchmark, make, key=None):
+    """A whole program: `make(report, output)` writes the page and returns the files it wrote. `key`
+    is what reports call the benchmark, if not by its name."""
     parser = Parser(prog=name, description=f"Makes a page of what bench {benchmark} --json wrote.")
     parser.add_argument("report", type=pathlib.Path, help="JSON file")
     parser.add_argument("--output", type=pathlib.Path, help="the page; else beside the report")
     args = parser.parse_args()
     output = args.output or args.report.with_suffix(".md")
     try:
-        files = make(read_report(args.report, benchmark), output)
+        files = make(read_report(args.report, benchmark, key), output)
     except BadInput as error:
         print(f"{name}: {error}", file=sys.stderr)
         return EXIT_INPUT

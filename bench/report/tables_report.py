@@ -31,16 +31,16 @@ ALL_METHODS = ("igi", "amax", "ais", "ic", "tic")
 SCENES_OF = {"shipped": 11, "real": 8}  # how many a set has
 BENCHMARK = "tables"
 HIGH = "tables-high.json"
-# Table, column, what it is called, floor, stretch, whether more is better.
+# Table, column, what it is called, floor, goal, whether more is better.
 TARGETS = (("speedup", "ID", "speed-up ID", 2.7, None, True),
            ("speedup", "SS", "speed-up SS", 2.3, None, True),
            ("speedup", "PM", "speed-up PM", 2.9, None, True),
-           ("speedup", "FULL", "speed-up FULL", 2.8, frame_shares.STRETCH_FULL, True),
-           ("speedup", "FULL_A_vs_IGI", "A over IGI", 3.5, frame_shares.STRETCH_IGI, True),
+           ("speedup", "FULL", "speed-up FULL", 2.8, frame_shares.GOAL_FULL, True),
+           ("speedup", "FULL_A_vs_IGI", "A over IGI", 3.5, frame_shares.GOAL_IGI, True),
            ("hdrvdp_percent_of_pixels", "A_75", "HDR-VDP 75 %, A", 1.3,
-            frame_shares.STRETCH_P75, False),
+            frame_shares.GOAL_P75, False),
            ("hdrvdp_percent_of_pixels", "A_95", "HDR-VDP 95 %, A", 0.7,
-            frame_shares.STRETCH_P95, False))
+            frame_shares.GOAL_P95, False))
 
 
 def at(value, *path):
@@ -112,17 +112,17 @@ def verdict(value, target, more):
 
 def target_table(report):
     rows = []
-    for table, column, name, floor, stretch, more in TARGETS:
+    for table, column, name, floor, goal, more in TARGETS:
         row = [name]
         for key, _ in SETS:
             value = at(report, "summary", key, table, column)
             row.append(markdown_table.number(value, 2))
             if key == "shipped":
                 row += [f"{floor:g}", verdict(value, floor, more),
-                        "" if stretch is None else f"{stretch:g}", verdict(value, stretch, more)]
+                        "" if goal is None else f"{goal:g}", verdict(value, goal, more)]
         row.append(markdown_table.number(published_means(report, table).get(column), 2))
         rows.append(row)
-    return markdown_table.table(["mean", "here", "floor", "", "stretch", "", "other scenes",
+    return markdown_table.table(["mean", "here", "floor", "", "goal", "", "other scenes",
                                  "published"], rows)
 
 
@@ -155,7 +155,7 @@ def about(report):
     """Machine, versions and the command, alike on both pages."""
     machine, device, versions = report["machine"], report["device"], report["versions"]
     samples = sorted({at(scene, "reference", "samples") for scene in report["scenes"]} - {None})
-    rows = [["picture", f'{report["size"]} × {report["size"]} pixels, quality '
+    rows = [["image", f'{report["size"]} × {report["size"]} pixels, quality '
              f'`{report["quality"]}`, {report["repetitions"]} repetitions'],
             ["rendered by", f'{device["backend"]}, {device["name"]}, {device["driver"]} '
              f'{device["version"]}, {device["lanes"]} lanes'],
@@ -214,7 +214,7 @@ def tables_page(report):
 def errors_page(report, high):
     parts = [
         "# Errors of the published tables", "",
-        "How far the pictures of the [tables](tables.md) are from path tracing, by several "
+        "How far the images of the [tables](tables.md) are from path tracing, by several "
         "measures.", "", about(report)]
     for heading, table, columns, decimals, meaning in (
             ("HDR-VDP, published protocol", "hdrvdp_percent_of_pixels", SHARES, 2,
@@ -223,12 +223,12 @@ def errors_page(report, high):
              "100 cd/m² at value 1, no exposure; percent of the pixels."),
             ("HDR-FLIP", "hdrflip", METHODS, 4, "Mean over the pixels, from 0 to 1."),
             ("relMSE", "relmse", METHODS, 4, "Squared error over the squared reference."),
-            ("Bias", "bias", METHODS, 4, "Of the mean of the picture, relative to the "
+            ("Bias", "bias", METHODS, 4, "Of the mean of the image, relative to the "
              "reference's.")):
         parts += ["", f"## {heading}", "", meaning, "",
                   tables_by_set(report, table, columns, decimals)]
     parts += ["", "## What limits them", "",
-              "How many times the stretch of 0.3 % of the pixels (75 %) the error of A is, and "
+              "How many times the goal of 0.3 % of the pixels (75 %) the error of A is, and "
               "whether it is the samples that A leaves out or what A-MAX, with samples everywhere, "
               "has as well: the number of virtual lights, their bounds, and interleaving."]
     for name, title in SETS:
@@ -237,7 +237,7 @@ def errors_page(report, high):
     if high:
         parts += ["", "## At a higher quality", "",
                   f'Errors of A at `--quality {high["quality"]}`, percent of the pixels. The '
-                  f"stretch is {frame_shares.STRETCH_DISPLAY:g} % on a display (75 %).", "",
+                  f"goal is {frame_shares.GOAL_DISPLAY:g} % on a display (75 %).", "",
                   "```sh",
                   command(high, f"--json docs/results/{HIGH}"), "```"]
         for name, title in SETS:

@@ -51,7 +51,7 @@ struct Settings {
     [[nodiscard]] bool wants(const std::string& axis) const {
         return only.empty() || std::find(only.begin(), only.end(), axis) != only.end();
     }
-    [[nodiscard]] std::uint32_t picture_size() const { return size > 0 ? size : quick ? 64 : 256; }
+    [[nodiscard]] std::uint32_t image_size() const { return size > 0 ? size : quick ? 64 : 256; }
     [[nodiscard]] std::uint32_t most_threads() const {
         return threads > 0 ? static_cast<std::uint32_t>(threads)
                            : std::max(1U, std::thread::hardware_concurrency());
@@ -76,7 +76,7 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
     for (const auto& [name, algorithm] : algorithms) names.push_back(name);
     CLI::App app{"Time and error against triangles, pixels, VPLs, lights, threads, optical depth"};
     app.add_flag("--quick", settings.quick,
-                 "small pictures, fewer points and runs, coarse references");
+                 "small images, fewer points and runs, coarse references");
     app.add_option("--json", settings.json, "write machine, versions, all figures and laws");
     app.add_flag("--resume", settings.resume, "go on with the axes that the file lacks")
         ->needs("--json");
@@ -89,7 +89,7 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         ->check(CLI::IsMember(scaling_axis_names()));
     app.add_option("--methods", settings.methods, "algorithms to measure")
         ->check(CLI::IsMember(names));
-    app.add_option("--size", settings.size, "width and height of the picture")
+    app.add_option("--size", settings.size, "width and height of the image")
         ->check(CLI::Range(16, 1024));
     app.add_option("--repetitions", settings.repetitions, "timed frames at every point")
         ->check(CLI::Range(1, 1000));
@@ -109,7 +109,7 @@ GrowingReport open_report(const Settings& settings, const ScalingRun& run,
     GrowingReport report(settings.json,
                          {{"benchmark", "scaling"},
                           {"quick", settings.quick},
-                          {"size", settings.picture_size()},
+                          {"size", settings.image_size()},
                           {"repetitions", run.repetitions},
                           {"warm_up", run.warm_up},
                           {"reference_spp", run.reference_spp},
@@ -131,7 +131,7 @@ void run(const Settings& settings) {
     const ScalingRun how = settings.run();
     GrowingReport report = open_report(settings, how, *executor);
     for (const ScalingAxis& axis :
-         scaling_axes(settings.picture_size(), settings.most_threads(), settings.quick)) {
+         scaling_axes(settings.image_size(), settings.most_threads(), settings.quick)) {
         if (!settings.wants(axis.name) || report.has({{"axis", axis.name}})) continue;
         report.add(
             axis_json(axis, how.methods, measure_axis(axis, how, *executor, *path_executor)));

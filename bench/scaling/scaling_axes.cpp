@@ -13,8 +13,8 @@ namespace weft::bench {
 namespace {
 
 /// The instance of box_scene that gives light.
-constexpr std::size_t lamp = 1;
-/// Half the edge of the part of the ceiling that a grid of lamps is spread over.
+constexpr std::size_t area_light = 1;
+/// Half the edge of the part of the ceiling that a grid of area lights is spread over.
 constexpr double ceiling_half = 0.6;
 
 /// Host memory at its highest for a triangle of a generated scene: mesh, flat scene, builder and
@@ -80,17 +80,18 @@ ScalingAxis lights_axis(std::uint32_t size, bool quick) {
     const SamplingSettings standard;
     const double all_sampled =
         static_cast<double>(standard.max_samples_per_set) / standard.samples_per_light;
-    ScalingAxis axis{"lights",
-                     "area lights",
-                     "a room with a few boxes and a ceiling of lamps of the same area together",
-                     {LawKind::line, all_sampled},
-                     false,
-                     true,
-                     {}};
+    ScalingAxis axis{
+        "lights",
+        "area lights",
+        "a room with a few boxes and a ceiling of area lights of the same area together",
+        {LawKind::line, all_sampled},
+        false,
+        true,
+        {}};
     for (const double edge : only_some({1, 2, 4, 8, 16, 32, 64}, quick)) {
         ScalingPoint point;
         point.x = edge * edge;
-        point.scene = [edge] { return lamps_scene(static_cast<std::uint32_t>(edge)); };
+        point.scene = [edge] { return area_lights_scene(static_cast<std::uint32_t>(edge)); };
         point.size = size;
         axis.points.push_back(point);
     }
@@ -136,10 +137,10 @@ ScalingAxis depth_axis(std::uint32_t size, bool quick) {
 
 }  // namespace
 
-Scene lamps_scene(std::uint32_t edge) {
+Scene area_lights_scene(std::uint32_t edge) {
     Scene scene = box_scene();
-    const Instance whole = scene.instances[lamp];
-    scene.instances.erase(scene.instances.begin() + lamp);
+    const Instance whole = scene.instances[area_light];
+    scene.instances.erase(scene.instances.begin() + area_light);
     const double step = 2.0 * ceiling_half / edge;
     const glm::dvec3 place(whole.to_world[3]);
     for (std::uint32_t k = 0; k < edge; ++k)

@@ -31,20 +31,20 @@ struct ScalingAxis {
     std::string setting;  ///< what is the same at all points
     Law law;              ///< of the time of a frame
     bool builds = false;  ///< the acceleration structure is timed as well
-    bool errors = false;  ///< pictures are compared with references
+    bool errors = false;  ///< images are compared with references
     std::vector<ScalingPoint> points;
 };
 
-/// All axes. `size` is that of pictures where it is not varied; `threads` the most to use.
+/// All axes. `size` is that of images where it is not varied; `threads` the most to use.
 [[nodiscard]] std::vector<ScalingAxis> scaling_axes(std::uint32_t size, std::uint32_t threads,
                                                     bool quick);
 
 /// The names of all axes.
 [[nodiscard]] std::vector<std::string> scaling_axis_names();
 
-/// A lit room with a few boxes, and in place of its lamp a grid of `edge`^2 smaller ones that take
-/// up the same area.
-[[nodiscard]] Scene lamps_scene(std::uint32_t edge);
+/// A lit room with a few boxes, and in place of its area light a grid of `edge`^2 smaller ones that
+/// take up the same area.
+[[nodiscard]] Scene area_lights_scene(std::uint32_t edge);
 
 /// A lit room with a few boxes, full of even fog. `depth`: optical depth along 2 scene units, from
 /// wall to wall.

@@ -17,7 +17,7 @@
 #include "render/camera_params.h"
 #include "render/renderer.h"
 #include "scene/flat_scene.h"
-#include "tradeoff/reference_pictures.h"
+#include "tradeoff/reference_images.h"
 
 namespace weft::bench {
 namespace {
@@ -66,7 +66,7 @@ class PointStage {
         const auto limit = limit_threads(point_.threads);
         Renderer& renderer = *renderers_[method];
         renderer.set_camera(camera_);
-        const Stopwatch watch;
+        const RunTimer watch;
         renderer.render_frame({});
         const double wall_ms = watch.elapsed().wall_ms;
         if (!counts) return;
@@ -109,12 +109,12 @@ void compare(const ScalingAxis& axis, const ScalingRun& run, Stages& stages,
              Executor& path_executor, AxisFrames& result) {
     for (std::size_t p = 0; p < stages.size(); ++p) {
         SharedScene shared(path_executor);
-        ReferencePictures references(run.references, shared, run.say);
+        ReferenceImages references(run.references, shared, run.say);
         const ReferenceWish wish{"scaling-" + axis.name, axis.points[p].size, true,
                                  run.reference_spp};
         const Reference reference = references.find(stages[p]->flat(), stages[p]->camera(), wish);
         for (std::size_t m = 0; m < run.methods.size(); ++m)
-            result.points[p].methods[m].errors = picture_errors(
+            result.points[p].methods[m].errors = image_errors(
                 reference.image, stages[p]->image(m), "", {.visible = false, .hdrflip = true});
     }
 }

@@ -12,11 +12,11 @@
 #include "bench/adaptive/adaptive_frames.h"
 #include "bench/scaling/scaling_axes.h"
 #include "device/executor.h"
-#include "tradeoff/picture_errors.h"
+#include "tradeoff/image_errors.h"
 
 namespace weft::bench {
 
-/// How the points of an axis are measured, and what their pictures are compared with.
+/// How the points of an axis are measured, and what their images are compared with.
 struct ScalingRun {
     std::vector<FrameMethod>
         methods;  ///< the points' own sampling settings take the place of theirs
@@ -33,7 +33,7 @@ struct MethodAtPoint {
     std::vector<double> wall_ms;  ///< repetition by repetition
     std::vector<double> device_ms;
     std::uint64_t rays = 0;
-    PictureErrors errors{};  ///< of frame 0; empty where the axis has none
+    ImageErrors errors{};  ///< of frame 0; empty where the axis has none
 };
 
 /// Everything measured at one point.

@@ -14,7 +14,7 @@ MovingTimes measure_moving(const BenchScene& source, const SamplingSettings& sam
                            std::uint32_t edge, std::uint32_t frames, Executor& executor,
                            Diagnostics& diagnostics) {
     const DynamicScene scene = load_dynamic_scene(source, diagnostics);
-    DynamicSequence sequence(scene.scene, scene.camera, *scene.probe, Happening::box, frames);
+    DynamicSequence sequence(scene.scene, scene.camera, *scene.probe, Event::box, frames);
     FlatScene flat = flatten(sequence.at(0));
     DynamicRenderer ic(executor, {"ic", Algorithm::ic, sampling, false, true}, edge);
     DynamicRenderer tic(executor, {"tic", Algorithm::tic, sampling, false, true}, edge);

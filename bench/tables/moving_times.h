@@ -21,7 +21,7 @@ struct MovingTimes {
 };
 
 /// Frames of `edge` x `edge` pixels of the scene with a small box that slides across the middle of
-/// the picture, the sequence `box` of bench dynamic: by `ic` and `tic`, which take turns. `frames`:
+/// the image, the sequence `box` of bench dynamic: by `ic` and `tic`, which take turns. `frames`:
 /// at least 3. For scenes without media.
 [[nodiscard]] MovingTimes measure_moving(const BenchScene& source, const SamplingSettings& sampling,
                                          std::uint32_t edge, std::uint32_t frames,

@@ -51,7 +51,7 @@ struct Settings {
     std::string shipped = WEFT_SOURCE_DIR "/scenes";
     std::string json;
     std::string pages;
-    std::string pictures;
+    std::string images;
     std::string backend = "opencl";
     std::string device;
     std::string references = WEFT_SOURCE_DIR "/build/references";
@@ -97,7 +97,7 @@ struct Settings {
         run.layers = false;
         run.references = references;
         run.reference_spp = reference_spp > 0 ? reference_spp : quick ? 64 : 2500;
-        run.pictures = pictures;
+        run.images = images;
         run.say = [](const std::string& text) { print(text + "\n"); };
         return run;
     }
@@ -110,7 +110,7 @@ struct Settings {
 
 void add_options(CLI::App& app, Settings& settings) {
     app.add_flag("--quick", settings.quick,
-                 "a smaller picture, fewer runs, coarse references, the scenes of Weft alone");
+                 "a smaller image, fewer runs, coarse references, the scenes of Weft alone");
     app.add_flag("--resume", settings.resume, "go on with the run that the JSON file holds");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
     app.add_option("--pages", settings.pages,
@@ -130,7 +130,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--device", settings.device, "OpenCL device; default: the first processor");
     app.add_option("--threads", settings.threads, "threads of every method; 0: all")
         ->check(CLI::Range(0, static_cast<int>(limits::max_threads)));
-    app.add_option("--size", settings.size, "width and height of the picture")
+    app.add_option("--size", settings.size, "width and height of the image")
         ->check(CLI::Range(16, 4096));
     app.add_option("--repetitions", settings.repetitions, "timed frames of every method")
         ->check(CLI::Range(1, 1000));
@@ -138,7 +138,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
         ->check(CLI::Range(1U, limits::max_samples_per_pixel));
     app.add_flag("--no-errors", settings.without_errors, "times alone, without references");
-    app.add_option("--pictures", settings.pictures, "folder to write all pictures to");
+    app.add_option("--pictures", settings.images, "folder to write all images to");
     app.add_option("--published", settings.published,
                    "JSON file of published figures to put beside these");
 }

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/common/contender.h"
+#include "bench/common/candidate.h"
 #include "bench/tables/shipped_scenes.h"
 
 namespace weft::bench {
@@ -184,7 +184,7 @@ void add_error_rows(const AdaptiveScene& scene, nlohmann::json& rows) {
     };
     for (const Method& method : methods) {
         const MethodErrors* const of_method = scene.errors_of(method.name);
-        const PictureErrors errors = of_method != nullptr ? of_method->box.beauty : PictureErrors{};
+        const ImageErrors errors = of_method != nullptr ? of_method->box.beauty : ImageErrors{};
         const std::string column = method.column;
         const auto add_shares = [&](const char* table, const std::optional<VisibleShares>& shares) {
             add(table, column + "_75", shares ? std::optional(shares->p75) : std::nullopt);

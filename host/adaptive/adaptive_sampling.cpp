@@ -13,7 +13,8 @@
 namespace weft {
 namespace {
 
-/// Slots for every pixel and the padding of every list: one per round, region and sample set.
+/// The most slots that a frame may use: one for every pixel, and the padding of every list, of
+/// which there is one per round, region and sample set.
 std::uint32_t most_slots(const TileGrid& grid, std::uint32_t interleave) {
     constexpr std::uint32_t rounds = 3;
     const std::uint32_t regions = work_regions(grid);
@@ -35,7 +36,7 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
       slope_(settings.luminance_scale),
       memory_(grid.tiles()),
       slots_(most_slots(grid, settings.interleave)),
-      no_slots_(std::size_t{grid.width} * grid.height, NO_TRIANGLE) {
+      no_slots_(std::size_t{grid.width} * grid.height, INVALID_INDEX) {
     const std::size_t planes = receiver_planes(features);
     slot_pixel_ = allocate<kinds::SlotPixels>(executor, slots_, "adaptive work list");
     pixel_slot_ = allocate<kinds::PixelSlots>(executor, no_slots_.size(), "adaptive pixel slots");
@@ -50,7 +51,7 @@ AdaptiveSampling::AdaptiveSampling(Executor& executor, const TileGrid& grid,
 void AdaptiveSampling::sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
                               TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance,
                               const Steps& steps) {
-    // The records of tiles may not have been written then.
+    // A cancelled frame may not have written the records of its tiles.
     if (frame.executor.cancelled()) return;
     double host_ms = 0.0;
     const auto round = [&](const auto& decide) {
@@ -78,7 +79,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
                 continue;
             }
             const auto points = signal(frame, component, gbuffer, level, irradiance);
-            // What a frame that ended has not written says nothing.
+            // A frame that ended early may not have written the signal, so nothing is judged.
             if (frame.ended_early()) break;
             round([&] { return scheduler_->refine(level, points, slope_); });
         }
@@ -95,9 +96,9 @@ void AdaptiveSampling::begin(const FrameContext& frame) {
         memory_.begin_sequence();
         fade_.begin_sequence();
     }
-    if (frame.begins == FrameContext::Begins::picture) {
-        memory_.begin_picture();
-        fade_.begin_picture();
+    if (frame.begins == FrameContext::Begins::image) {
+        memory_.begin_image();
+        fade_.begin_image();
     }
 }
 
@@ -117,13 +118,13 @@ void AdaptiveSampling::run_round(FrameContext& frame, const char* component, con
                                  const Steps& steps) {
     const auto count = static_cast<std::uint32_t>(round_.pixels.size());
     const auto first = static_cast<std::uint32_t>(work_.pixels.size()) - count;
-    // Also in a frame that ends early: reconstruction finds the samples by their pixels.
+    // Runs even in a frame that ends early, because reconstruction finds samples by their pixels.
     frame.run_whole([&] {
         frame.run(Stage::receivers, component,
                   kernels::receivers{.surfaces = view(gbuffer),
                                      .slots = slots_,
                                      .slot_pixel = slot_pixel_,
-                                     .view_inside = frame.buffers.view_inside(),
+                                     .view_enclosing_media = frame.buffers.view_enclosing_media(),
                                      .receiver_planes = receivers_,
                                      .pixel_slot = pixel_slot_},
                   {.count = count, .first = first});

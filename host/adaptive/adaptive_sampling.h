@@ -17,22 +17,22 @@
 
 namespace weft {
 
-/// Samples of one component where its scheduler wants them: executes what LevelScheduler decides.
+/// Samples one component adaptively: makes the samples that its LevelScheduler decides on, and
+/// reconstructs the pixels between them.
 class AdaptiveSampling : public SamplingDecision {
   public:
-    /// What a component does in a frame.
+    /// The steps of a frame that each component does in its own way.
     struct Steps {
         /// Makes the samples of slots [first, first + count), both multiples of PACKET_BLOCK.
         std::function<void(std::uint32_t first, std::uint32_t count)> gather;
-        /// Where given: tells, once the coarse lattice has its samples, the least level of each
-        /// tile.
+        /// Optional: returns the least level of each tile once the coarse lattice has its samples.
         std::function<std::vector<Level>()> least_levels;
     };
 
     AdaptiveSampling(Executor& executor, const TileGrid& grid, const LevelSettings& settings,
                      std::uint32_t features);
 
-    /// Slots that a frame needs at most; the stride of this component's planes.
+    /// The most slots that a frame may use, and the stride of this component's planes.
     [[nodiscard]] std::uint32_t slots() const { return slots_; }
     /// Whether pixels may go without samples.
     [[nodiscard]] bool undersamples() const { return settings_.threshold > 0.0; }
@@ -41,12 +41,12 @@ class AdaptiveSampling : public SamplingDecision {
     [[nodiscard]] BufferRef<kinds::SlotPixels> slot_pixel() const { return slot_pixel_; }
     [[nodiscard]] BufferRef<kinds::PixelSlots> pixel_slot() const { return pixel_slot_; }
 
-    /// All rounds of a frame: `irradiance` by slot of the surfaces of a G-buffer, whose tiles are
-    /// `tiles`, made by `steps`.
+    /// Runs all rounds of a frame, in which `steps` makes samples of the surfaces of `gbuffer` and
+    /// leaves their irradiance, by slot, in `irradiance`. `tiles` are the tiles of the G-buffer.
     void sample(FrameContext& frame, const char* component, const GBuffer& gbuffer,
                 TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance, const Steps& steps);
 
-    /// Irradiance by slot to irradiance of every pixel.
+    /// Reconstructs the irradiance of every pixel from that of the slots.
     void reconstruct(FrameContext& frame, const char* component, const GBuffer& gbuffer,
                      const TileGeometry& tiles, BufferRef<kinds::SlotLight> irradiance,
                      BufferRef<kinds::ReconstructedLight> filtered);
@@ -62,7 +62,7 @@ class AdaptiveSampling : public SamplingDecision {
     }
 
   private:
-    /// Tells the memory of what the frame is the first.
+    /// Begins a sequence or an image in memory_ and fade_ where the frame is the first of one.
     void begin(const FrameContext& frame);
     /// Orders a round and adds it to the work list on the device; returns whether it has any pixel.
     bool take_round(FrameContext& frame, TileGeometry& tiles, const WorkList& round);
@@ -87,7 +87,7 @@ class AdaptiveSampling : public SamplingDecision {
     std::vector<std::uint32_t> no_slots_;
     std::optional<LevelScheduler> scheduler_;
     WorkList round_;
-    WorkList work_;  ///< of all rounds so far
+    WorkList work_;  ///< pixels of all rounds so far
 };
 
 }  // namespace weft

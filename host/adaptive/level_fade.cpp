@@ -25,8 +25,8 @@ void LevelFade::begin_sequence() {
     shown_.clear();
 }
 
-void LevelFade::begin_picture() {
-    // A picture without a whole frame shows nothing to go on from.
+void LevelFade::begin_image() {
+    // An image without a whole frame has no heights to fade from.
     if (!shown_.empty()) earlier_ = std::exchange(shown_, {});
 }
 

@@ -10,43 +10,44 @@
 
 namespace weft {
 
-/// How far a tile's height may fall from one picture to the next; a power of two, so that heights
+/// How far a tile's height may fall from one image to the next; a power of two, so that heights
 /// are exact.
 inline constexpr float fade_step = 0x1p-4F;
 
-/// Heights of tiles are 0, 1 and 2 for the coarse, middle and full level; between two of them a
-/// height is that of the coarser one and the share of the finer in what a picture shows of a tile.
+/// The height at which a tile shows one level alone: 0, 1 and 2 for coarse, middle and full. At a
+/// height between two of them a tile shows a blend of both, and the fraction of the height is the
+/// weight of the finer one.
 [[nodiscard]] constexpr float height_of(Level level) {
     return static_cast<float>(level);
 }
 
-/// The next level down from a height in [0, 2], and the next one up; both are the same at a level.
+/// The levels next below and above a height in [0, 2], which are the same at the height of a level.
 [[nodiscard]] Level level_below(float height);
 [[nodiscard]] Level level_above(float height);
 
-/// The height of a tile that is wanted at a level and had the height `earlier` in the picture
-/// before: it rises at once and falls by fade_step.
+/// The height of a tile that should have the level `wanted` and had the height `earlier` in the
+/// image before: it rises at once, but falls by fade_step at most.
 [[nodiscard]] float faded_height(float earlier, Level wanted);
 
-/// What the pictures of a sequence show of each tile. A tile that is no longer wanted as finely is
-/// faded over some pictures: at once, the error that is now let pass would be seen to come.
+/// Fades tiles to coarser levels over several images of a sequence, because an error that appears
+/// all at once would be noticed. Keeps the heights at which the images show each tile.
 class LevelFade {
   public:
-    /// Forgets all: the next picture is the first of a sequence.
+    /// Forgets all: the next image is the first of a sequence.
     void begin_sequence();
-    /// The next picture of the sequence.
-    void begin_picture();
+    /// The next image of the sequence.
+    void begin_image();
 
-    /// Takes the heights of a whole frame, one per tile; a picture's last frame counts.
+    /// Takes the heights of a whole frame, one per tile; an image's last frame counts.
     void show(std::vector<float> heights);
 
-    /// Heights in the picture before; empty where there is none. The same for all frames of a
-    /// picture.
+    /// Heights in the image before; empty where there is none. The same for all frames of an
+    /// image.
     [[nodiscard]] std::span<const float> earlier() const { return earlier_; }
 
   private:
     std::vector<float> earlier_;
-    std::vector<float> shown_;  ///< by the picture under way
+    std::vector<float> shown_;  ///< heights in the image under way
 };
 
 }  // namespace weft

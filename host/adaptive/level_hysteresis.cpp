@@ -8,7 +8,7 @@ namespace weft {
 namespace {
 
 constexpr std::array<Level, 2> raised_levels{Level::middle, Level::full};
-constexpr std::array<std::uint8_t, 2> nothing_held{quiet_pictures, quiet_pictures};
+constexpr std::array<std::uint8_t, 2> nothing_held{quiet_images, quiet_images};
 
 }  // namespace
 
@@ -22,13 +22,13 @@ void LevelHysteresis::begin_sequence() {
     clear_verdict();
 }
 
-void LevelHysteresis::begin_picture() {
-    // A picture without a whole frame says nothing.
+void LevelHysteresis::begin_image() {
+    // An image without a whole frame has no verdict.
     if (!judged_) return;
     for (std::size_t tile = 0; tile < quiet_.size(); ++tile)
         for (std::size_t i = 0; i < raised_levels.size(); ++i) {
             std::uint8_t& quiet = quiet_[tile][i];
-            const bool held = quiet < quiet_pictures;
+            const bool held = quiet < quiet_images;
             if (verdict_.asked[tile] >= raised_levels[i] ||
                 (held && verdict_.kept[tile] >= raised_levels[i])) {
                 quiet = 0;
@@ -57,9 +57,9 @@ std::vector<Level> LevelHysteresis::held() const {
     std::vector<Level> levels;
     levels.reserve(quiet_.size());
     for (const Quiet& quiet : quiet_)
-        levels.push_back(quiet[1] < quiet_pictures   ? Level::full
-                         : quiet[0] < quiet_pictures ? Level::middle
-                                                     : Level::coarse);
+        levels.push_back(quiet[1] < quiet_images   ? Level::full
+                         : quiet[0] < quiet_images ? Level::middle
+                                                   : Level::coarse);
     return levels;
 }
 

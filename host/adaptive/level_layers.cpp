@@ -10,7 +10,7 @@ namespace weft {
 
 namespace {
 
-/// Errors by tile as a layer; what is not finite is the largest number.
+/// Errors by tile as a layer; those that are not finite become the largest float.
 Layer error_layer(const std::string& name, std::span<const float> errors, const TileGrid& grid) {
     Layer layer{name, "Y", std::vector<float>(std::size_t{grid.width} * grid.height)};
     constexpr float largest = std::numeric_limits<float>::max();

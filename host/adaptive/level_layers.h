@@ -10,11 +10,11 @@
 
 namespace weft {
 
-/// Adds what the scheduler decided for a component to a picture, as layers of one channel:
+/// Adds what the scheduler decided for a component to an image, as layers of one channel:
 /// "COMPONENT.level", each tile's level (0 coarse, 1 middle, 2 full); "COMPONENT.samples", 1 where
 /// a pixel has a sample; "COMPONENT.error" and "COMPONENT.error_middle", the largest error, in just
 /// noticeable differences, that was expected of interpolating each tile's coarse or middle lattice,
-/// 0 where that was not judged and the largest number where it was none.
+/// 0 where that was not judged and the largest float where it was not finite.
 void add_level_layers(const std::string& component, const LevelScheduler& scheduler, Image& image);
 
 }  // namespace weft

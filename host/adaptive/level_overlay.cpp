@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "image/srgb.h"
+#include "base/srgb.h"
 #include "metrics/heat_map.h"
 #include "metrics/numeric.h"
 #include "metrics/rgb_view.h"
@@ -18,7 +18,7 @@
 namespace weft {
 namespace {
 
-/// Place of a layer's value on the colour scale, [0, 1]; none where the picture is to stay grey.
+/// Place of a layer's value on the colour scale, [0, 1]; none where the image is to stay grey.
 using Scale = std::optional<double> (*)(float value);
 
 std::optional<double> of_level(float value) {

@@ -11,21 +11,20 @@
 
 namespace weft {
 
-/// Errors, in just noticeable differences, at both ends of an overlay's colours, whose steps are
-/// logarithmic.
+/// Errors, in just noticeable differences, at both ends of an overlay's logarithmic colour scale.
 inline constexpr double darkest_error = 0.5;
 inline constexpr double brightest_error = 128.0;
 
-/// The layers of a picture that overlays are made of: those that add_level_layers added.
+/// The layers of an image that overlays are made of: those that add_level_layers added.
 [[nodiscard]] std::vector<std::string> overlay_layers(const Image& image);
 
-/// Whether a layer of that name would be one of them.
+/// Whether a layer of that name is one that overlays are made of.
 [[nodiscard]] bool is_overlay_layer(std::string_view name);
 
-/// The picture in grey, seen at 2^exposure_ev, half covered by the colours of viridis for what a
-/// layer of overlay_layers holds: levels from coarse to full, a sample or none, or errors. Errors
-/// of 0, where nothing was judged, leave the picture grey. Linear values for `write_png` without
-/// exposure.
+/// Shows a layer of overlay_layers on its image: the image in grey, at an exposure of
+/// 2^exposure_ev, half covered by the colours of viridis for the layer's levels (coarse to full),
+/// samples (one or none) or errors. Errors of 0, where nothing was judged, leave the image grey.
+/// Linear values for `write_png` without exposure.
 [[nodiscard]] Image level_overlay(const Image& image, const std::string& layer, double exposure_ev);
 
 }  // namespace weft

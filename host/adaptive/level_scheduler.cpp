@@ -12,13 +12,13 @@
 namespace weft {
 namespace {
 
-/// Of a second difference d of the means: between two points interpolation errs by up to d / 8, and
-/// the mean itself by d / 3 more than that of full sampling.
+/// Error per second difference d of the means: between two points interpolation errs by up to
+/// d / 8, and the mean itself by d / 3 more than that of full sampling.
 constexpr float curvature_share = 0.125F + 0.333F;
-/// Where only one neighbour is on the surface the difference to it stands in.
+/// Error per first difference, which is used where only one neighbour is on the surface.
 constexpr float slope_share = 0.25F;
 
-/// Half the stride divides second differences, and with them the error, by this.
+/// Factor by which half the stride divides second differences, and with them the error.
 constexpr float halving_gain = 4.0F;
 
 /// Offsets of the eight neighbours in the order of their bits.
@@ -65,8 +65,8 @@ float axis_error(std::span<const float> mean, std::size_t at, std::size_t step, 
     return 0.0F;
 }
 
-/// The level that an error of interpolating the lattice of `examined` asks for, by two steps where
-/// one will not do; coarse where it is let pass.
+/// The level that an error of interpolating the lattice of `examined` requires, two steps up where
+/// one is not enough; coarse where the error is below the threshold.
 Level asked_level(Level examined, float error, float threshold) {
     if (error < threshold) return Level::coarse;
     const bool both = examined == Level::middle || !(error < halving_gain * threshold);
@@ -113,7 +113,7 @@ LevelScheduler::LevelScheduler(const TileGrid& grid, const LevelSettings& settin
         if (mask_of(records[tile].middle) != 0) base_[tile] = std::max(base_[tile], Level::middle);
     }
     levels_ = base_;
-    fine_ = window_masks(grid_, fine_);
+    fine_ = footprint_masks(grid_, fine_);
 }
 
 std::array<std::uint32_t, 3> LevelScheduler::tiles_by_level() const {

@@ -11,13 +11,14 @@
 
 namespace weft {
 
-/// How many tiles and pixels were sampled how densely.
+/// Numbers of tiles by their level, and of pixels that were sampled.
 struct LevelCounts {
     std::array<std::uint32_t, 3> tiles{};  ///< coarse, middle, full
     std::uint64_t samples = 0;             ///< pixels that are sampled in full
 };
 
-/// What has decided in the last frame where a component is sampled, as others may know it.
+/// Where a component was sampled in the last frame, as statistics, layers and the frame budget need
+/// to know it.
 class SamplingDecision {
   public:
     SamplingDecision() = default;
@@ -26,10 +27,11 @@ class SamplingDecision {
     virtual ~SamplingDecision() = default;
 
     [[nodiscard]] virtual LevelCounts counts() const = 0;
-    /// Whether a higher or a lower threshold might change the samples of a frame like this.
+    /// Whether a higher threshold might save samples of a frame like this.
     [[nodiscard]] virtual bool can_save() const = 0;
+    /// Whether a lower threshold might add samples to a frame like this.
     [[nodiscard]] virtual bool can_spend() const = 0;
-    /// Adds layers named "COMPONENT...." of one channel to a picture.
+    /// Adds layers named "COMPONENT...." of one channel to an image.
     virtual void add_layers(const std::string& component, Image& image) const = 0;
 };
 

@@ -11,18 +11,19 @@
 
 namespace weft {
 
-/// How densely area lights are sampled, decided from what one ray to each light found.
+/// Where area lights are sampled with further shadow rays, decided from the probes.
 struct ShadowEdges {
     std::vector<Level> levels;  ///< by tile, the highest of its pixels
-    std::uint64_t pixels = 0;   ///< at the edge of a shadow, from where further rays may go
+    std::uint64_t pixels = 0;   ///< number of those at the edge of a shadow, which may be refined
 };
 
-/// Of a pixel: full where further rays may go to any light, coarse where one look has to do.
-/// `words`: what shadow_edges.cl wrote, a picture for every 32 lights.
+/// Level of one of the `pixels` of an image: full where any light may be refined by further shadow
+/// rays, coarse where the probes are all. `words`: what shadow_edges.cl wrote, for every 32 lights
+/// a plane of one word a pixel.
 [[nodiscard]] Level shadow_level(std::span<const std::uint32_t> words, std::size_t pixels,
                                  std::size_t pixel);
 
-/// Of a picture.
+/// Finds the shadow edges of an image from the same words.
 [[nodiscard]] ShadowEdges find_shadow_edges(const TileGrid& grid,
                                             std::span<const std::uint32_t> words);
 

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 const std::string media_alone = "media";
 
-/// What only path tracing knows.
+/// Reads the options of path tracing.
 void read_path(const CLI::App& command, RenderOptions& options) {
     namespace fs = std::filesystem;
     constexpr double least_error = 1e-9;
@@ -60,7 +60,7 @@ void read_path(const CLI::App& command, RenderOptions& options) {
         options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;
 }
 
-/// What path tracing has no layers of.
+/// Refuses components of which path tracing has no layers.
 void check_components(const RenderOptions& options) {
     if (options.algorithm != Algorithm::path) return;
     if (options.components)
@@ -84,7 +84,7 @@ void read_indirect(const CLI::App& command, RenderOptions& options) {
         throw usage_error("--indirect: is for adaptive sampling, expected --algorithm ais or amax");
 }
 
-/// What only records that outlast their frame know.
+/// Reads the options of records that outlast their frame.
 void read_temporal(const CLI::App& command, RenderOptions& options) {
     for (const char* const name : {"--cache-records", "--cache-masks"})
         if (value_of(command, name) && !options.keeps_records())
@@ -109,7 +109,7 @@ void read_cache_error(const CLI::App& command, RenderOptions& options) {
     options.cache_error = parse_number("--cache-error", *text, 0.0, 1.0);
 }
 
-/// What only records of hemispheres know.
+/// Reads the options of records that trace hemispheres.
 void read_hemispheres(const CLI::App& command, RenderOptions& options) {
     const bool traced = options.algorithm == Algorithm::irradiance_cache;
     if (const auto text = value_of(command, "--cache-rays")) {
@@ -126,7 +126,7 @@ void read_hemispheres(const CLI::App& command, RenderOptions& options) {
             "--algorithm");
 }
 
-/// The file of settings. What is given beside it comes after and wins.
+/// Reads the preset. Options given beside it are read later and override it.
 void read_preset_file(const CLI::App& command, RenderOptions& options) {
     const auto text = value_of(command, "--preset");
     if (!text) return;
@@ -137,8 +137,7 @@ void read_preset_file(const CLI::App& command, RenderOptions& options) {
     options.algorithm = options.preset->algorithm;
 }
 
-/// How many samples the file of settings asks for, where nothing on the command line says when to
-/// end.
+/// Takes the number of samples from the preset where no option says when to end.
 void read_preset_samples(RenderOptions& options) {
     const bool ends_otherwise =
         options.spp || options.samples || options.time_seconds || options.target_error;
@@ -147,7 +146,7 @@ void read_preset_samples(RenderOptions& options) {
 
 void read_compensation(const CLI::App& command, RenderOptions& options) {
     options.compensation = is_given(command, "--vpl-compensation");
-    // Another algorithm than the file was made for may know nothing of it.
+    // The command line may choose an algorithm that does not support the preset's compensation.
     if (options.preset && options.preset->sampling.compensation &&
         can_compensate(options.algorithm, options.indirect))
         options.compensation = true;
@@ -199,7 +198,7 @@ void add_algorithm(CLI::App& render) {
     add_flag(render, "--vpl-compensation",
              "Adds by path tracing what virtual lights leave out (not with path or records)");
     add_value(render, "--quality", "NAME",
-              "draft, preview or high: how much time the picture is worth (default: preview)");
+              "draft, preview or high: how much time the image is worth (default: preview)");
     add_value(render, "--preset", "FILE",
               "Settings from a JSON file, as `weft tradeoff` writes them; options given beside it "
               "win");

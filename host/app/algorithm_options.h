@@ -22,8 +22,8 @@ struct RenderOptions;
 /// Adds the options that choose what `weft render` computes.
 void add_algorithm(CLI::App& render);
 
-/// Reads them and what only some algorithms know, after all other options but those of frames.
-/// Throws Error (exit code 1).
+/// Reads these options and those of single algorithms, after all other options except those of
+/// frames. Throws Error (exit code 1).
 void read_algorithm(const CLI::App& command, RenderOptions& options);
 
 }  // namespace weft

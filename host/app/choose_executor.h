@@ -12,14 +12,14 @@
 
 namespace weft {
 
-/// The backend and device that the options ask for. Where they name no backend it is OpenCL if
-/// there is any device, else Embree, and a warning says so. Throws Error (exit code 3).
+/// The backend and device that the options name. Where they name no backend it is OpenCL if there
+/// is any device, else Embree, and a warning says so. Throws Error (exit code 3).
 [[nodiscard]] std::unique_ptr<Executor> choose_executor(const RenderOptions& options,
                                                         Diagnostics& diagnostics);
 
-/// What `weft selftest` runs on: the backend that the options name, or else the OpenCL device that
-/// they name or `weft render` would choose, if there is any, and both native backends. Throws Error
-/// (exit code 3).
+/// The executors that `weft selftest` runs on: the backend that the options name, or else the
+/// OpenCL device that they name or `weft render` would choose, if there is any, and both native
+/// backends. Throws Error (exit code 3).
 [[nodiscard]] std::vector<std::unique_ptr<Executor>> selftest_executors(
     const SelftestOptions& options);
 

@@ -19,8 +19,8 @@ namespace weft {
 /// An Error with exit code 1.
 [[nodiscard]] Error usage_error(const std::string& message);
 
-// The parser is a header library that takes long to compile: whoever only adds and reads options
-// does so by these functions.
+// The parser is a header library that takes long to compile, so code that only adds and reads
+// options uses these functions instead.
 
 /// Adds a command to the program.
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& description);

@@ -12,24 +12,25 @@ namespace weft {
 /// `weft render`: reads, renders, writes. Returns success or interrupted; failures are Errors.
 [[nodiscard]] ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics);
 
-/// `weft merge`: the exact union of sample ranges, as a picture that holds them.
+/// `weft merge`: adds up the exact sums of disjoint sample ranges, and writes an image that holds
+/// them.
 void merge_command(const MergeOptions& options);
 
-/// `weft compare`: how two pictures differ, on stdout, and a map of it.
+/// `weft compare`: prints how two images differ on stdout, and writes a map of their differences.
 void compare_command(const CompareOptions& options);
 
-/// `weft tradeoff`: what accuracy costs on a scene, in files of a folder and on stdout. Throws
-/// Error (exit code 130) where the user ends it.
+/// `weft tradeoff`: measures what accuracy costs on a scene, and writes files to a folder and a
+/// summary to stdout. Throws Error (exit code 130) where the user ends it.
 void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics);
 
-/// `weft info`: what a scene holds and calls for, on stdout.
+/// `weft info`: prints what a scene contains and needs on stdout.
 void info_command(const InfoOptions& options, Diagnostics& diagnostics);
 
-/// `weft devices`: what kernels can run on, on stdout.
+/// `weft devices`: prints the devices that can run kernels on stdout.
 void devices_command(const DevicesOptions& options);
 
-/// `weft selftest`: what has a known answer, on stdout. Returns success where all of it came out,
-/// else the code for devices that fail.
+/// `weft selftest`: runs the cases with known answers and prints their results on stdout. Returns
+/// success where all of them pass, else the code for devices that fail.
 [[nodiscard]] ExitCode selftest_command(const SelftestOptions& options);
 
 }  // namespace weft

@@ -26,8 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// One picture, as far as it is compared.
-struct Picture {
+/// The layer of an image that is compared.
+struct ComparedImage {
     std::vector<float> rgb;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -42,7 +42,7 @@ struct Map {
     double high = 1.0;
 };
 
-/// What has been measured, in order: rows of the table, keys of the JSON object, and the first map.
+/// Collects the results in order: rows of the table, keys of the JSON object, and the first map.
 struct Report {
     std::string table;
     json keys = json::object();
@@ -64,14 +64,14 @@ std::string layer_names(const Image& image) {
     return names;
 }
 
-void check_finite(const Picture& picture, const std::string& place) {
-    const std::size_t pixels = picture.view().pixels();
+void check_finite(const ComparedImage& compared, const std::string& place) {
+    const std::size_t pixels = compared.view().pixels();
     std::size_t count = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < pixels; ++i) {
-        const bool finite = std::isfinite(picture.rgb[i]) &&
-                            std::isfinite(picture.rgb[pixels + i]) &&
-                            std::isfinite(picture.rgb[2 * pixels + i]);
+        const bool finite = std::isfinite(compared.rgb[i]) &&
+                            std::isfinite(compared.rgb[pixels + i]) &&
+                            std::isfinite(compared.rgb[2 * pixels + i]);
         if (finite) continue;
         if (count++ == 0) first = i;
     }
@@ -79,11 +79,11 @@ void check_finite(const Picture& picture, const std::string& place) {
         throw input_error(place, fmt::format("{} of {} pixels {} NaN or infinite, the first at "
                                              "column {}, row {}; expected finite values",
                                              count, pixels, count == 1 ? "is" : "are",
-                                             first % picture.width, first / picture.width));
+                                             first % compared.width, first / compared.width));
 }
 
 /// Reads the colours of one layer; grey ones from a layer of one channel.
-Picture load_picture(const fs::path& path, const std::optional<std::string>& layer_name) {
+ComparedImage load_compared(const fs::path& path, const std::optional<std::string>& layer_name) {
     const std::string place = path.string();
     Image image = load_image(path);
     const Layer* layer = image.find(layer_name.value_or(""));
@@ -91,19 +91,19 @@ Picture load_picture(const fs::path& path, const std::optional<std::string>& lay
         throw input_error(place, (layer_name ? "has no layer " + quote(*layer_name)
                                              : std::string("has no beauty layer")) +
                                      ", its layers are: " + layer_names(image));
-    Picture picture{{}, image.width, image.height, is_display_referred(image)};
-    const std::size_t pixels = picture.view().pixels();
+    ComparedImage compared{{}, image.width, image.height, is_display_referred(image)};
+    const std::size_t pixels = compared.view().pixels();
     const bool grey = layer->channels.size() == 1;
     if (layer->words || (!grey && !layer->channels.starts_with("RGB")))
         throw input_error(place, "has the channels " + quote(layer->channels) +
                                      " in the layer to compare, expected RGB or a single one");
     const auto begin = layer->values.begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(grey ? pixels : 3 * pixels);
-    picture.rgb.reserve(3 * pixels);
+    compared.rgb.reserve(3 * pixels);
     for (int copy = 0; copy < (grey ? 3 : 1); ++copy)
-        picture.rgb.insert(picture.rgb.end(), begin, end);
-    check_finite(picture, place);
-    return picture;
+        compared.rgb.insert(compared.rgb.end(), begin, end);
+    check_finite(compared, place);
+    return compared;
 }
 
 /// null where there is no value, as JSON has no infinity either.
@@ -115,17 +115,18 @@ std::string number_text(const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "undefined";
 }
 
-/// Measures a pair of pictures, one metric after another.
+/// Measures a pair of images, one metric after another.
 class Comparison {
   public:
-    Comparison(const Picture& reference, const Picture& test, const CompareOptions& options)
+    Comparison(const ComparedImage& reference, const ComparedImage& test,
+               const CompareOptions& options)
         : reference_(reference),
           test_(test),
           options_(options),
           display_(reference.display_referred && test.display_referred),
           luminance_scale_(options.luminance_scale.value_or(display_ ? 80.0 : 100.0)) {}
 
-    /// What `options` asks for; FLIP in the variant that suits the pictures.
+    /// The metrics that the options choose; FLIP in the variant that suits the images.
     [[nodiscard]] std::vector<Metric> chosen() const {
         std::vector<Metric> metrics = options_.metrics;
         if (metrics.empty())
@@ -239,7 +240,8 @@ class Comparison {
         }
     }
 
-    /// The scale ends at the 99.9th percentile, for a single bright pixel would darken all others.
+    /// End of the map's scale: the 99.9th percentile, since a single bright pixel would darken all
+    /// others.
     static double relmse_end(std::vector<float> values) {
         const std::size_t place = values.size() - 1 - values.size() / 1000;
         const auto end = values.begin() + static_cast<std::ptrdiff_t>(place);
@@ -248,8 +250,8 @@ class Comparison {
     }
 
     void measure_display(Metric metric, Report& report) const {
-        Picture reference = reference_;
-        Picture test = test_;
+        ComparedImage reference = reference_;
+        ComparedImage test = test_;
         if (display_) {
             reference.rgb = srgb_encode(reference.rgb);
             test.rgb = srgb_encode(test.rgb);
@@ -278,8 +280,8 @@ class Comparison {
                        report);
     }
 
-    const Picture& reference_;
-    const Picture& test_;
+    const ComparedImage& reference_;
+    const ComparedImage& test_;
     const CompareOptions& options_;
     bool display_;
     double luminance_scale_;
@@ -289,8 +291,8 @@ class Comparison {
 }  // namespace
 
 void compare_command(const CompareOptions& options) {
-    const Picture reference = load_picture(options.reference, options.layer);
-    const Picture test = load_picture(options.test, options.layer);
+    const ComparedImage reference = load_compared(options.reference, options.layer);
+    const ComparedImage test = load_compared(options.test, options.layer);
     if (test.width != reference.width || test.height != reference.height)
         throw input_error(options.test.string(),
                           fmt::format("has {} x {} pixels, expected {} x {} as the reference {}",

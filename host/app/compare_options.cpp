@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The last one is no metric of its own.
+// The names of Metric in their order; the last one stands for all metrics.
 constexpr std::array<std::string_view, 13> metric_names = {
     "hdrvdp",     "flip", "hdrflip", "relmse",    "relmse_trimmed", "mape", "bias",
     "mean_ratio", "psnr", "ssim",    "pu21_psnr", "pu21_ssim",      "all"};
@@ -38,18 +38,18 @@ std::string_view to_string(Metric metric) {
 }
 
 void add_compare(CLI::App& app) {
-    CLI::App& compare = add_command(app, "compare", "Measures how two pictures differ");
-    add_value(compare, "REF", "", "Reference picture, .exr, .hdr or .png");
-    add_value(compare, "TEST", "", "Picture of the same size to compare with it");
+    CLI::App& compare = add_command(app, "compare", "Measures how two images differ");
+    add_value(compare, "REF", "", "Reference image, .exr, .hdr or .png");
+    add_value(compare, "TEST", "", "Image of the same size to compare with it");
     add_value(compare, "--metric", "NAME",
               "hdrvdp, flip, hdrflip, relmse, relmse_trimmed, mape, bias, mean_ratio, psnr, ssim, "
               "pu21_psnr, pu21_ssim or all; may be given several times (default: all)");
     add_value(compare, "--luminance-scale", "K",
-              "cd/m^2 of the value 1 (default: 100; 80 where both pictures are PNG)");
+              "cd/m^2 of the value 1 (default: 100; 80 where both images are PNG)");
     add_value(compare, "--ppd", "N", "Pixels per degree (default: 30 for HDR-VDP, 67.02 for FLIP)");
     add_value(compare, "--map", "FILE",
               "Writes a heat map, .png, of the first metric given that has one");
-    add_value(compare, "--layer", "NAME", "Layer of both pictures (default: beauty)");
+    add_value(compare, "--layer", "NAME", "Layer of both images (default: beauty)");
     add_flag(compare, "--json", "Prints JSON");
     add_flag(compare, "--legacy-fan", "Orientations of HDR-VDP exactly as in its version 1.7");
     add_flag(compare, "--legacy-otf-grid", "Optics of HDR-VDP exactly as in its version 1.7");
@@ -75,9 +75,9 @@ CompareOptions read_compare(const CLI::App& command) {
     if (!options.map) return options;
     if (extension_of(*options.map) != ".png")
         throw usage_error("--map: " + quote(options.map->string()) + ", expected a name in .png");
-    for (const fs::path& picture : {options.reference, options.test})
-        if (options.map->lexically_normal() == picture.lexically_normal())
-            throw usage_error("--map: names the same file as a picture to compare");
+    for (const fs::path& image : {options.reference, options.test})
+        if (options.map->lexically_normal() == image.lexically_normal())
+            throw usage_error("--map: names the same file as an image to compare");
     if (!options.metrics.empty() &&
         std::all_of(options.metrics.begin(), options.metrics.end(),
                     [](Metric metric) { return metric > Metric::relmse; }))

@@ -14,7 +14,7 @@ namespace weft {
 /// Adds the command `compare` with its options.
 void add_compare(CLI::App& app);
 
-/// Reads its values. Throws Error (exit code 1).
+/// Reads the options of the command. Throws Error (exit code 1).
 [[nodiscard]] CompareOptions read_compare(const CLI::App& command);
 
 }  // namespace weft

@@ -15,7 +15,7 @@
 namespace weft {
 namespace {
 
-/// Whether `other` is what some frame of the output `given` is written to.
+/// Whether some frame of the output `given` is written to `other`.
 bool is_numbered_output(const std::filesystem::path& given, const std::filesystem::path& other) {
     const std::filesystem::path output = given.lexically_normal();
     const std::filesystem::path path = other.lexically_normal();
@@ -33,7 +33,7 @@ bool is_numbered_output(const std::filesystem::path& given, const std::filesyste
 
 void add_frames(CLI::App& render) {
     add_value(render, "--frames", "A:B",
-              "Frames A to B - 1 of the scene's animation, each a picture of its own");
+              "Frames A to B - 1 of the scene's animation, each an image of its own");
     add_value(render, "--frame-rate", "R", "Frames per second of --frames (default: 30)");
     add_value(render, "--edits", "FILE",
               "Changes of objects, lights and materials over --frames, from a JSON file");
@@ -59,9 +59,9 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
     for (const char* const name : {"--samples", "--resume"})
         if (value_of(command, name))
             throw usage_error(std::string(name) +
-                              ": is for a single picture, expected it without --frames");
+                              ": is for a single image, expected it without --frames");
     if (options.stats && is_numbered_output(options.output, *options.stats))
-        throw usage_error("--stats: names the same file as one of the pictures of --frames");
+        throw usage_error("--stats: names the same file as one of the images of --frames");
 }
 
 std::filesystem::path numbered_output(const std::filesystem::path& output, std::uint32_t frame) {

@@ -23,7 +23,7 @@ struct FrameRange {
 /// Adds the options of animations to `weft render`.
 void add_frames(CLI::App& render);
 
-/// Reads them, after all other options have been read. Throws Error (exit code 1).
+/// Reads these options, after all others have been read. Throws Error (exit code 1).
 void read_frames(const CLI::App& command, RenderOptions& options);
 
 /// The file of one frame: `out.png` becomes `out.0007.png`, with more digits from 10000 on.

@@ -16,7 +16,7 @@
 namespace weft {
 namespace {
 
-/// What the scene calls for, in words.
+/// Names of the effects that the scene needs.
 std::vector<std::string> effects_of(const FlatScene& flat) {
     constexpr std::array<std::pair<std::uint32_t, const char*>, 9> names{{
         {FEATURE_AREA_LIGHTS, "area lights"},
@@ -38,7 +38,7 @@ std::vector<std::string> effects_of(const FlatScene& flat) {
     return effects;
 }
 
-/// Where a medium's extinction comes from.
+/// Describes where a medium's density comes from.
 std::string density_of(const Scene& scene, const Medium& medium) {
     if (medium.grid < 0) return "homogeneous";
     const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.grid)];
@@ -46,7 +46,7 @@ std::string density_of(const Scene& scene, const Medium& medium) {
                        grid.size[2], greatest_density(grid));
 }
 
-/// A medium in one line.
+/// Describes a medium in one line.
 std::string describe(const Scene& scene, const Medium& medium) {
     const auto colour = [](const glm::vec3& c) {
         return c.r == c.g && c.g == c.b ? fmt::format("{:g}", c.r)
@@ -64,7 +64,7 @@ nlohmann::json info_json(const Scene& scene) {
     const FramePlan plan = plan_for(flat, RenderSettings{});
     std::vector<std::string> active;
     for (const ComponentKind& kind : components())
-        if (kind.called_for(plan)) active.emplace_back(kind.name);
+        if (kind.is_enabled(plan)) active.emplace_back(kind.name);
     std::vector<std::string> kernels;
     for (const KernelId kernel : kernels_of(plan)) kernels.emplace_back(kernel_name(kernel));
     std::vector<std::string> media;
@@ -86,7 +86,7 @@ nlohmann::json info_json(const Scene& scene) {
             {"kernels", kernels}};
 }
 
-/// Names come from files: what would move a terminal's cursor becomes `?`.
+/// Text for a terminal. Names come from files, so characters that would move the cursor become `?`.
 std::string printable(std::string text) {
     for (char& c : text) {
         const auto code = static_cast<unsigned char>(c);

@@ -13,8 +13,8 @@
 namespace weft {
 namespace {
 
-// Programs that pass a signal on send it to the process and to its group; no one presses Ctrl-C
-// twice within this time.
+// Time within which a second signal is ignored: programs that pass a signal on send it to the
+// process and to its group. Nobody presses Ctrl-C twice so fast.
 constexpr std::int64_t repeat_milliseconds = 200;
 
 std::atomic<bool> requested{false};

@@ -20,7 +20,7 @@ class InterruptGuard {
     /// Clears the flag and installs the handlers.
     InterruptGuard();
 
-    /// Puts the earlier handlers back.
+    /// Restores the earlier handlers.
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;

@@ -63,13 +63,13 @@ void print_warnings(const weft::Diagnostics& diagnostics) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // A reader that has gone is an error of the write, not the end of the program.
+    // Writing to a pipe whose reader has gone must fail as an error and not end the program.
     std::signal(SIGPIPE, SIG_IGN);
     weft::Diagnostics diagnostics;
     try {
         const weft::ParsedCommand command = weft::parse_command_line(argc, argv);
 #if WEFT_HAS_OPENCL
-        // Before anything makes a thread or calls OpenCL.
+        // The server must be started before anything makes a thread or calls OpenCL.
         std::optional<weft::CompileServer> server;
         if (compiles_kernels(command)) server.emplace();
 #endif

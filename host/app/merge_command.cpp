@@ -10,7 +10,7 @@
 namespace weft {
 namespace {
 
-// What a part says of the picture beside its sums.
+// Metadata of the parts that the merged image keeps.
 constexpr const char* kept_metadata[] = {"software", "scene", "algorithm", "seed"};
 
 }  // namespace

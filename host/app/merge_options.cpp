@@ -9,8 +9,8 @@ namespace weft {
 
 void add_merge(CLI::App& app) {
     CLI::App& merge = add_command(app, "merge", "Joins samples that were rendered apart");
-    add_values(merge, "PART", "Pictures written with --samples or --resume");
-    add_value(merge, "-o,--output", "FILE", "Picture to write, .exr");
+    add_values(merge, "PART", "Images written with --samples or --resume");
+    add_value(merge, "-o,--output", "FILE", "Image to write, .exr");
 }
 
 MergeOptions read_merge(const CLI::App& command) {

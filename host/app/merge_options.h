@@ -14,7 +14,7 @@ namespace weft {
 /// Adds `weft merge` to the command line.
 void add_merge(CLI::App& app);
 
-/// Its options as given. Throws Error (exit code 1).
+/// Reads the options of the command. Throws Error (exit code 1).
 [[nodiscard]] MergeOptions read_merge(const CLI::App& command);
 
 }  // namespace weft

@@ -40,7 +40,7 @@ void add_render(CLI::App& app) {
     add_value(render, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_value(render, "-o,--output", "FILE",
-              "Picture to write, .exr or .png (default: the scene's name with .exr, in the current "
+              "Image to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
     add_algorithm(render);
     add_device_choice(
@@ -49,7 +49,7 @@ void add_render(CLI::App& app) {
         "where there is a device, else embree)");
     add_value(render, "--threads", "N", "CPU threads (default: all)");
     add_value(render, "--tile", "N", "Edge of a tile in pixels (default: 64)");
-    add_value(render, "--size", "WxH", "Size of the picture (default: the scene's, else 512x512)");
+    add_value(render, "--size", "WxH", "Size of the image (default: the scene's, else 512x512)");
     add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
     add_frames(render);
     add_value(render, "--components", "LIST",
@@ -57,9 +57,9 @@ void add_render(CLI::App& app) {
                           fmt::join(choosable_components(Choice::by_default), ",")));
     add_value(render, "--spp", "N", "Samples per pixel (default: 1, or what fits into --time)");
     add_value(render, "--samples", "A:B",
-              "Only samples A to B - 1 of a path-traced picture, for `weft merge`");
+              "Only samples A to B - 1 of a path-traced image, for `weft merge`");
     add_value(render, "--target-error", "E",
-              "Ends path tracing at this relative standard error of the picture's mean");
+              "Ends path tracing at this relative standard error of the image's mean");
     add_value(render, "--resume", "FILE",
               "Keeps the exact sums of path tracing in this .exr file and goes on from there");
     add_value(render, "--pixel-filter", "NAME",
@@ -99,7 +99,7 @@ void add_commands(CLI::App& app) {
 
 /// The help of the command that is being parsed.
 std::string help_text(CLI::App& app) {
-    // Neither may be demanded while parsing, which would then stop at the less helpful error.
+    // Commands and arguments are required only here: parsing would stop at a less helpful error.
     app.require_subcommand(1);
     for (CLI::App* command : app.get_subcommands({}))
         for (CLI::Option* option : command->get_options())
@@ -107,7 +107,7 @@ std::string help_text(CLI::App& app) {
     return app.help();
 }
 
-/// What was not understood, without the mark that ends the options.
+/// Arguments that were not understood, without the `--` that ends the options.
 std::vector<std::string> unknown_arguments(const CLI::App& command) {
     std::vector<std::string> arguments = command.remaining();
     std::erase(arguments, "--");
@@ -136,7 +136,7 @@ void check_values(const CLI::App& command) {
                 throw usage_error(option->get_name() + ": lacks its value");
 }
 
-/// Refuses what CLI11 left over and a missing scene.
+/// Refuses arguments that CLI11 left over, and a missing scene.
 void check_command(const CLI::App& app, const CLI::App* command) {
     const std::vector<std::string> before = unknown_arguments(app);
     if (!before.empty()) {
@@ -154,13 +154,13 @@ void check_command(const CLI::App& app, const CLI::App* command) {
     const auto option = std::find_if(extras.begin(), extras.end(), [](const std::string& extra) {
         return extra.size() > 1 && extra[0] == '-';
     });
-    // A mistyped option first: its value is what turns up as the argument too many.
+    // A mistyped option comes first, since its value turns up as a superfluous argument, too.
     if (option != extras.end()) refuse_extra(*command, *option);
     if (!extras.empty()) refuse_extra(*command, extras[0]);
     if (command->get_option_no_throw("SCENE") != nullptr && !value_of(*command, "SCENE"))
         throw usage_error("no scene given, expected weft " + command->get_name() + " SCENE");
     if (command->get_option_no_throw("TEST") != nullptr && !value_of(*command, "TEST"))
-        throw usage_error("two pictures are needed, expected weft compare REF TEST");
+        throw usage_error("two images are needed, expected weft compare REF TEST");
 }
 
 fs::path output_path(const std::optional<std::string>& given, const fs::path& scene) {
@@ -189,7 +189,7 @@ void read_sampling(const CLI::App& command, RenderOptions& options) {
         options.seed = parse_unsigned("--seed", *text, 0, max_uint);
 }
 
-void read_picture(const CLI::App& command, RenderOptions& options) {
+void read_image(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--size")) options.size = parse_size("--size", *text);
     options.camera = value_of(command, "--camera");
     if (const auto text = value_of(command, "--components"))
@@ -210,7 +210,7 @@ RenderOptions read_render(const CLI::App& command) {
     options.backend = read_backend(command);
     options.device = read_device(command);
     read_sampling(command, options);
-    read_picture(command, options);
+    read_image(command, options);
     read_algorithm(command, options);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
     options.progress = read_progress(command);

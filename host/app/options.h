@@ -25,27 +25,27 @@ class App;
 
 namespace weft {
 
-/// What runs the kernels: an OpenCL device, the native build tracing with Embree, or the native
-/// build tracing with Weft's own BVH.
+/// The backend that runs kernels: an OpenCL device, the native build tracing with Embree, or the
+/// native build tracing with Weft's own BVH.
 enum class Backend { opencl, embree, native };
 
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(Backend backend);
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(ProgressMode mode);
-/// How --progress of a command is given. Throws Error (exit code 1).
+/// Reads --progress of a command. Throws Error (exit code 1).
 [[nodiscard]] ProgressMode read_progress(const CLI::App& command);
 
-/// `weft render`. What is empty was not given, and is for the renderer to choose.
+/// Options of `weft render`. What is empty was not given, and the renderer chooses it.
 struct RenderOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< ends in .exr or .png, in any case
     Algorithm algorithm = default_algorithm;
     Quality quality = Quality::preview;                ///< without a preset
     std::optional<std::filesystem::path> preset_file;  ///< of settings
-    std::optional<Preset> preset;                      ///< its content
+    std::optional<Preset> preset;                      ///< content of preset_file
     IndirectSource indirect = IndirectSource::vpl;     ///< of ais and amax
-    std::optional<std::uint32_t> cache_records;        ///< of tic: most that are kept, 1 and up
+    std::optional<std::uint32_t> cache_records;        ///< of tic: most records kept, 1 and up
     bool cache_masks = true;                           ///< of tic
     std::optional<std::uint32_t> cache_rays;           ///< of irradiance_cache: rays of a record
     std::optional<double> cache_error;                 ///< of irradiance_cache: 0 to 1
@@ -54,21 +54,21 @@ struct RenderOptions {
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
     std::optional<std::uint32_t> threads;  ///< 1 and up
     std::uint32_t tile = 64;               ///< edge in pixels, 1 to 4096
-    std::optional<FilmSize> size;          ///< else the scene's
-    std::optional<std::string> camera;     ///< else the scene's first
-    std::optional<FrameRange> frames;      ///< of the animation; else one picture of it at rest
+    std::optional<FilmSize> size;          ///< default: the scene's
+    std::optional<std::string> camera;     ///< default: the scene's first
+    std::optional<FrameRange> frames;      ///< of the animation; default: one image of it at rest
     double frame_rate = 30.0;              ///< frames per second, above 0
     std::optional<std::filesystem::path> edits;  ///< of the animation: what changes in its frames
     std::optional<std::vector<std::string>> components;  ///< of choosable_components
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
-    std::optional<SampleRange> samples;                  ///< of path tracing: these only
-    std::optional<double> target_error;                  ///< of path tracing: ends there, above 0
+    std::optional<SampleRange> samples;                  ///< of path tracing: only these
+    std::optional<double> target_error;                  ///< of path tracing: ends it, above 0
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
     bool through_centres = false;                 ///< of path tracing
     std::optional<double> time_seconds;           ///< total wall time, above 0
     std::optional<double> frame_seconds;          ///< of ais: wall time of each frame, above 0
     std::uint32_t seed = 0;
-    bool overlays = false;                    ///< of ais: PNG pictures of what was sampled, and why
+    bool overlays = false;                    ///< of ais: PNG images of what was sampled, and why
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
@@ -79,33 +79,33 @@ struct RenderOptions {
     [[nodiscard]] bool caches_indirect() const {
         return weft::caches_indirect(algorithm, indirect);
     }
-    /// Whether those outlast their frame.
+    /// Whether irradiance records outlast their frame.
     [[nodiscard]] bool keeps_records() const {
         return algorithm == Algorithm::tic || indirect == IndirectSource::tic;
     }
 };
 
-/// `weft info`.
+/// Options of `weft info`.
 struct InfoOptions {
     std::filesystem::path scene;
     bool json = false;
 };
 
-/// `weft devices`.
+/// Options of `weft devices`.
 struct DevicesOptions {
     bool json = false;
 };
 
-/// `weft selftest`. What is empty was not given.
+/// Options of `weft selftest`. What is empty was not given.
 struct SelftestOptions {
-    std::optional<Backend> backend;             ///< this one alone, else all there are
+    std::optional<Backend> backend;             ///< default: all there are
     std::optional<std::string> device;          ///< as RenderOptions::device
     std::vector<int> cases;                     ///< their numbers; empty means all
     std::optional<std::filesystem::path> json;  ///< results are written there, too
-    bool ledger = false;                        ///< nothing is run: lists what would be
+    bool ledger = false;                        ///< lists all checks without running them
 };
 
-/// What `weft compare` can measure.
+/// The metrics of `weft compare`.
 enum class Metric {
     hdrvdp,
     flip,
@@ -124,7 +124,7 @@ enum class Metric {
 /// The name the command line and JSON use.
 [[nodiscard]] std::string_view to_string(Metric metric);
 
-/// `weft compare`. What is empty was not given.
+/// Options of `weft compare`. What is empty was not given.
 struct CompareOptions {
     std::filesystem::path reference;
     std::filesystem::path test;
@@ -132,13 +132,13 @@ struct CompareOptions {
     std::optional<double> luminance_scale;     ///< cd/m^2 of the value 1
     std::optional<double> ppd;                 ///< pixels per degree, 1 to 1000
     std::optional<std::filesystem::path> map;  ///< ends in .png, in any case
-    std::optional<std::string> layer;          ///< else the one without a name
+    std::optional<std::string> layer;          ///< default: the layer without a name
     bool json = false;
     bool legacy_fan = false;
     bool legacy_otf_grid = false;
 };
 
-/// `weft merge`.
+/// Options of `weft merge`.
 struct MergeOptions {
     std::vector<std::filesystem::path> parts;  ///< at least one
     std::filesystem::path output;              ///< ends in .exr, in any case
@@ -146,7 +146,7 @@ struct MergeOptions {
 
 enum class ErrorMeasure : std::uint8_t;
 
-/// `weft tradeoff`. What is empty was not given.
+/// Options of `weft tradeoff`. What is empty was not given.
 struct TradeoffOptions {
     std::filesystem::path scene;
     std::filesystem::path output;  ///< a folder
@@ -154,17 +154,17 @@ struct TradeoffOptions {
     std::optional<Backend> backend;
     std::optional<std::string> device;                ///< as RenderOptions::device
     std::optional<std::uint32_t> threads;             ///< 1 and up
-    std::optional<FilmSize> size;                     ///< else the scene's
-    std::optional<std::string> camera;                ///< else the scene's first
-    std::uint32_t seed = 0;                           ///< of the first picture of each setting
+    std::optional<FilmSize> size;                     ///< default: the scene's
+    std::optional<std::string> camera;                ///< default: the scene's first
+    std::uint32_t seed = 0;                           ///< of the first image of each setting
     std::vector<std::string> algorithms;              ///< only these; empty means all
-    std::uint32_t repetitions = 5;                    ///< pictures of each setting, 2 and up
+    std::uint32_t repetitions = 5;                    ///< images of each setting, 2 and up
     std::uint32_t reference_spp = 1024;               ///< 2 and up
     std::optional<std::filesystem::path> references;  ///< folder
     std::vector<double> budgets_ms;                   ///< ascending, each once
     std::vector<double> errors;                       ///< likewise
-    ErrorMeasure measure{};                           ///< that the front and the advice go by
-    std::optional<std::filesystem::path> peers;       ///< pictures by other renderers
+    ErrorMeasure measure{};                           ///< for the front and the advice
+    std::optional<std::filesystem::path> others;      ///< images by other renderers
     bool verify = false;
     ProgressMode progress = ProgressMode::automatic;
 };
@@ -178,13 +178,13 @@ struct HelpText {
 using ParsedCommand = std::variant<HelpText, RenderOptions, MergeOptions, CompareOptions,
                                    InfoOptions, DevicesOptions, SelftestOptions, TradeoffOptions>;
 
-/// Reads a whole command line, `argv[0]` being the program's name. Looks at no file but that of
+/// Reads a whole command line, `argv[0]` being the program's name. Reads no file except that of
 /// --preset. Throws Error with one line: exit code 1, which option is wrong and what was expected;
 /// or exit code 2, what is wrong with that file.
 [[nodiscard]] ParsedCommand parse_command_line(int argc, const char* const* argv);
 
 /// Every option by its name on the command line, for `--stats`; null for what is empty. To record
-/// effective values, fill in what the renderer has chosen first.
+/// effective values, first fill in those that the renderer has chosen.
 [[nodiscard]] nlohmann::json options_json(const RenderOptions& options);
 
 }  // namespace weft

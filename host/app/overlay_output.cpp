@@ -13,7 +13,7 @@
 namespace weft {
 namespace {
 
-/// Whether `other` is what some overlay of the output, or of one of its frames, is written to.
+/// Whether some overlay of the output, or of one of its frames, is written to `other`.
 bool is_overlay_output(const std::filesystem::path& output, const std::filesystem::path& other) {
     const std::filesystem::path path = other.lexically_normal();
     const std::string begin = output.stem().string() + ".";
@@ -26,7 +26,7 @@ bool is_overlay_output(const std::filesystem::path& output, const std::filesyste
 
 void add_overlays(CLI::App& render) {
     add_flag(render, "--overlays",
-             "Of ais: also writes how densely each component is sampled, and why, as PNG pictures");
+             "Of ais: also writes how densely each component is sampled, and why, as PNG images");
 }
 
 void read_overlays(const CLI::App& command, RenderOptions& options) {
@@ -35,7 +35,7 @@ void read_overlays(const CLI::App& command, RenderOptions& options) {
     if (options.algorithm != Algorithm::ais)
         throw usage_error("--overlays: shows adaptive sampling, expected --algorithm ais");
     if (options.stats && is_overlay_output(options.output, *options.stats))
-        throw usage_error("--stats: names the same file as one of the pictures of --overlays");
+        throw usage_error("--stats: names the same file as one of the images of --overlays");
 }
 
 }  // namespace weft

@@ -14,7 +14,7 @@ struct RenderOptions;
 /// Adds `--overlays` to `weft render`.
 void add_overlays(CLI::App& render);
 
-/// Reads it, after all other options have been read. Throws Error (exit code 1).
+/// Reads `--overlays`, after all other options have been read. Throws Error (exit code 1).
 void read_overlays(const CLI::App& command, RenderOptions& options);
 
 }  // namespace weft

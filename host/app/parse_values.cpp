@@ -75,7 +75,7 @@ std::string did_you_mean(std::string_view text, std::span<const std::string_view
     std::size_t best_distance = std::max<std::size_t>(1, text.size() / 3) + 1;
     for (const std::string_view name : names) {
         const std::size_t found = distance(text, name);
-        // Replacing every letter is no typing error.
+        // A name that differs in every letter is no mistyped one.
         if (found < best_distance && found < name.size()) {
             best = name;
             best_distance = found;

@@ -18,7 +18,7 @@ namespace {
 constexpr double bar_interval = 0.1;   // seconds
 constexpr double line_interval = 1.0;  // seconds
 constexpr double lines_in_all = 10.0;  // one each 10 % of the work
-constexpr double longest_left = 1e7;   // seconds; beyond it an estimate says nothing
+constexpr double longest_left = 1e7;   // seconds; a longer estimate is not shown
 constexpr std::size_t bar_cells = 24;
 constexpr std::size_t default_columns = 80;
 
@@ -31,7 +31,7 @@ double clamp_fraction(double fraction) {
     return fraction > 0.0 ? std::min(fraction, 1.0) : 0.0;
 }
 
-/// Which of the lines a fraction belongs to; the small term is for sums of tenths.
+/// Index of the line that a fraction belongs to; the small term is for rounding in sums of tenths.
 double line_step(double fraction) {
     return std::floor(lines_in_all * clamp_fraction(fraction) + 1e-9);
 }
@@ -101,7 +101,7 @@ void Progress::update(double fraction_of_part, std::string_view stage) {
         if (shown_ && since < bar_interval) return;
         draw_bar(fraction, now - start_, stage);
     } else {
-        // The end has a line of its own.
+        // The end is printed by finish().
         const bool further = fraction < 1.0 && line_step(fraction) > line_step(last_fraction_);
         const bool news = further || stage != last_stage_;
         if (shown_ && (since < line_interval || !news)) return;

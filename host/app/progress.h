@@ -29,21 +29,21 @@ class Progress {
     /// `stream` is not closed. `clock` returns seconds; the steady clock where it is empty.
     Progress(ProgressMode mode, std::FILE* stream, std::function<double()> clock = {});
 
-    /// Takes the bar off the terminal, so that an error message starts on a clean line.
+    /// Removes the bar from the terminal, so that an error message starts on a clean line.
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Says that `fraction` of all work is done and what is done now. Cheap enough to call often:
-    /// the bar is drawn at most ten times a second; a plain line follows the one before after at
-    /// least a second and the next 10 % or a new stage.
+    /// Shows that `fraction` of all work is done, and the stage that runs now. Cheap enough to call
+    /// often: the bar is drawn at most ten times a second; a plain line follows the one before
+    /// after at least a second and the next 10 % or a new stage.
     void update(double fraction, std::string_view stage);
 
-    /// Fractions count from now on within a part of all work, which is `size` of it from `begin`
-    /// on.
+    /// Lets fractions count, from now on, within the part [begin, begin + size) of all work.
     void begin_part(double begin, double size);
 
-    /// All is done: removes the bar, or prints the last line with the whole time.
+    /// Ends progress when all is done: removes the bar, or prints the last line with the whole
+    /// time.
     void finish();
 
   private:

@@ -51,7 +51,8 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     if (options.cache_rays) settings.sampling.cache_rays = *options.cache_rays;
     if (options.cache_error) settings.sampling.cache_error = *options.cache_error;
     settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
-    // How many samples a time limit allows is not known before; textures stay sharp for many.
+    // The number of samples that a time limit allows is not known in advance. Textures are filtered
+    // for this many, and so stay sharp with more.
     constexpr std::uint32_t timed_samples = 16;
     settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
     if (options.components) {
@@ -65,7 +66,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
 }
 
 PathSettings path_settings(const RenderOptions& options, const RenderSettings& common) {
-    // A first impression; with a time or an error to reach, as many as that takes.
+    // Enough for a first impression. With a limit on time or error, there are as many as it takes.
     constexpr std::uint32_t default_samples = 64;
     const bool open = options.time_seconds.has_value() || options.target_error.has_value();
     PathSettings settings;
@@ -84,9 +85,8 @@ void warn_about_nonfinite(const RenderSession& session, const RenderOptions& opt
                           std::uint32_t width, Diagnostics& diagnostics) {
     for (const NonfiniteSummary& found : session.stats().nonfinite()) {
         const std::string frame =
-            options.frames
-                ? fmt::format(" of frame {}", options.frames->first + found.first_picture)
-                : "";
+            options.frames ? fmt::format(" of frame {}", options.frames->first + found.first_image)
+                           : "";
         diagnostics.warn(
             "", fmt::format("{} values of {} light were negative or not finite and count as black, "
                             "the first in sample {}{} at pixel ({}, {})",
@@ -95,7 +95,7 @@ void warn_about_nonfinite(const RenderSession& session, const RenderOptions& opt
     }
 }
 
-/// Refuses an output that could never be written, before an hour is spent on what to write.
+/// Refuses an output that could never be written, before time is spent on rendering it.
 void check_folder(const std::filesystem::path& file) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code error;
@@ -104,7 +104,7 @@ void check_folder(const std::filesystem::path& file) {
                     "cannot be written, expected " + quote(folder.string()) + " to be a folder");
 }
 
-/// Refuses what knows nothing of media in a scene with any.
+/// Refuses options that do not support participating media in a scene with any.
 void check_media(const RenderOptions& options, const FlatScene& flat) {
     if (!flat.media.present()) return;
     if (options.compensation)
@@ -116,7 +116,7 @@ void check_media(const RenderOptions& options, const FlatScene& flat) {
             "has, expected another");
 }
 
-/// The options with what was chosen where the user chose nothing.
+/// The options with the values that were chosen where the user gave none.
 RenderOptions effective(const RenderOptions& options, const RenderSettings& settings,
                         const Camera& camera, const RenderSession& session) {
     RenderOptions used = options;
@@ -145,7 +145,7 @@ void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
     write_file_atomically(*options.stats, std::as_bytes(std::span(text)));
 }
 
-/// What of `wanted` the sums do not hold yet. Only a start that is there can be left out.
+/// The part of `wanted` that the sums do not have yet. Only samples at its start can be left out.
 SampleRange missing(SampleRange wanted, const std::vector<SampleRange>& have) {
     for (const SampleRange& range : have)
         if (range.first <= wanted.first && wanted.first < range.end)
@@ -153,7 +153,7 @@ SampleRange missing(SampleRange wanted, const std::vector<SampleRange>& have) {
     return wanted;
 }
 
-/// The files that a command line asks for, with the times and the progress of writing them.
+/// Writes the files of a command line, and records the time and shows the progress of that.
 class CommandOutput : public FileOutput {
   public:
     CommandOutput(const RenderOptions& options, Progress& progress, Stopwatch& watch,
@@ -170,7 +170,7 @@ class CommandOutput : public FileOutput {
           watch_(watch),
           times_(times) {}
 
-    /// A single image that is not complete is written all the same, one of several is not.
+    /// Writes a single image even where it is not complete; one of several only where it is.
     void write(SessionImage image) override {
         times_.render_ms += watch_.lap();
         if (!image.complete && whole_only_) return;
@@ -186,12 +186,12 @@ class CommandOutput : public FileOutput {
     RunTimes& times_;
 };
 
-/// The session that the options ask for. With --resume, path tracing goes on from the file where
-/// there is one. Throws Error (exit code 2) where that file is of another picture.
+/// Makes the session for the options. With --resume, path tracing continues the file where there is
+/// one. Throws Error (exit code 2) where that file is of another image.
 RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene moving,
                            const Camera& camera, const RenderOptions& options,
                            const RenderSettings& settings) {
-    // Those who ask for statistics get all of them.
+    // --stats writes the statistics of all frames.
     const std::size_t kept_frames = options.stats ? std::numeric_limits<std::size_t>::max()
                                                   : RenderSession::default_kept_frames;
     if (options.algorithm != Algorithm::path)
@@ -205,13 +205,13 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
     return {std::move(executor), std::move(moving), camera, left, kept_frames, std::move(sums)};
 }
 
-/// Where the camera stands in one frame of an animation.
+/// The camera in one frame of an animation.
 Camera camera_of_frame(const Scene& scene, const Camera& camera, const RenderOptions& options,
                        std::uint32_t frame) {
     return options.frames ? camera_at(scene, camera, frame / options.frame_rate) : camera;
 }
 
-/// The scene with what moves in it: only over frames.
+/// Reads the scene and its edits. Things move only where --frames is given.
 MovingScene read_moving_scene(const RenderOptions& options, Diagnostics& diagnostics) {
     Scene scene = load_scene(options.scene, diagnostics);
     EditTimeline edits;
@@ -220,7 +220,7 @@ MovingScene read_moving_scene(const RenderOptions& options, Diagnostics& diagnos
     return {std::move(scene), std::move(edits), options.frame_rate};
 }
 
-/// Finds what is wrong with the last frame before the first is rendered.
+/// Checks all frames before the first is rendered.
 void check_frames(MovingScene& moving, const Camera& camera, const RenderOptions& options,
                   Diagnostics& diagnostics) {
     if (!options.frames) return;
@@ -236,7 +236,7 @@ void check_frames(MovingScene& moving, const Camera& camera, const RenderOptions
     }
 }
 
-/// What one picture may take: until a time, an equal share of what is left.
+/// The budget of one image; with a time limit, an equal share of the remaining time.
 RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
                              const Stopwatch& watch, Progress& progress) {
     RenderBudget budget;
@@ -258,10 +258,10 @@ RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
     return budget;
 }
 
-/// Makes and writes all pictures, or until the user ends it. Returns how many are finished.
-std::uint32_t render_pictures(RenderSession& session, CommandOutput& output, const Camera& camera,
-                              const RenderOptions& options, Progress& progress,
-                              const Stopwatch& watch) {
+/// Renders and writes all images, unless the user ends it early. Returns how many are finished.
+std::uint32_t render_images(RenderSession& session, CommandOutput& output, const Camera& camera,
+                            const RenderOptions& options, Progress& progress,
+                            const Stopwatch& watch) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
     const std::uint32_t count = frames.end - frames.first;
     for (std::uint32_t done = 0; done < count; ++done) {
@@ -302,7 +302,7 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
     const bool media_shine = flat.media.radiance > 0.0;
     if (flat.lights.empty() && !media_shine)
-        diagnostics.warn(scene.source, "no light shines in the scene, the picture will be dark");
+        diagnostics.warn(scene.source, "no light shines in the scene, the image will be dark");
     check_media(options, flat);
     check_frames(moving, camera, options, diagnostics);
     times.read_scene_ms = watch.lap();
@@ -317,19 +317,18 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
         make_session(std::move(executor), std::move(moving), first_camera, options, settings);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
-    const std::uint32_t finished =
-        render_pictures(session, output, camera, options, progress, watch);
-    const std::uint32_t pictures = frames.end - frames.first;
-    const bool complete = finished == pictures;
+    const std::uint32_t finished = render_images(session, output, camera, options, progress, watch);
+    const std::uint32_t images = frames.end - frames.first;
+    const bool complete = finished == images;
     times.build_kernels_ms = kernel_build_ms(session.executor());
     times.build_bvh_ms = session.executor().scene_ms();
     times.total_ms = watch.total();
     if (complete) progress.finish();
     if (!complete && options.frames)
         diagnostics.warn(
-            "", fmt::format("interrupted, {} of {} pictures are finished", finished, pictures));
+            "", fmt::format("interrupted, {} of {} images are finished", finished, images));
     else if (!complete)
-        diagnostics.warn("", fmt::format("interrupted, the picture holds what was done by then "
+        diagnostics.warn("", fmt::format("interrupted, the image holds what was done by then "
                                          "(samples: {})",
                                          session.samples()));
     warn_about_nonfinite(session, options, settings.width, diagnostics);

@@ -14,7 +14,7 @@ namespace weft {
 /// Adds `weft selftest` to the command line.
 void add_selftest(CLI::App& app);
 
-/// Its options as given. Throws Error (exit code 1).
+/// Reads the options of the command. Throws Error (exit code 1).
 [[nodiscard]] SelftestOptions read_selftest(const CLI::App& command);
 
 }  // namespace weft

@@ -32,7 +32,7 @@ nlohmann::json frame_json(const FrameStats& frame, std::uint32_t first_frame) {
     for (const LevelStats& level : frame.levels)
         levels[level.component] = {
             {"tiles", level.tiles}, {"samples", level.samples}, {"gain", level.gain}};
-    nlohmann::json json = {{"frame", first_frame + frame.picture},
+    nlohmann::json json = {{"frame", first_frame + frame.image},
                            {"ms", frame.ms},
                            {"rays", frame.rays},
                            {"stages", stages},
@@ -54,7 +54,7 @@ std::size_t geometry_bytes(const FlatScene& scene, const Executor& executor) {
            (bvh != nullptr ? bvh->bytes : 0);
 }
 
-/// Largest resident set of the process so far, bytes.
+/// Peak resident set size of the process so far, bytes.
 std::size_t peak_memory() {
     rusage usage{};
     return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::size_t>(usage.ru_maxrss) * 1024
@@ -75,7 +75,7 @@ nlohmann::json scene_json(const FlatScene& scene, const Executor& executor) {
     return json;
 }
 
-/// What took effect, as --preset reads it.
+/// The settings that took effect, as a preset.
 Preset settings_of(const RenderSettings& settings, const RenderSession& session) {
     const auto samples =
         std::clamp<std::uint64_t>(session.samples(), 1, limits::max_samples_per_pixel);
@@ -123,7 +123,7 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
     for (const NonfiniteSummary& found : session.stats().nonfinite())
         nonfinite[found.component] = {
             {"count", found.count},
-            {"first_frame", first_frame + found.first_picture},
+            {"first_frame", first_frame + found.first_image},
             {"first_sample", found.first_sample},
             {"first_pixel",
              {found.first_pixel % settings.width, found.first_pixel / settings.width}}};

@@ -12,7 +12,7 @@
 
 namespace weft {
 
-/// Milliseconds of the parts of a run.
+/// Times of the parts of a run.
 struct RunTimes {
     double read_scene_ms = 0.0;
     double open_device_ms = 0.0;
@@ -20,7 +20,7 @@ struct RunTimes {
     double build_bvh_ms = 0.0;
     double render_ms = 0.0;
     double write_ms = 0.0;
-    double total_ms = 0.0;  ///< from the start of the program to the written picture
+    double total_ms = 0.0;  ///< from the start of the program to the written image
 };
 
 [[nodiscard]] nlohmann::json device_json(const DeviceInfo& device);

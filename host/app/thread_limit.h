@@ -10,9 +10,9 @@
 
 namespace weft {
 
-/// As long as it lives, all parallel work of the host together runs on at most so many threads, the
-/// calling one among them: scheduling, building and native kernels alike. It never allows more than
-/// was allowed before. What an OpenCL driver does is not the host's work.
+/// Limits the threads of all parallel work of the host while it lives, the calling thread included:
+/// scheduling, building and native kernels alike. It never allows more than was allowed before. It
+/// does not limit the threads of OpenCL drivers.
 class ThreadLimit {
   public:
     /// `threads` is 1 and up; empty sets no limit.

@@ -25,8 +25,8 @@
 #include "tradeoff/advice.h"
 #include "tradeoff/error_values.h"
 #include "tradeoff/measure_points.h"
-#include "tradeoff/peer_pictures.h"
-#include "tradeoff/reference_pictures.h"
+#include "tradeoff/other_renderers.h"
+#include "tradeoff/reference_images.h"
 #include "tradeoff/thumbnail.h"
 #include "tradeoff/time_spread.h"
 #include "tradeoff/tradeoff_files.h"
@@ -37,7 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t check_rounds = 3;
-// About what the parts of a run take.
+// Approximate shares of the parts of a run in its time.
 constexpr double reference_share = 0.3;
 constexpr double measuring_share = 0.6;
 
@@ -52,7 +52,7 @@ Scene resting_scene(const fs::path& file, Diagnostics& diagnostics) {
     return scene;
 }
 
-/// The options with what was chosen where the user chose nothing.
+/// The options with the values that were chosen where the user gave none.
 TradeoffOptions completed(TradeoffOptions options, const Scene& scene) {
     constexpr FilmSize standard{512, 512};
     if (!options.size) options.size = scene.film.value_or(standard);
@@ -61,8 +61,8 @@ TradeoffOptions completed(TradeoffOptions options, const Scene& scene) {
     return options;
 }
 
-/// Where references are kept; those of another version are others. A cache that cannot be written
-/// to is done without.
+/// The folder where references are kept. It depends on the version, whose images may differ. Where
+/// the cache folder cannot be written to, it lies in the output folder.
 fs::path references_folder(const TradeoffOptions& options, Diagnostics& diagnostics) {
     if (options.references) return *options.references;
     const fs::path cache = default_cache_folder();
@@ -102,7 +102,7 @@ nlohmann::json machine_of(const Executor& executor, const TradeoffOptions& optio
             {"compiler", __VERSION__}};
 }
 
-/// One run: what is decided is in host/tradeoff, what is done is here.
+/// One run of the command: renders, and lets host/tradeoff decide what.
 class TradeoffRun {
   public:
     TradeoffRun(const TradeoffOptions& options, const Scene& scene, Diagnostics& diagnostics)
@@ -115,17 +115,17 @@ class TradeoffRun {
           shared_(*executor_) {
         if (flat_.lights.empty() && !(flat_.media.radiance > 0.0))
             throw input_error(scene.source, "no light shines in the scene, expected one that does");
-        // One that was made up for a scene without cameras cannot be asked for by name.
+        // An automatic camera of a scene without cameras cannot be chosen by name.
         if (!scene.cameras.empty()) options_.camera = camera_.name;
     }
 
     TradeoffResult run() {
-        // What can be wrong is to be known before the reference, which may take hours.
+        // Errors should be found before the reference is rendered, which may take hours.
         const std::vector<Candidate> all = candidates();
         describe();
-        read_peers();
+        read_others();
         make_reference();
-        judge_peers();
+        judge_others();
         measure(all);
         advise();
         finish_front();
@@ -144,30 +144,30 @@ class TradeoffRun {
         result_.measure = options_.measure;
         result_.machine = machine_of(*executor_, options_);
         result_.command = tradeoff_command_line(options_);
-        result_.picture_options = tradeoff_picture_options(options_);
+        result_.image_options = tradeoff_image_options(options_);
     }
 
-    void read_peers() {
-        if (!options_.peers) return;
-        PeerPictures peers = read_peer_pictures(*options_.peers, *options_.size);
-        result_.peers = std::move(peers.pictures);
-        result_.peer_notes = std::move(peers.notes);
+    void read_others() {
+        if (!options_.others) return;
+        OtherRenderers others = read_other_renderers(*options_.others, *options_.size);
+        result_.others = std::move(others.images);
+        result_.other_notes = std::move(others.notes);
     }
 
-    void judge_peers() {
+    void judge_others() {
         const Measuring how = measuring();
-        for (PeerPoint& peer : result_.peers) {
-            how.report(1.0, "pictures of others");
-            peer.errors = how.judge(peer.picture);
-            // All that the page shows; whole ones would take memory from what is measured.
-            peer.picture = scaled_down(peer.picture, thumbnail_edge);
+        for (OtherRendererPoint& other : result_.others) {
+            how.report(1.0, "images of others");
+            other.errors = how.judge(other.image);
+            // The page shows no more than this; whole images would take memory from measurements.
+            other.image = scaled_down(other.image, thumbnail_edge);
         }
     }
 
     void make_reference() {
         constexpr std::size_t longest_name = 64;
         progress_.begin_part(0.0, reference_share);
-        ReferencePictures pictures(
+        ReferenceImages images(
             references_, shared_, [](const std::string&) {},
             [&](double done) {
                 progress_.update(done, "reference");
@@ -179,19 +179,19 @@ class TradeoffRun {
         wish.height = result_.height;
         wish.spp = options_.reference_spp;
         wish.with_halves = true;
-        const Reference found = pictures.find(flat_, camera_, wish);
+        const Reference found = images.find(flat_, camera_, wish);
         TradeoffReference& reference = result_.reference;
         reference.samples = found.samples;
-        reference.picture = layer_as_beauty(found.image, "");
+        reference.image = layer_as_beauty(found.image, "");
         reference.noise_floor = error_values(layer_as_beauty(found.image, first_half_layer),
                                              layer_as_beauty(found.image, second_half_layer));
-        result_.exposure_ev = auto_exposure(reference.picture);
+        result_.exposure_ev = auto_exposure(reference.image);
     }
 
     [[nodiscard]] std::vector<Candidate> candidates() const {
-        const SweepScene called_for = sweep_scene(plan_for(flat_, RenderSettings{}));
+        const SweepScene requested = sweep_scene(plan_for(flat_, RenderSettings{}));
         std::vector<Candidate> all =
-            settings_sweep(called_for, options_.quick ? SweepSize::quick : SweepSize::full);
+            settings_sweep(requested, options_.quick ? SweepSize::quick : SweepSize::full);
         const std::vector<std::string>& wanted = options_.algorithms;
         if (!wanted.empty())
             std::erase_if(all, [&](const Candidate& candidate) {
@@ -199,35 +199,34 @@ class TradeoffRun {
             });
         if (all.empty())
             throw usage_error(
-                "--algorithms: names none that the scene calls for in this sweep, expected others");
+                "--algorithms: names none that this scene needs in this sweep, expected others");
         return all;
     }
 
     [[nodiscard]] MeasurePlan plan() const {
-        // More samples than the reference has would be held against its noise.
+        // With more samples than the reference has, its noise would dominate the error.
         return {.repetitions = options_.repetitions,
                 .seed = options_.seed,
                 .wish = {options_.budgets_ms, options_.reference_spp}};
     }
 
     Measuring measuring() {
-        return {.make =
-                    [this](const Preset& preset, std::uint32_t seed, bool first_alone) {
-                        const PictureSubject subject{shared_, flat_, camera_, *options_.size,
-                                                     [] { return !interrupt_flag(); }};
-                        MeasuredPicture made = measure_picture(subject, preset, seed, first_alone);
-                        if (interrupt_flag()) end_interrupted();
-                        return made;
-                    },
-                .judge =
-                    [this](const Image& image) {
-                        return error_values(result_.reference.picture, image);
-                    },
-                .report =
-                    [this](double done, const std::string& what) {
-                        if (interrupt_flag()) end_interrupted();
-                        progress_.update(done, what);
-                    }};
+        return {
+            .make =
+                [this](const Preset& preset, std::uint32_t seed, bool first_alone) {
+                    const ImageSubject subject{shared_, flat_, camera_, *options_.size,
+                                               [] { return !interrupt_flag(); }};
+                    MeasuredImage made = measure_image(subject, preset, seed, first_alone);
+                    if (interrupt_flag()) end_interrupted();
+                    return made;
+                },
+            .judge =
+                [this](const Image& image) { return error_values(result_.reference.image, image); },
+            .report =
+                [this](double done, const std::string& what) {
+                    if (interrupt_flag()) end_interrupted();
+                    progress_.update(done, what);
+                }};
     }
 
     void measure(const std::vector<Candidate>& all) {
@@ -249,16 +248,17 @@ class TradeoffRun {
             result_.advice.push_back(advice_for_error(result_.points, result_.measure, error));
     }
 
-    /// Pictures were not kept, as there are many: the same seeds give the same bits.
+    /// Renders the images of the front again, since images were not kept while measuring: the same
+    /// seeds give the same bits.
     void finish_front() {
         const double begin = reference_share + measuring_share;
         progress_.begin_part(begin, 1.0 - begin);
         const Measuring how = measuring();
         for (TradeoffPoint& point : result_.points) {
             if (!point.on_front) continue;
-            how.report(0.0, "picture of " + point.name);
-            point.picture = how.make(point.preset, picture_seed(options_.seed, 0), false).image;
-            point.error_map = error_map(result_.reference.picture, point.picture);
+            how.report(0.0, "image of " + point.name);
+            point.image = how.make(point.preset, image_seed(options_.seed, 0), false).image;
+            point.error_map = error_map(result_.reference.image, point.image);
         }
         if (options_.verify)
             result_.check = check_front(result_.points, result_.measure, plan(), how, check_rounds);

@@ -15,6 +15,7 @@
 #include "app/parse_values.h"
 #include "base/limits.h"
 #include "base/shell_word.h"
+#include "plan/algorithm.h"
 #include "tradeoff/tradeoff_result.h"
 
 namespace weft {
@@ -34,14 +35,14 @@ std::vector<std::string_view> measure_names() {
     return names;
 }
 
-/// Ascending, each once.
+/// Sorts values in ascending order, each once.
 void sort_out(std::vector<double>& values) {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 void read_questions(const CLI::App& command, TradeoffOptions& options) {
-    // What rounding of units adds is no part of what was asked for.
+    // Rounds off the error of converting units.
     constexpr double parts = 1e6;  // of a millisecond
     for (const std::string& text : values_of(command, "--budget")) {
         const double ms = 1000.0 * parse_duration("--budget", text);
@@ -71,7 +72,8 @@ void read_measurement(const CLI::App& command, TradeoffOptions& options) {
     if (const auto text = value_of(command, "--threads"))
         options.threads = parse_unsigned("--threads", *text, 1, limits::max_threads);
     if (const auto text = value_of(command, "--algorithms"))
-        options.algorithms = parse_name_list("--algorithms", *text, measured_algorithms);
+        options.algorithms =
+            parse_name_list("--algorithms", short_algorithm_names(*text), measured_algorithms);
 }
 
 }  // namespace
@@ -86,32 +88,31 @@ void add_tradeoff(CLI::App& app) {
               "folder)");
     add_flag(tradeoff, "--quick", "Fewer settings, 3 repetitions, a reference of 256 samples");
     add_value(tradeoff, "--algorithms", "LIST",
-              fmt::format("Any of {} (default: all that the scene calls for)",
+              fmt::format("Any of {} (default: all that the scene needs)",
                           fmt::join(measured_algorithms, ",")));
     add_value(tradeoff, "--measure", "NAME",
               fmt::format("Error that the front and the advice go by: {} (default: hdrflip)",
                           fmt::join(measure_names(), ", ")));
     add_value(tradeoff, "--budget", "T",
-              "Time of a picture to advise on; may be given several times (default: 100ms, 300ms "
+              "Time of an image to advise on; may be given several times (default: 100ms, 300ms "
               "and 1s)");
     add_value(tradeoff, "--error", "E",
               "Error to advise on; may be given several times (default: three by what was "
               "measured)");
-    add_value(tradeoff, "--repetitions", "N", "Pictures of every setting, 2 and up (default: 5)");
+    add_value(tradeoff, "--repetitions", "N", "Images of every setting, 2 and up (default: 5)");
     add_value(tradeoff, "--reference-spp", "N",
               "Samples per pixel of the path-traced reference (default: 1024)");
     add_value(tradeoff, "--references", "DIR",
               "Folder that keeps references (default: that of compiled kernels)");
-    add_value(tradeoff, "--peers", "FILE", "JSON file of pictures by other renderers to compare");
+    add_value(tradeoff, "--peers", "FILE", "JSON file of images by other renderers to compare");
     add_flag(tradeoff, "--verify",
-             "Makes every picture of the front again with three new seeds, and says how many lie "
+             "Makes every image of the front again with three new seeds, and says how many lie "
              "where they should");
     add_device_choice(tradeoff,
                       "opencl, embree or native (default: opencl where there is a "
                       "device, else embree)");
     add_value(tradeoff, "--threads", "N", "CPU threads (default: all)");
-    add_value(tradeoff, "--size", "WxH",
-              "Size of the pictures (default: the scene's, else 512x512)");
+    add_value(tradeoff, "--size", "WxH", "Size of the images (default: the scene's, else 512x512)");
     add_value(tradeoff, "--camera", "NAME", "Camera of the scene (default: its first)");
     add_value(tradeoff, "--seed", "N", "First seed of the random numbers (default: 0)");
     add_value(tradeoff, "--progress", "MODE", "auto, plain or none (default: auto)");
@@ -132,7 +133,7 @@ TradeoffOptions read_tradeoff(const CLI::App& command) {
     read_measurement(command, options);
     read_questions(command, options);
     if (const auto text = value_of(command, "--references")) options.references = *text;
-    if (const auto text = value_of(command, "--peers")) options.peers = *text;
+    if (const auto text = value_of(command, "--peers")) options.others = *text;
     options.verify = is_given(command, "--verify");
     options.progress = read_progress(command);
     return options;
@@ -142,12 +143,12 @@ void check_comparable(const FilmSize& size) {
     if (size.width < 2 || size.height < 2 ||
         std::size_t{size.width} * size.height > limits::max_hdr_vdp_pixels)
         throw usage_error(fmt::format(
-            "--size: pictures of {} x {} pixels cannot be compared, expected at least 2 x 2 and at "
+            "--size: images of {} x {} pixels cannot be compared, expected at least 2 x 2 and at "
             "most {} pixels",
             size.width, size.height, limits::max_hdr_vdp_pixels));
 }
 
-std::string tradeoff_picture_options(const TradeoffOptions& options) {
+std::string tradeoff_image_options(const TradeoffOptions& options) {
     std::string line;
     if (options.size)
         line += fmt::format(" --size {}x{}", options.size->width, options.size->height);
@@ -161,7 +162,7 @@ std::string tradeoff_picture_options(const TradeoffOptions& options) {
 std::string tradeoff_command_line(const TradeoffOptions& options) {
     std::string line = "weft tradeoff " + shell_file(options.scene.string());
     if (options.quick) line += " --quick";
-    line += tradeoff_picture_options(options);
+    line += tradeoff_image_options(options);
     if (!options.algorithms.empty())
         line += fmt::format(" --algorithms {}", fmt::join(options.algorithms, ","));
     line += fmt::format(" --measure {} --repetitions {} --reference-spp {} --seed {}",
@@ -169,7 +170,7 @@ std::string tradeoff_command_line(const TradeoffOptions& options) {
                         options.seed);
     for (const double budget : options.budgets_ms) line += fmt::format(" --budget {}ms", budget);
     for (const double error : options.errors) line += fmt::format(" --error {}", error);
-    if (options.peers) line += " --peers " + shell_file(options.peers->string());
+    if (options.others) line += " --peers " + shell_file(options.others->string());
     if (options.verify) line += " --verify";
     return line;
 }

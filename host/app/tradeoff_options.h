@@ -14,16 +14,16 @@ namespace weft {
 /// Adds `weft tradeoff` to the command line.
 void add_tradeoff(CLI::App& app);
 
-/// Its options as given. Throws Error (exit code 1).
+/// Reads the options of the command. Throws Error (exit code 1).
 [[nodiscard]] TradeoffOptions read_tradeoff(const CLI::App& command);
 
-/// Throws Error (exit code 1) where the metrics cannot compare pictures of that size.
+/// Throws Error (exit code 1) where the metrics cannot compare images of that size.
 void check_comparable(const FilmSize& size);
 
-/// What of them `weft render` takes to make the same pictures by a preset; begins with a space.
-[[nodiscard]] std::string tradeoff_picture_options(const TradeoffOptions& options);
+/// The options with which `weft render` makes the same images from a preset; begins with a space.
+[[nodiscard]] std::string tradeoff_image_options(const TradeoffOptions& options);
 
-/// A command line that measures the same again, with what was chosen where nothing was given.
+/// A command line that repeats the run, with the values that were chosen where none were given.
 [[nodiscard]] std::string tradeoff_command_line(const TradeoffOptions& options);
 
 }  // namespace weft

@@ -7,8 +7,8 @@
 
 namespace weft {
 
-/// What Weft keeps between runs: WEFT_CACHE_DIR, else $XDG_CACHE_HOME/weft, else ~/.cache/weft;
-/// empty where none is known.
+/// The folder of files that Weft keeps between runs: WEFT_CACHE_DIR, else $XDG_CACHE_HOME/weft,
+/// else ~/.cache/weft; empty where none is known.
 [[nodiscard]] std::filesystem::path default_cache_folder();
 
 }  // namespace weft

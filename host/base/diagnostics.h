@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// Collects what the user should know but what does not stop the program. The same text is kept
-/// once, however often it is reported; the application prints the list on stderr.
+/// Collects warnings, which the user should know but which do not stop the program. The same text
+/// is kept once, however often it is reported; the application prints the list on stderr.
 class Diagnostics {
   public:
     /// Adds `place: message` (or `message` where `place` is empty) unless it is already there.

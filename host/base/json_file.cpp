@@ -18,7 +18,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Ends the parser before a tree is made of what is too deep, too much or ambiguous.
+/// Stops the parser where JSON is nested too deeply, has too many values or is ambiguous, before a
+/// tree is made of it.
 class Watch {
   public:
     explicit Watch(const std::string& path) : path_(path) {}
@@ -35,7 +36,7 @@ class Watch {
                                          std::to_string(limits::max_json_values) + " values");
         if (event == Event::object_start) keys_.emplace_back();
         if (event == Event::object_end) keys_.pop_back();
-        // The tree would keep the last one and say nothing of the others.
+        // The tree would silently keep the last value of a key alone.
         if (event == Event::key && !keys_.back().insert(value.get_ref<const std::string&>()).second)
             throw input_error(path_, "JSON has an object with the key " +
                                          quote(value.get_ref<const std::string&>()) +
@@ -48,14 +49,14 @@ class Watch {
     std::vector<std::set<std::string>> keys_;  ///< of the objects that are open
 };
 
-/// The error for what lies behind `before`, the start of a file.
+/// The error for a syntax error right after `before`, the start of a file.
 Error syntax_error(const std::string& path, std::string_view before) {
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     return input_error(path + ":" + std::to_string(line), "JSON syntax error");
 }
 
 Json parse(const std::string& path, std::string_view text) {
-    // The parser takes it for the end, and would say nothing of what follows.
+    // The parser takes NUL for the end, and would silently ignore what follows.
     const std::size_t nul = text.find('\0');
     if (nul != std::string_view::npos) throw syntax_error(path, text.substr(0, nul));
     Watch watch(path);

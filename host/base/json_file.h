@@ -13,13 +13,13 @@
 
 namespace weft {
 
-/// A JSON file of any origin. Throws Error (exit code 2) that names the file, and the line of a
-/// syntax error, where it is longer than `max_bytes`, nested too deeply, of too many values or
+/// Reads a JSON file of any origin. Throws Error (exit code 2) that names the file, and the line of
+/// a syntax error, where it is longer than `max_bytes`, nested too deeply, of too many values or
 /// damaged, or an object has a key twice.
 [[nodiscard]] nlohmann::json read_json_file(const std::filesystem::path& file,
                                             std::size_t max_bytes);
 
-/// "'a', 'b'".
+/// The keys as a text for errors, such as "'a', 'b'".
 [[nodiscard]] std::string list_of(std::initializer_list<const char*> keys);
 
 /// Throws Error (exit code 2) where the object `json`, which `value` stands for, has a key that is

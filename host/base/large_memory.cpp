@@ -24,7 +24,7 @@ bool is_large(std::size_t bytes) noexcept {
     return bytes >= huge_page;
 }
 
-// Whole huge pages are wanted at its start, so a mapping with room for that is trimmed.
+// The memory should start at a huge page, so a mapping with room for that is trimmed.
 void* map_aligned(std::size_t bytes) {
     const std::size_t room = rounded_up(bytes, page) + huge_page;
     void* const mapped =
@@ -36,7 +36,7 @@ void* map_aligned(std::size_t bytes) {
     const std::size_t after = huge_page - before;
     if (before > 0) munmap(begin, before);
     if (after > 0) munmap(begin + room - after, after);
-    madvise(begin + before, room - huge_page, MADV_HUGEPAGE);  // a wish: small pages serve as well
+    madvise(begin + before, room - huge_page, MADV_HUGEPAGE);  // may fail: small pages work, too
     return begin + before;
 }
 

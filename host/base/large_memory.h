@@ -10,15 +10,15 @@
 
 namespace weft {
 
-/// Memory at whole cache lines, at least 64 bytes; large pieces on huge pages where the system has
-/// them, since random access to a BVH of 200 MB spends a tenth of its time on missed translations.
-/// Not initialised. Throws std::bad_alloc.
+/// Allocates memory in whole cache lines, at least 64 bytes; large pieces on huge pages where the
+/// system has them, since random access to a BVH of 200 MB spends a tenth of its time on TLB
+/// misses. Not initialised. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_large(std::size_t bytes);
 
-/// Gives back what allocate_large returned.
+/// Frees what allocate_large returned.
 void free_large(void* memory, std::size_t bytes) noexcept;
 
-/// Such memory as an object.
+/// Owns memory of allocate_large.
 class LargeMemory {
   public:
     explicit LargeMemory(std::size_t bytes) : data_(allocate_large(bytes)), bytes_(bytes) {}
@@ -33,7 +33,7 @@ class LargeMemory {
     std::size_t bytes_;
 };
 
-/// Lets containers use such memory.
+/// Allocator that lets containers use memory of allocate_large.
 template <class T>
 struct LargeAllocator {
     using value_type = T;

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Every limit that a hostile file could otherwise push until memory or time runs out. Readers
-/// check sizes against these before they allocate.
+/// Limits that keep a hostile file from using up memory or time. Readers check sizes against these
+/// before they allocate.
 namespace weft::limits {
 
-/// 2^bits. Fuzzers are after what is wrong rather than what is large, and reach a smaller limit
-/// with a small file in little time.
+/// 2^bits; less for fuzzers, which search for errors rather than for large files and so reach a
+/// limit with a small file in little time.
 [[nodiscard]] constexpr std::size_t power(unsigned bits) {
 #ifdef WEFT_SMALL_LIMITS
     return std::size_t{1} << (bits - 10);
@@ -23,7 +23,7 @@ namespace weft::limits {
 inline constexpr std::size_t max_text_file_bytes = std::size_t{256} << 20;   // XML, glTF JSON
 inline constexpr std::size_t max_binary_file_bytes = std::size_t{4} << 30;   // PLY, GLB, .bin
 inline constexpr std::size_t max_data_uri_bytes = std::size_t{256} << 20;    // encoded length
-inline constexpr std::size_t max_image_file_bytes = std::size_t{512} << 20;  // encoded picture
+inline constexpr std::size_t max_image_file_bytes = std::size_t{512} << 20;  // encoded image
 inline constexpr std::uint32_t max_texture_edge = 16384;                     // pixels
 inline constexpr std::size_t max_texture_bytes = power(30);                  // all, decoded
 inline constexpr std::size_t max_vertices = power(28);                       // per mesh, and placed

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// A word of a command line, in quotes where a POSIX shell would take it apart.
+/// A word of a command line, in quotes where a POSIX shell would split or change it.
 [[nodiscard]] std::string shell_word(std::string_view word);
 
 /// The same for the name of a file: one that begins with `-` would be taken for an option.

@@ -11,13 +11,13 @@ namespace weft {
 /// Wall time in milliseconds, running from construction.
 class Stopwatch {
   public:
-    /// Since the last lap, or since construction for the first.
+    /// Time since the last lap, or since construction for the first.
     double lap() {
         const auto now = Clock::now();
         return Milliseconds(now - std::exchange(last_, now)).count();
     }
 
-    /// Since construction.
+    /// Time since construction.
     [[nodiscard]] double total() const { return Milliseconds(Clock::now() - start_).count(); }
 
   private:

@@ -29,7 +29,7 @@ class WarningCollector {
             diagnostics_.warn(place, "further kinds of warnings are left out");
     }
 
-    /// Counts things of one kind; `flush` reports `first place: <total> <what>`.
+    /// Counts flaws of one kind; `flush` reports `first place: <total> <what>`.
     void count(const std::string& place, const std::string& what, std::size_t number) {
         if (number == 0) return;
         counts_.try_emplace(what, Count{place, 0}).first->second.number += number;

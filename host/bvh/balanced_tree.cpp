@@ -22,7 +22,7 @@ std::size_t widest_axis(std::span<const Piece> pieces) noexcept {
     return static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
 }
 
-// What pieces are ordered by; their place only tells them apart where nothing else does.
+// The key by which pieces are ordered; their index only decides between equal ones.
 struct Key {
     float centre;
     std::uint32_t id;

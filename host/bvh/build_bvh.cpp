@@ -17,16 +17,17 @@
 namespace weft {
 namespace {
 
-// A path of n nodes needs at most n (node_width - 1) + 1 stack entries; Embree counts the leaf too
-// and falls back to balanced subtrees before it goes deeper than it may.
+// The greatest depth that a traversal stack allows. A path of n nodes needs at most
+// n (node_width - 1) + 1 stack entries; Embree counts the leaf too and falls back to balanced
+// subtrees before it exceeds the depth.
 std::uint32_t depth_within(std::uint32_t stack) noexcept {
     return (stack - 1) / static_cast<std::uint32_t>(node_width - 1) + 1;
 }
 
-// What a balanced tree of 2^27 triangles, each a leaf, may need: it has 9 levels.
+// Stack entries that a balanced tree of 2^27 triangles, each a leaf, may need: it has 9 levels.
 constexpr std::uint32_t least_stack = 9 * (node_width - 1) + 1;
 
-// Splits repeat triangles, so they must earn that by this factor of the cost.
+// Splits repeat triangles, so they are kept only where they lower the cost to this share.
 constexpr double worthwhile_cost = 0.95;
 
 // Pieces that cuts may add, as a share of those there are. Measured SAH costs of five scenes at

@@ -15,7 +15,7 @@
 
 namespace weft {
 
-/// Children of a wide node.
+/// Number of children of a wide node.
 inline constexpr std::size_t node_width = std::extent_v<decltype(shared::BvhNode::child)>;
 
 /// A node of the tree as it is built, before it gets the layout of the kernels: a BuildInner where
@@ -39,9 +39,9 @@ struct BuildTree {
     std::shared_ptr<void> arena;
 };
 
-/// Builds by splitting the pieces at the median of their centres until at most `max_leaf` are
-/// left, so that all leaves have the same depth but for one. Slow to traverse; for pieces that
-/// Embree's builder cannot order well. Reorders `pieces`. Throws std::bad_alloc.
+/// Builds by splitting the pieces at the median of their centres until a leaf has at most
+/// `max_leaf`, so that the depths of leaves differ by one at most. Slow to traverse; for pieces
+/// that Embree's builder cannot order well. Reorders `pieces`. Throws std::bad_alloc.
 [[nodiscard]] BuildTree build_balanced_tree(std::span<Piece> pieces, std::uint32_t max_leaf);
 
 /// The same, inside a given arena. `pieces` must live as long as the tree.

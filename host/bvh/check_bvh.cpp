@@ -46,7 +46,7 @@ class Checker {
     }
 
   private:
-    // What is still to be visited: a node, and the box that its parent stores for it.
+    // A node that is still to be visited, and the box that its parent stores for it.
     struct Visit {
         std::uint32_t node;
         std::uint32_t parent;
@@ -62,7 +62,7 @@ class Checker {
         return {};
     }
 
-    // Walks from the root; where this finds nothing, references are in range and form a tree.
+    // Walks from the root; where this finds no error, references are in range and form a tree.
     std::string check_nodes() {
         if (bvh_.nodes.empty()) return "there is no root";
         if (bvh_.nodes.size() > BVH_LEAF) return "there are more nodes than references can name";
@@ -133,7 +133,7 @@ class Checker {
         return {};
     }
 
-    // Depth and stack, from the last node of the walk back to the root.
+    // Checks depth and stack, from the last node of the walk back to the root.
     std::string check_extent() const {
         std::vector<std::uint32_t> depth(bvh_.nodes.size(), 0);
         std::vector<std::uint32_t> need(bvh_.nodes.size(), 1);
@@ -191,7 +191,8 @@ class Checker {
 
     bool is_covered(const Corners& corners, std::vector<Box>& boxes) const {
         if (boxes.size() == 1) return boxes[0].contains(box_of(corners).grown(settings_.padding));
-        // The whole triangle may lie in one of them; else without the padding they must cover it.
+        // One of the boxes may hold the whole triangle; otherwise they must cover it together,
+        // without their padding.
         for (Box& box : boxes) {
             for (std::size_t a = 0; a < 3; ++a) {
                 box.lower[a] += settings_.padding;

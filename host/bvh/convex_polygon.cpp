@@ -56,8 +56,9 @@ double clipping_error(const Corners& corners) noexcept {
     for (const shared::float4& corner : corners)
         largest = std::max({largest, std::abs(double{corner.x}), std::abs(double{corner.y}),
                             std::abs(double{corner.z})});
-    // A crossing is off by at most eight roundings of the largest coordinate, from the polygon as
-    // stored, so errors of successive clips add up and are never amplified. 2^-53 * 8 * 10 < 2^-46.
+    // A crossing errs by at most eight roundings of the largest coordinate relative to the polygon
+    // as stored, so errors of successive clips add up and are never amplified. 2^-53 * 8 * 10 <
+    // 2^-46.
     return 0x1p-46 * largest;
 }
 

@@ -40,7 +40,7 @@ void add_outside(ConvexPolygon polygon, const Box& box, double error,
 }  // namespace
 
 bool boxes_cover(const Corners& corners, const std::vector<Box>& boxes) {
-    // Boxes count as this much larger, or roundings of the cuts would be left as slivers.
+    // Boxes count as this much larger, or rounding of the cuts would leave slivers uncovered.
     const double error = clipping_error(corners);
     std::vector<ConvexPolygon> uncovered{ConvexPolygon(corners)};
     std::vector<ConvexPolygon> next;

@@ -10,8 +10,9 @@
 
 namespace weft {
 
-/// Whether the union of closed boxes holds the whole triangle, but for slivers narrower than the
-/// rounding of double arithmetic. Cuts every box out of the triangle and looks at what is left.
+/// Whether the union of closed boxes holds the whole triangle, except slivers narrower than the
+/// rounding of double arithmetic. Cuts every box out of the triangle and tests whether any of it
+/// remains.
 [[nodiscard]] bool boxes_cover(const Corners& corners, const std::vector<Box>& boxes);
 
 }  // namespace weft

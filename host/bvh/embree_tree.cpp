@@ -77,7 +77,7 @@ void on_error(void* user, RTCError code, const char* text) noexcept {
 bool on_memory(void* user, ssize_t bytes, bool post) noexcept {
     auto& session = *static_cast<Session*>(user);
     const std::ptrdiff_t total = session.bytes.fetch_add(bytes) + bytes;
-    // Only a refusal before the allocation is allowed, and it must leave the sum as it was.
+    // A refusal is allowed only before the allocation, and must leave the sum as it was.
     const bool refuse =
         !post && bytes > 0 && total > 0 && static_cast<std::size_t>(total) > session.max_bytes;
     if (refuse) session.bytes.fetch_sub(bytes);
@@ -106,7 +106,7 @@ void set_children(void* node, void** children, unsigned count, void*) noexcept {
     for (unsigned i = 0; i < count; ++i) inner.children[i] = static_cast<BuildNode*>(children[i]);
 }
 
-// Boxes are made anew, bottom up and grown, when the tree is flattened.
+// Does nothing: boxes are made anew, bottom up and grown, when the tree is flattened.
 void set_bounds(void*, const RTCBounds**, unsigned, void*) noexcept {}
 
 void* create_leaf(RTCThreadLocalAllocator allocator, const Piece* pieces, std::size_t count,

@@ -11,11 +11,11 @@
 
 namespace weft {
 
-/// What Embree's builder is asked for.
+/// Limits for Embree's builder.
 struct EmbreeBuild {
     std::uint32_t max_leaf = 8;        ///< pieces in a leaf
     std::uint32_t max_depth = 32;      ///< nodes and a leaf on the longest path
-    std::size_t max_bytes = SIZE_MAX;  ///< Embree's memory; more counts as out of memory
+    std::size_t max_bytes = SIZE_MAX;  ///< of Embree's memory; more counts as out of memory
 };
 
 /// Builds a tree over the pieces by the surface area heuristic, without splits of triangles. It

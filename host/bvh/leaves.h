@@ -32,10 +32,10 @@ struct LeafTriangle {
     std::uint32_t id = 0;
 };
 
-/// The rows of no leaf: the room that whole vectors may read behind the last one.
+/// Rows without any leaf: only the padding that whole vectors may read behind the last one.
 [[nodiscard]] LargeVector<float> empty_leaves();
 
-/// How many triangles the leaves hold together; 0 where the rows are too short to be sound.
+/// How many triangles the leaves hold together; 0 where the rows are too short to be valid.
 [[nodiscard]] std::size_t leaf_entries(std::span<const float> leaves) noexcept;
 
 /// Appends a leaf in the layout of LEAF_ROWS.

@@ -15,14 +15,14 @@
 namespace weft {
 namespace {
 
-// The root has at most two children, the second of which waits while the first is looked into.
+// The root has at most two children, the second of which waits while the first is traversed.
 constexpr std::uint32_t stack_of_root = 1;
 
 Error no_memory() {
     return {ExitCode::out_of_memory, "out of memory while building the BVH"};
 }
 
-// Nodes and leaves of a tree that lies behind others.
+// Moves the references of a tree behind other `nodes` and leaf `entries`.
 shared::BvhNode shifted(shared::BvhNode node, std::uint32_t nodes, std::uint32_t entries) noexcept {
     for (std::uint32_t& child : node.child)
         if (child != BVH_EMPTY) child += is_leaf(child) ? entries : nodes;
@@ -47,8 +47,8 @@ void check_size(std::size_t nodes, std::size_t entries) {
                                              std::to_string(BVH_FIRST_MASK) + " entries");
 }
 
-// Room for `size` values, the first `kept` of which are there: if it has to move, then with as much
-// again for those behind them.
+// Makes room for `size` values, the first `kept` of which are there. Where that needs new memory,
+// it has room for twice as many of those behind them.
 template <class T>
 void make_room(LargeVector<T>& values, std::size_t kept, std::size_t size) {
     if (size > values.capacity()) values.reserve(size + (size - kept));
@@ -126,7 +126,7 @@ void MovingBvh::replace_moving(const WideBvh& tree) {
     const std::size_t added = is_empty(tree) ? 0 : tree.nodes.size();
     const std::size_t entries = resting_floats_ / LEAF_ROWS;
     check_size(resting_nodes_ + added, entries + leaf_entries(tree.leaves));
-    // All that can fail comes first, so that the tree is never half the old one.
+    // Everything that can fail comes first, so that the tree never mixes old and new parts.
     make_room(bvh_.nodes, resting_nodes_, resting_nodes_ + added);
     make_room(bvh_.leaves, resting_floats_, resting_floats_ + tree.leaves.size());
     Part part = part_of(tree, resting_nodes_);
@@ -163,7 +163,7 @@ void MovingBvh::join(const Part& moving) noexcept {
         if (part->root == BVH_EMPTY) continue;
         set_child(root, count++, part->box, part->root);
         whole.extend(part->box);
-        // By the surface of its own box; together they count by that of the whole.
+        // Costs are weighted by the surfaces of the parts' boxes, relative to that of the whole.
         cost += part->sah_cost * part->box.half_area();
         bvh_.depth = std::max(bvh_.depth, part->depth);
         bvh_.stack_need = std::max(bvh_.stack_need, part->stack_need);

@@ -12,10 +12,10 @@
 
 namespace weft {
 
-/// A BVH over triangles of which those from `first_moving` on may move. Below a root of its own lie
-/// a tree over those that rest, as build_bvh makes it, and behind that one over those that move,
-/// without spatial splits. Where none may move it is the tree of build_bvh alone. It depends on
-/// the triangles as they are alone, not on where they were.
+/// A BVH over triangles of which those from `first_moving` on may move. Its root has two subtrees:
+/// one over the triangles that rest, as build_bvh makes it, and behind it one over those that may
+/// move, without spatial splits. Where none may move it is the tree of build_bvh alone. It depends
+/// only on the triangles as they are, not on where they were.
 class MovingBvh {
   public:
     /// Throws as build_bvh.
@@ -23,23 +23,23 @@ class MovingBvh {
               std::span<const shared::Triangle> triangles, std::size_t first_moving,
               const BvhSettings& settings);
 
-    /// Makes the root and the moving part anew after the moving triangles have changed; their
-    /// number has not. Another padding than before needs a resting part anew, too; returns whether
-    /// that was so. Throws as build_bvh, or Error (exit code 3) where the number has changed; it
-    /// stays what it was then.
+    /// Builds the root and the moving part anew after the moving triangles have changed, whose
+    /// number must not. Where the padding differs the resting part is built anew, too; returns
+    /// whether it was. Throws as build_bvh, or Error (exit code 3) where the number has changed;
+    /// the BVH stays as it was then.
     bool update(std::span<const shared::float4> positions,
                 std::span<const shared::Triangle> triangles, float padding);
 
     [[nodiscard]] bool moves() const noexcept { return first_moving_ < triangle_count_; }
     [[nodiscard]] const WideBvh& bvh() const noexcept { return bvh_; }
 
-    /// Nodes before the moving part's: all but the root stay what they are at updates.
+    /// Number of nodes before those of the moving part; updates change only the root among them.
     [[nodiscard]] std::size_t resting_nodes() const noexcept { return resting_nodes_; }
-    /// Floats of the leaves before the moving part's, which stay.
+    /// Number of floats of the leaves before those of the moving part, which updates do not change.
     [[nodiscard]] std::size_t resting_floats() const noexcept { return resting_floats_; }
 
   private:
-    // What the root has to know of a tree below it.
+    // What the root needs of a tree below it.
     struct Part {
         std::uint32_t root = BVH_EMPTY;
         Box box{};

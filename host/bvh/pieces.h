@@ -16,8 +16,8 @@
 
 namespace weft {
 
-/// What a tree is built from: the box of a triangle, or of the part of it that a spatial split
-/// left. `primID` is the triangle; `geomID` is 0.
+/// The primitive that a tree is built from: the box of a triangle, or of a part of it after spatial
+/// splits. `primID` is the triangle; `geomID` is 0.
 using Piece = RTCBuildPrimitive;
 
 /// The vertices of a triangle whose indices are known to be valid.

@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// Equal slabs of a box along one axis, parted by planes that are floats. Each value lies in one
+/// Equal slabs of a box along one axis, separated by planes that are floats. Each value lies in one
 /// slab, and greater values in no lower one.
 class Slabs {
   public:
@@ -28,7 +28,8 @@ class Slabs {
     /// The slab of a value; a value on a plane lies above it.
     [[nodiscard]] std::size_t slab_of(float value) const noexcept;
 
-    /// The last slab that an interval from slab `first` up to `upper` has more than its end in.
+    /// The last slab that an interval from slab `first` up to `upper` reaches; a slab that only its
+    /// end touches does not count.
     [[nodiscard]] std::size_t last_slab(std::size_t first, float upper) const noexcept;
 
   private:

@@ -47,8 +47,9 @@ class Builder {
     }
 
   private:
-    // Nodes are filled with leaves smaller than allowed: left as large as they may be, fewer nodes
-    // were 3 to 5 percent slower in one of two interiors, though their cost was 3 percent lower.
+    // Nodes are filled even where leaves become smaller than allowed: with leaves as large as
+    // allowed, fewer nodes were 3 to 5 percent slower in one of two interiors, though their cost
+    // was 3 percent lower.
     BuildNode* build(PieceSet set, std::uint32_t depth) {
         if (is_leaf(set, depth)) return leaf(set);
         std::vector<PieceSet> parts;
@@ -79,8 +80,8 @@ class Builder {
         return node;
     }
 
-    // Below the last node that the depth allows everything becomes one leaf, which is a balanced
-    // subtree in the end, so levels are left for that.
+    // Near the greatest depth everything becomes one leaf, which is turned into a balanced subtree
+    // later, so levels are kept for that.
     bool is_leaf(const PieceSet& set, std::uint32_t depth) const noexcept {
         std::uint32_t levels = 2;
         for (std::size_t n = set.pieces.size(); n > request_.max_leaf; n /= node_width) ++levels;
@@ -113,7 +114,7 @@ class Builder {
         else if (std::isfinite(split.cost))
             for (const Piece& piece : set.pieces)
                 (centre_of(piece)[split.axis] < split.position ? below : above).add(piece);
-        // Centres that are all but equal, or cuts of which nothing is left on one side.
+        // Centres are nearly equal, or a cut leaves nothing on one side.
         if (below.pieces.empty() || above.pieces.empty()) {
             below = above = PieceSet{};
             const std::size_t half = set.pieces.size() / 2;
@@ -145,7 +146,8 @@ class Builder {
         }
     }
 
-    // Room goes where the pieces are, and more of it to large ones, which cuts help most.
+    // Shares the room for cuts by the number of pieces, with more for large ones, which cuts help
+    // most.
     void share_room(const PieceSet& set, PieceSet& below, PieceSet& above) const noexcept {
         const std::size_t pieces = below.pieces.size() + above.pieces.size();
         const std::size_t added = pieces - set.pieces.size();
@@ -155,7 +157,8 @@ class Builder {
         above.room = left - below.room;
     }
 
-    // As in Embree's builder: five for a small piece, 31 for one much larger than the mean.
+    // Weight of a set as in Embree's builder: 5 for a small piece, 31 for one much larger than the
+    // mean.
     double weight(const PieceSet& set) const noexcept {
         double sum = 0.0;
         for (const Piece& piece : set.pieces) {

@@ -13,7 +13,7 @@ namespace weft {
 
 /// Limits of a tree with spatial splits.
 struct SpatialBuild {
-    std::uint32_t max_leaf = 8;    ///< pieces in a leaf, but at `max_depth`, where it may be larger
+    std::uint32_t max_leaf = 8;    ///< pieces in a leaf; more only at `max_depth`
     std::uint32_t max_depth = 32;  ///< nodes and a leaf on the longest path
     std::size_t room = 0;          ///< pieces that cuts may add
 };
@@ -24,9 +24,9 @@ struct SpatialBuild {
 ///
 /// The tree depends on the arguments alone, whatever the threads. Throws std::bad_alloc.
 ///
-/// Embree's own builder with splits is not used: it looks for splits among pieces that it will
-/// not cut any more, so that one side of a split can be left empty, which ends the process where
-/// its assertions are compiled in, as they are in Debian's package.
+/// Embree's own builder with splits is not used: it searches for splits among pieces that it will
+/// not cut any more, so that one side of a split can be empty, which ends the process where its
+/// assertions are compiled in, as they are in Debian's package.
 [[nodiscard]] BuildTree build_spatial_tree(std::span<const Piece> pieces,
                                            std::span<const shared::float4> positions,
                                            std::span<const shared::Triangle> triangles,

@@ -20,7 +20,7 @@ constexpr std::size_t spatial_slabs = 16;
 constexpr double overlap_share = 0.1;
 constexpr double spatial_advantage = 0.99;
 
-// What lies in each slab: the boxes of parts, and how many pieces begin and end there.
+// The contents of a slab: the box of its parts, and how many pieces begin and end there.
 struct Slab {
     Box box;
     std::size_t begins = 0;
@@ -29,7 +29,7 @@ struct Slab {
 
 using SlabRow = std::array<Slab, Slabs::max_count>;
 
-// The cheapest place to part a row of slabs, with the boxes of both sides.
+// The cheapest place to split a row of slabs, with the boxes of both sides.
 struct Cut {
     double cost = std::numeric_limits<double>::infinity();
     std::size_t slab = 0;  // the first of the upper side

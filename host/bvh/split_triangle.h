@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// The boxes of the two halves of a triangle's piece; a half without any part of it is empty.
+/// The boxes of the two halves of a triangle's piece; a half without any of the triangle is empty.
 struct SplitBoxes {
     Box below, above;
 };

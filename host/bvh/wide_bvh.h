@@ -16,7 +16,7 @@ namespace weft {
 
 /// How a BVH is built.
 struct BvhSettings {
-    bool spatial_splits = true;            ///< tried; kept where they lower the SAH cost enough
+    bool spatial_splits = true;            ///< tried, and kept where they lower the SAH cost enough
     std::uint32_t max_leaf_triangles = 8;  ///< at most NODE_WIDTH, which are tested at once
     float padding = 0.0F;  ///< outward growth of every box, kernel units, on top of rounding
     std::uint32_t max_stack = BVH_STACK;  ///< entries that a traversal may need, at least 64
@@ -34,7 +34,7 @@ struct WideBvh {
     double build_ms = 0.0;
 };
 
-/// What remains to be said of a BVH once it is on a device.
+/// Statistics of a BVH, which remain once it is on a device.
 struct BvhStats {
     std::size_t nodes = 0;
     std::size_t triangles = 0;  ///< leaf entries; spatial splits repeat some
@@ -62,7 +62,7 @@ struct BvhStats {
                                 std::span<const shared::Triangle> triangles,
                                 const BvhSettings& settings, std::size_t first = 0);
 
-/// Checks every invariant that traversal relies on; returns what is broken, or an empty text.
+/// Checks every invariant that traversal relies on; returns the first violation, or an empty text.
 [[nodiscard]] std::string check_bvh(const WideBvh& bvh, std::span<const shared::float4> positions,
                                     std::span<const shared::Triangle> triangles,
                                     const BvhSettings& settings);

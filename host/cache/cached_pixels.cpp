@@ -48,7 +48,7 @@ std::vector<std::uint32_t> record_order(FrameContext& frame,
                                         const std::vector<std::uint32_t>& pixels) {
     WorkList list{pixels, {}};
     list.pixels.resize((pixels.size() + PACKET_BLOCK - 1) / PACKET_BLOCK * PACKET_BLOCK,
-                       NO_TRIANGLE);
+                       INVALID_INDEX);
     list.block_sets.resize(list.pixels.size() / PACKET_BLOCK, 0);
     return ordered_round(frame, list).pixels;
 }

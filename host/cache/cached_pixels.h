@@ -12,17 +12,17 @@
 
 namespace weft {
 
-/// The irradiance of pixels, looked up in records, and which of them lack it. Stages belong to the
-/// component that is named.
+/// Keeps the irradiance of pixels as looked up in records, and which pixels still lack it. Stages
+/// count for the `component` that is passed.
 class CachedPixels {
   public:
     CachedPixels(Executor& executor, std::uint32_t width, std::uint32_t height);
 
-    /// All pixels that reflect light lack it.
+    /// Starts over: all pixels that reflect light lack irradiance.
     void begin(FrameContext& frame, const char* component);
-    /// Adds what the records of a store give to all pixels.
+    /// Looks up all pixels in the records of a store and adds the irradiance that these give.
     void look_up(FrameContext& frame, const char* component, const RecordStore& store);
-    /// Pixels that are to become records in a round with squares of that edge; see pick_missing.
+    /// Pixels of which a round with squares of that edge makes records; see pick_missing.
     [[nodiscard]] std::vector<std::uint32_t> picks(Executor& executor, std::uint32_t edge) const;
 
     /// By pixel, float4: mean irradiance, and the weight of the records that gave it.
@@ -35,7 +35,7 @@ class CachedPixels {
     DeviceBuffer<kinds::TileBounds> tile_boxes_;
 };
 
-/// Pixels in the order in which records of them are made fastest, in whole blocks.
+/// Pixels in the order in which records of them are made fastest, padded to whole blocks.
 [[nodiscard]] std::vector<std::uint32_t> record_order(FrameContext& frame,
                                                       const std::vector<std::uint32_t>& pixels);
 

@@ -37,8 +37,8 @@ void grow(Box& box, const Box& other) {
     box.radius = std::min(box.radius, other.radius);
 }
 
-/// No record of the box clamps one at `p` to less than this. Every step rounds alike for a box and
-/// for what it holds, so that rounding lets none be left out.
+/// Lower bound of the radii to which records of the box clamp one at `p`. Every step rounds alike
+/// for a box and for what it holds, so that rounding makes no clamping record be skipped.
 double bound(const Box& box, const Point& p, double slope) {
     double square = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -63,7 +63,7 @@ std::vector<std::vector<Box>> levels_of(std::span<const shared::float4> places) 
     return levels;
 }
 
-/// What the records of one box clamp a record at `p` to.
+/// Clamps the radius of a record at `p` by those of the records in one box.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree is high
 void clamp_by(const std::vector<std::vector<Box>>& levels, std::size_t level, std::size_t index,
               const Point& p, double slope, double& radius) {

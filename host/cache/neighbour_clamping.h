@@ -16,7 +16,7 @@ namespace weft {
 ///   R'_i = min over all k of R_k + slope |x_i - x_k|.
 /// By the triangle inequality this clamps nothing a second time, and the order of records makes no
 /// difference: it is the largest function below R that changes by `slope` per length at most.
-/// `places`: xyz and the radius, finite and not negative; `slope`: what radii are of the distances
+/// `places`: xyz and the radius, finite and not negative; `slope`: ratio of radii to the distances
 /// that rays have met, not negative. Quick where records that follow one another are near each
 /// other.
 [[nodiscard]] std::vector<float> neighbour_clamped(std::span<const shared::float4> places,

@@ -21,7 +21,7 @@ std::uint32_t whole_blocks(std::size_t slots) {
     return static_cast<std::uint32_t>((slots + PACKET_BLOCK - 1) / PACKET_BLOCK * PACKET_BLOCK);
 }
 
-/// Bits by packet and VPL, as kernels/cache/cache_masks.h lays them out.
+/// Where the bits of a packet and a VPL are, as kernels/cache/cache_masks.h lays them out.
 struct MaskLayout {
     std::uint32_t lanes, words, vpls;
 
@@ -67,7 +67,8 @@ void RecordPool::allocate(std::uint32_t room) {
     planes_ = weft::allocate<kinds::RecordPlanes>(executor_, slots * RECORD_PLANES, "new records");
     states_ = weft::allocate<kinds::PacketStates>(executor_, std::max(least, states),
                                                   "states of records");
-    doubts_ = weft::allocate<kinds::InvalidConnections>(executor_, mask_words, "doubts of records");
+    invalid_ = weft::allocate<kinds::InvalidConnections>(executor_, mask_words,
+                                                         "invalid connections of records");
     seen_ = weft::allocate<kinds::VisibleConnections>(executor_, mask_words, "what records see");
 }
 
@@ -94,9 +95,9 @@ void RecordPool::make_room(std::uint32_t slots) {
 std::uint32_t RecordPool::append(std::span<const std::uint32_t> pixels) {
     const std::uint32_t first = slots_;
     make_room(first + whole_blocks(pixels.size()));
-    pixels_.resize(first, NO_TRIANGLE);
+    pixels_.resize(first, INVALID_INDEX);
     pixels_.insert(pixels_.end(), pixels.begin(), pixels.end());
-    pixels_.resize(first + whole_blocks(pixels.size()), NO_TRIANGLE);
+    pixels_.resize(first + whole_blocks(pixels.size()), INVALID_INDEX);
     slots_ = static_cast<std::uint32_t>(pixels_.size());
     write_buffer(executor_, slot_pixel_, pixels_);
     return first;
@@ -112,8 +113,8 @@ std::vector<std::uint32_t> RecordPool::states() {
     return read_buffer(executor_, states_, packets(slots_));
 }
 
-std::uint64_t RecordPool::count_doubts() {
-    const auto words = read_buffer(executor_, doubts_, std::size_t{packets(slots_)} * words_);
+std::uint64_t RecordPool::count_invalid_connections() {
+    const auto words = read_buffer(executor_, invalid_, std::size_t{packets(slots_)} * words_);
     const std::vector<std::uint32_t> of_packets = states();
     std::uint64_t count = 0;
     for (std::size_t packet = 0; packet < of_packets.size(); ++packet) {
@@ -150,7 +151,7 @@ RecordPool::Contents RecordPool::read(std::uint32_t first) {
             const float distance = plane(RECORD_CLEARANCE + i) / GUARD_REACH;
             clear[i] = distance * distance;
         }
-        // As the kernel compares them: a record in the open is asked nothing.
+        // As the kernel compares them: lookups of a record in the open need no shadow ray.
         const float guarded = nearest < GUARD_REACH * radius ? 1.0F : 0.0F;
         contents.records.push_back({three(RECORD_PLACE, radius),
                                     place(RECEIVER_X, 0.0F),
@@ -201,7 +202,7 @@ void RecordPool::keep(std::span<const std::uint32_t> slots) {
         write_buffer(executor_, seen_, kept);
     }
     slots_ = whole_blocks(slots.size());
-    pixels_.assign(slots_, NO_TRIANGLE);
+    pixels_.assign(slots_, INVALID_INDEX);
 }
 
 }  // namespace weft

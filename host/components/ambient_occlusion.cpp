@@ -15,18 +15,18 @@ namespace {
 
 constexpr const char* name = "occlusion";
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.requests(name);
 }
 
-ComponentNeeds needs(const FramePlan& plan) {
-    ComponentNeeds needs = needs_of_interleaved(plan.adaptive);
-    needs.kernels.push_back(KernelId::ambient_occlusion);
-    return needs;
+ComponentRequirements requirements(const FramePlan& plan) {
+    ComponentRequirements requirements = requirements_of_interleaved(plan.adaptive);
+    requirements.kernels.push_back(KernelId::ambient_occlusion);
+    return requirements;
 }
 
-/// Contacts are darkest within a few pixels of where surfaces meet, which a lattice may miss: tiles
-/// that show such a place are sampled in full.
+/// Least levels that sample tiles with creases in full: occlusion is strongest within a few pixels
+/// of where surfaces meet, which a lattice may miss.
 std::vector<Level> levels_at_creases(std::span<const shared::TileRecord> tiles) {
     std::vector<Level> least;
     for (const shared::TileRecord& tile : tiles) {
@@ -36,9 +36,9 @@ std::vector<Level> levels_at_creases(std::span<const shared::TileRecord> tiles) 
     return least;
 }
 
-/// How open the hemisphere of each pixel's surface is to its surroundings, weighted by the cosine:
-/// the irradiance of a white sky of radiance 1 that begins at the reach, over pi. As irradiance it
-/// is judged like light, by what its error would look like on the surface.
+/// Ambient occlusion: the share, weighted by the cosine, of the hemisphere over each pixel's
+/// surface that is open. It is sampled as irradiance, that of a white sky of radiance 1 that begins
+/// at the reach, over pi: so its error is judged, like that of light, as it looks on the surface.
 class AmbientOcclusion : public Component {
   public:
     explicit AmbientOcclusion(const ComponentInputs& inputs)
@@ -63,7 +63,7 @@ class AmbientOcclusion : public Component {
     double reach_;  ///< kernel units
     DeviceBuffer<kinds::OcclusionDirections> directions_;
     InterleavedIrradiance irradiance_;
-    std::vector<double> sums_;  ///< of openness, by pixel, over the frames of the picture
+    std::vector<double> sums_;  ///< of openness, by pixel, over the frames of the image
     std::uint32_t frames_ = 0;
 };
 
@@ -115,7 +115,7 @@ void AmbientOcclusion::add_frame(Executor& executor) {
             const auto* const filtered = reinterpret_cast<const shared::float4*>(bytes.data());
             for (std::size_t pixel = 0; pixel < sums_.size(); ++pixel) {
                 const shared::float4& value = filtered[pixel];
-                // Nothing hides what is not a surface.
+                // Nothing occludes a pixel without a surface.
                 const float open =
                     value.w > 0.0F ? std::clamp(value.x * over_pi, 0.0F, 1.0F) : 1.0F;
                 sums_[pixel] += static_cast<double>(open);
@@ -138,7 +138,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 
 std::vector<shared::float4> occlusion_directions(std::uint32_t sets, std::uint32_t frame,
                                                  std::uint32_t seed, double reach) {
-    // Others than those of the points in pixels.
+    // The shifts must differ from those of the sample positions within pixels.
     const std::uint32_t key = seed ^ 0x6C078965U;
     const double shift_u = shift_of(key, 0);
     const double shift_v = shift_of(key, 1);
@@ -158,7 +158,7 @@ std::vector<shared::float4> occlusion_directions(std::uint32_t sets, std::uint32
 }
 
 ComponentKind ambient_occlusion_component() {
-    return {name, Choice::on_request, called_for, needs, make};
+    return {name, Choice::on_request, is_enabled, requirements, make};
 }
 
 }  // namespace weft

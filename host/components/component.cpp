@@ -29,17 +29,17 @@ std::vector<std::string_view> choosable_components() {
     return names;
 }
 
-ComponentNeeds needs_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
-    ComponentNeeds all;
+ComponentRequirements requirements_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
+    ComponentRequirements all;
     std::set<KernelId> kernels;
     for (const ComponentKind& kind : kinds) {
-        if (!kind.called_for(plan)) continue;
-        const ComponentNeeds needs = kind.needs(plan);
-        kernels.insert(needs.kernels.begin(), needs.kernels.end());
-        all.features |= needs.features;
-        all.tiles = all.tiles || needs.tiles;
-        all.own_tiles = all.own_tiles || needs.own_tiles;
-        all.all_receivers = all.all_receivers || needs.all_receivers;
+        if (!kind.is_enabled(plan)) continue;
+        const ComponentRequirements requirements = kind.requirements(plan);
+        kernels.insert(requirements.kernels.begin(), requirements.kernels.end());
+        all.features |= requirements.features;
+        all.tiles = all.tiles || requirements.tiles;
+        all.own_tiles = all.own_tiles || requirements.own_tiles;
+        all.all_receivers = all.all_receivers || requirements.all_receivers;
     }
     all.kernels.assign(kernels.begin(), kernels.end());
     return all;
@@ -49,7 +49,7 @@ std::vector<ActiveComponent> make_components(std::span<const ComponentKind> kind
                                              ComponentInputs inputs) {
     std::vector<ActiveComponent> made;
     for (const ComponentKind& kind : kinds) {
-        if (!kind.called_for(inputs.plan)) continue;
+        if (!kind.is_enabled(inputs.plan)) continue;
         inputs.earlier = made;
         made.push_back({kind.name, kind.make(inputs)});
     }

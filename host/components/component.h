@@ -18,11 +18,11 @@
 
 namespace weft {
 
-/// A part of composition's sum that a component makes by slot and filters afterwards.
+/// The summand of composition to which irradiance by slot belongs once it is filtered.
 enum class LightPart : std::uint8_t { direct, indirect };
 
-/// Irradiance by slot, three planes of `stride` floats: what later components may add to before its
-/// own one reconstructs it.
+/// Irradiance by slot, three planes of `stride` floats. Later components may add to it before the
+/// component that owns it reconstructs it.
 struct SlotIrradiance {
     LightPart part;
     BufferRef<kinds::SlotLight> irradiance;
@@ -33,9 +33,9 @@ struct SlotIrradiance {
     bool undersampled;  ///< what is added to a slot may be spread over pixels without samples
 };
 
-/// A part of the light, or something else to know of each pixel, that is computed and reconstructed
-/// on its own. It owns its buffers and all that it keeps from frame to frame. A renderer makes one
-/// instance of each component that its plan calls for.
+/// A part of the light, or another quantity of each pixel, that is sampled and reconstructed on its
+/// own. It owns its buffers and all that it keeps from frame to frame. A renderer makes one
+/// instance of each component that its plan enables.
 class Component {
   public:
     Component() = default;
@@ -43,44 +43,45 @@ class Component {
     Component& operator=(const Component&) = delete;
     virtual ~Component() = default;
 
-    /// Everything that a frame can leave out when it must end early.
+    /// Makes the samples: everything that a frame can leave out when it must end early.
     virtual void sample(FrameContext& frame) = 0;
-    /// Cheap: values by slot to values by pixel. Not called for a frame that is dropped.
+    /// Makes values by pixel from values by slot, which is cheap. Not called for a frame that is
+    /// dropped.
     virtual void reconstruct(FrameContext& frame) = 0;
 
-    /// Names the buffers that composition is to add up; a part belongs to one component at most.
-    virtual void hand_over(ComposedIrradiance&) const {}
-    /// Where others may add to what `sample` has made in this frame.
+    /// Binds the buffers that composition adds up; a part belongs to one component at most.
+    virtual void bind_outputs(ComposedIrradiance&) const {}
+    /// The irradiance of this frame's samples, where other components may add to it.
     [[nodiscard]] virtual std::optional<SlotIrradiance> slot_irradiance() const { return {}; }
-    /// Where it adapts: what has decided in the last frame where it is sampled, for statistics and
-    /// for the picture's layers of levels. Null where it samples every pixel in full.
+    /// Where the component was sampled in the last frame, for statistics and for the image's layers
+    /// of levels. Null where it samples every pixel in full.
     [[nodiscard]] virtual const SamplingDecision* decision() const { return nullptr; }
-    /// Of records that outlast a frame: what has become of them in the last one.
+    /// Statistics of records that outlast a frame, for the last frame; none without such records.
     [[nodiscard]] virtual std::optional<CacheStats> cache() const { return {}; }
-    /// Adds layers of its own: means over the frames of the picture.
+    /// Adds layers of its own: means over the frames of the image.
     virtual void add_layers(Image&) const {}
 };
 
-/// An instance of a kind.
+/// A component that a renderer runs.
 struct ActiveComponent {
     const char* name;
     std::unique_ptr<Component> component;
 };
 
-/// What a component is made from. All of it outlives the component.
+/// What a component is constructed from. All of it outlives the component.
 struct ComponentInputs {
     Executor& executor;
     const FlatScene& scene;
     const FramePlan& plan;
-    const FrameBuffers& buffers;  ///< what all components share
+    const FrameBuffers& buffers;  ///< those that all components share
     const WorkList& work;         ///< the order of all receivers
-    std::uint32_t width;          ///< of the picture, pixels
+    std::uint32_t width;          ///< of the image, pixels
     std::uint32_t height;
     std::uint32_t features;  ///< FEATURE_* of the frames
-    /// Those made before this one; they live as long, but the span does not.
+    /// Components made before this one; they live as long as it, but the span does not.
     std::span<const ActiveComponent> earlier;
 
-    /// Of AdaptiveSampling.
+    /// Settings for AdaptiveSampling.
     [[nodiscard]] LevelSettings levels() const {
         return {plan.interleave, plan.threshold, plan.luminance_scale};
     }
@@ -88,27 +89,27 @@ struct ComponentInputs {
 };
 
 /// What a component needs of the frames of a plan.
-struct ComponentNeeds {
+struct ComponentRequirements {
     std::vector<KernelId> kernels;
     std::uint32_t features = 0;  ///< FEATURE_* that it brings to composition and other kernels
     bool tiles = false;          ///< FrameBuffers::tiles
-    bool own_tiles = false;      ///< tiles of other surfaces than those of the G-buffer
+    bool own_tiles = false;      ///< tiles of surfaces that are not those of the G-buffer
     bool all_receivers = false;  ///< FrameBuffers::receivers, of every pixel
 };
 
-/// How `--components` knows a component.
+/// How `--components` chooses a component.
 enum class Choice : std::uint8_t {
-    by_default,  ///< a part of the picture unless left out
-    on_request,  ///< only where asked for by name
+    by_default,  ///< a part of the image unless left out
+    on_request,  ///< only where named
     unnamed      ///< another option decides
 };
 
-/// What is known of a component before any frame: what the list of all components holds.
+/// An entry of the list of all components: what is known of a component before any frame.
 struct ComponentKind {
     const char* name;
     Choice choice;
-    bool (*called_for)(const FramePlan& plan);
-    ComponentNeeds (*needs)(const FramePlan& plan);
+    bool (*is_enabled)(const FramePlan& plan);
+    ComponentRequirements (*requirements)(const FramePlan& plan);
     std::unique_ptr<Component> (*make)(const ComponentInputs& inputs);
 };
 
@@ -124,15 +125,16 @@ struct ComponentKind {
 /// Names of all components that `--components` chooses from, those by default first.
 [[nodiscard]] std::vector<std::string_view> choosable_components();
 
-/// What all that a plan calls for need together; each kernel once, in KernelId order.
-[[nodiscard]] ComponentNeeds needs_of(const FramePlan& plan,
-                                      std::span<const ComponentKind> kinds = components());
+/// What all kinds that a plan enables require together; each kernel once, in KernelId order.
+[[nodiscard]] ComponentRequirements requirements_of(
+    const FramePlan& plan, std::span<const ComponentKind> kinds = components());
 
-/// An instance of each kind that the plan calls for, in their order; fills in `earlier`.
+/// Makes an instance of each kind that the plan enables, in their order; fills in `earlier`.
 [[nodiscard]] std::vector<ActiveComponent> make_components(std::span<const ComponentKind> kinds,
                                                            ComponentInputs inputs);
 
-/// Irradiance by slot, all dark: what an interrupted frame leaves out is not undefined.
+/// Allocates irradiance by slot and sets it to 0, so that what an interrupted frame leaves out is
+/// defined.
 [[nodiscard]] DeviceBuffer<kinds::SlotLight> dark_irradiance(Executor& executor,
                                                              std::uint32_t slots, const char* what);
 

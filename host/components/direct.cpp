@@ -10,33 +10,34 @@ namespace {
 
 constexpr const char* name = "direct";
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.has_sampled_direct() || plan.has_exact_direct();
 }
 
-/// Whether area lights near a receiver are known in closed form: where each has samples of its own.
+/// Whether area lights near a receiver are computed in closed form: where each light has samples of
+/// its own.
 bool knows_near_lights(const FramePlan& plan) {
     return plan.samples_per_light > 0;
 }
 
-/// Looks at every sample on area lights.
+/// The kernel that connects receivers to every sample on area lights.
 KernelId area_light_kernel(const FramePlan& plan) {
     return knows_near_lights(plan) ? KernelId::area_lights : KernelId::vpl_gather;
 }
 
-ComponentNeeds needs(const FramePlan& plan) {
+ComponentRequirements requirements(const FramePlan& plan) {
     const bool adapts = plan.adapts_direct();
-    ComponentNeeds needs;
+    ComponentRequirements requirements;
     if (plan.has_sampled_direct()) {
-        needs = needs_of_interleaved(false);
-        needs.features |= FEATURE_SAMPLED_DIRECT;
+        requirements = requirements_of_interleaved(false);
+        requirements.features |= FEATURE_SAMPLED_DIRECT;
     }
     if (plan.has_exact_direct()) {
-        needs.all_receivers = true;
-        needs.features |= FEATURE_EXACT_DIRECT;
+        requirements.all_receivers = true;
+        requirements.features |= FEATURE_EXACT_DIRECT;
     }
-    if (plan.directional_lights > 0) needs.features |= FEATURE_DIRECTIONAL_LIGHTS;
-    std::vector<KernelId>& list = needs.kernels;
+    if (plan.directional_lights > 0) requirements.features |= FEATURE_DIRECTIONAL_LIGHTS;
+    std::vector<KernelId>& list = requirements.kernels;
     if (plan.light_sample_count() > 0) list.push_back(KernelId::light_samples);
     if (plan.samples_per_set > 0 && !adapts) list.push_back(area_light_kernel(plan));
     if (plan.punctual_lights > 0) list.push_back(KernelId::vpl_gather);
@@ -44,10 +45,10 @@ ComponentNeeds needs(const FramePlan& plan) {
         list.insert(list.end(),
                     {KernelId::shadow_probes, KernelId::shadow_edges, KernelId::soft_shadows});
     if (plan.has_distant()) list.push_back(KernelId::distant_light);
-    return needs;
+    return requirements;
 }
 
-/// Light that comes straight from area, point, spot and distant lights.
+/// Direct light from area, point, spot and distant lights.
 class Direct : public Component {
   public:
     explicit Direct(const ComponentInputs& inputs);
@@ -55,7 +56,7 @@ class Direct : public Component {
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext& frame) override;
 
-    void hand_over(ComposedIrradiance& composed) const override {
+    void bind_outputs(ComposedIrradiance& composed) const override {
         composed.direct = filtered_;
         composed.exact_direct = exact_irradiance_;
     }
@@ -74,10 +75,10 @@ class Direct : public Component {
     void clear(FrameContext& frame, const DeviceBuffer<kinds::SlotLight>& irradiance);
 
     const FrameBuffers& shared_;
-    DeviceBuffer<kinds::SlotLight> irradiance_;         ///< and
+    DeviceBuffer<kinds::SlotLight> irradiance_;         ///< null without light that is filtered
     DeviceBuffer<kinds::ReconstructedLight> filtered_;  ///< null without light that is filtered
-    DeviceBuffer<kinds::SlotLight> exact_irradiance_;   ///< null without such lights
-    std::unique_ptr<SoftShadows> soft_shadows_;         ///< where area lights adapt
+    DeviceBuffer<kinds::SlotLight> exact_irradiance_;   ///< null without light that is not filtered
+    std::unique_ptr<SoftShadows> soft_shadows_;         ///< null where area lights do not adapt
 };
 
 Direct::Direct(const ComponentInputs& inputs) : shared_(inputs.buffers) {
@@ -160,7 +161,7 @@ void Direct::clear(FrameContext& frame, const DeviceBuffer<kinds::SlotLight>& ir
 void Direct::sample(FrameContext& frame) {
     const FramePlan& plan = frame.plan;
     make_light_samples(frame, name);
-    // What no gather writes, the distant lights add to.
+    // Distant lights add to these, so what no gather writes must be 0.
     if (irradiance_ && plan.samples_per_set == 0) clear(frame, irradiance_);
     if (exact_irradiance_ && plan.punctual_lights == 0) clear(frame, exact_irradiance_);
     if (soft_shadows_) {
@@ -186,7 +187,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind direct_component() {
-    return {name, Choice::by_default, called_for, needs, make};
+    return {name, Choice::by_default, is_enabled, requirements, make};
 }
 
 }  // namespace weft

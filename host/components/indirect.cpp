@@ -11,16 +11,16 @@ namespace {
 
 constexpr const char* name = "indirect";
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.gathers_vpls() && !plan.cached;
 }
 
-ComponentNeeds needs(const FramePlan& plan) {
-    ComponentNeeds needs = needs_of_interleaved(plan.adaptive);
-    needs.kernels.push_back(KernelId::vpl_walk);
-    needs.kernels.push_back(KernelId::vpl_gather);
-    needs.features = FEATURE_INDIRECT;
-    return needs;
+ComponentRequirements requirements(const FramePlan& plan) {
+    ComponentRequirements requirements = requirements_of_interleaved(plan.adaptive);
+    requirements.kernels.push_back(KernelId::vpl_walk);
+    requirements.kernels.push_back(KernelId::vpl_gather);
+    requirements.features = FEATURE_INDIRECT;
+    return requirements;
 }
 
 /// Diffuse interreflection from virtual point lights.
@@ -32,7 +32,7 @@ class Indirect : public Component {
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext& frame) override { irradiance_.reconstruct(frame); }
 
-    void hand_over(ComposedIrradiance& composed) const override {
+    void bind_outputs(ComposedIrradiance& composed) const override {
         composed.indirect = irradiance_.filtered();
     }
     [[nodiscard]] std::optional<SlotIrradiance> slot_irradiance() const override {
@@ -83,7 +83,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind indirect_component() {
-    return {name, Choice::by_default, called_for, needs, make};
+    return {name, Choice::by_default, is_enabled, requirements, make};
 }
 
 }  // namespace weft

@@ -7,9 +7,9 @@
 #include "base/stopwatch.h"
 #include "cache/cache_picks.h"
 #include "cache/cached_pixels.h"
-#include "cache/kept_records.h"
 #include "cache/record_pool.h"
 #include "cache/record_store.h"
+#include "cache/temporal_record_cache.h"
 #include "components/component.h"
 #include "kernels/cache/cache.h"
 #include "pipeline/virtual_lights.h"
@@ -19,33 +19,35 @@ namespace {
 
 constexpr const char* name = "indirect";
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.gathers_vpls() && plan.cached;
 }
 
-ComponentNeeds needs(const FramePlan& plan) {
-    ComponentNeeds needs;
-    needs.kernels = {KernelId::vpl_walk, KernelId::receivers, KernelId::cache_tiles,
-                     KernelId::cache_records, KernelId::cache_lookup};
-    needs.features = FEATURE_INDIRECT;
+ComponentRequirements requirements(const FramePlan& plan) {
+    ComponentRequirements requirements;
+    requirements.kernels = {KernelId::vpl_walk, KernelId::receivers, KernelId::cache_tiles,
+                            KernelId::cache_records, KernelId::cache_lookup};
+    requirements.features = FEATURE_INDIRECT;
     if (plan.temporal) {
-        needs.kernels.insert(needs.kernels.end(), {KernelId::vpl_doubts, KernelId::cache_doubts});
-        needs.features |= FEATURE_TEMPORAL;
+        requirements.kernels.insert(requirements.kernels.end(),
+                                    {KernelId::vpl_invalidation, KernelId::record_invalidation});
+        requirements.features |= FEATURE_TEMPORAL;
     }
-    return needs;
+    return requirements;
 }
 
 /// Instant Caching (Debattista et al. 2009): diffuse interreflection from irradiance records, each
 /// of which has gathered all VPLs of the frame. Records are placed in rounds: all pixels look up
-/// what there is, and where they lack light, a few of them become records, ever closer to each
-/// other. With FramePlan::temporal records and VPLs outlast their frame: see KeptRecords.
+/// the records that exist, and of those that lack irradiance a few become records, closer together
+/// in every round. With FramePlan::temporal records and VPLs outlast their frame: see
+/// TemporalRecordCache.
 class InstantCache : public Component {
   public:
     explicit InstantCache(const ComponentInputs& inputs);
 
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext&) override {}
-    void hand_over(ComposedIrradiance& composed) const override {
+    void bind_outputs(ComposedIrradiance& composed) const override {
         composed.indirect = pixels_.irradiance();
     }
     [[nodiscard]] std::optional<CacheStats> cache() const override {
@@ -59,8 +61,8 @@ class InstantCache : public Component {
 
     CachedPixels pixels_;
     RecordPool pool_;
-    RecordStore store_;                  ///< those of a round
-    std::unique_ptr<KeptRecords> kept_;  ///< where records outlast their frame
+    RecordStore store_;                          ///< the records of a round
+    std::unique_ptr<TemporalRecordCache> kept_;  ///< null unless records outlast their frame
     DeviceBuffer<kinds::PixelSlots> pixel_slot_;
 };
 
@@ -77,7 +79,7 @@ InstantCache::InstantCache(const ComponentInputs& inputs)
       pixel_slot_(
           allocate<kinds::PixelSlots>(inputs.executor, inputs.pixels(), "pixel slots of records")) {
     if (inputs.plan.temporal)
-        kept_ = std::make_unique<KeptRecords>(inputs.executor, inputs.plan, pool_);
+        kept_ = std::make_unique<TemporalRecordCache>(inputs.executor, inputs.plan, pool_);
 }
 
 void InstantCache::make_records(FrameContext& frame, const std::vector<std::uint32_t>& pixels) {
@@ -123,7 +125,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind instant_cache_component() {
-    return {"instant_cache", Choice::unnamed, called_for, needs, make};
+    return {"instant_cache", Choice::unnamed, is_enabled, requirements, make};
 }
 
 }  // namespace weft

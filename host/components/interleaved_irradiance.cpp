@@ -51,15 +51,15 @@ SlotIrradiance InterleavedIrradiance::slots_of(LightPart part) const {
                      : all_slots(part, irradiance_, shared_);
 }
 
-ComponentNeeds needs_of_interleaved(bool adapts) {
-    ComponentNeeds needs;
-    needs.tiles = adapts;
-    needs.all_receivers = !adapts;
+ComponentRequirements requirements_of_interleaved(bool adapts) {
+    ComponentRequirements requirements;
+    requirements.tiles = adapts;
+    requirements.all_receivers = !adapts;
     if (adapts)
-        needs.kernels = {KernelId::lattice_signal, KernelId::reconstruct_tiles};
+        requirements.kernels = {KernelId::lattice_signal, KernelId::reconstruct_tiles};
     else
-        needs.kernels = {KernelId::reconstruct};
-    return needs;
+        requirements.kernels = {KernelId::reconstruct};
+    return requirements;
 }
 
 void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,

@@ -12,12 +12,12 @@
 
 namespace weft {
 
-/// Irradiance that each pixel estimates with its own sample set, and that is then reconstructed
-/// from pixels of all sets about it: where the plan adapts, from samples where its levels want
-/// them, else from samples of every pixel.
+/// Irradiance by interleaved sampling: each pixel estimates it with its own sample set, and
+/// reconstruction then averages over the pixels of all sets about it. Where the plan adapts, its
+/// levels decide which pixels have samples; elsewhere all pixels have.
 class InterleavedIrradiance {
   public:
-    /// Slots whose irradiance a component is to make: [first, first + count), both multiples of
+    /// Slots whose irradiance a component computes: [first, first + count), both multiples of
     /// PACKET_BLOCK.
     struct Slots {
         BufferRef<kinds::ReceiverPlanes> receivers;
@@ -30,18 +30,18 @@ class InterleavedIrradiance {
     };
     using Gather = std::function<void(const Slots& slots)>;
 
-    /// `component` names the stages. `gbuffer` holds the surfaces that are sampled, `tiles` is
-    /// their tiles where the plan adapts. All outlive this. `threshold_share` is the share of the
-    /// plan's threshold that errors may reach.
+    /// `component` names the stages. `gbuffer` holds the surfaces that are sampled, `tiles` their
+    /// tiles where the plan adapts. All outlive this. `threshold_share` is the share of the plan's
+    /// threshold that errors may reach.
     InterleavedIrradiance(const ComponentInputs& inputs, const char* component,
                           const GBuffer& gbuffer, TileGeometry* tiles,
                           double threshold_share = 1.0);
 
     /// Calls `gather` for all samples of a frame. `least_levels`, a component's own heuristic, is
-    /// AdaptiveSampling::Steps::least_levels; nothing asks for it where every pixel is sampled.
+    /// AdaptiveSampling::Steps::least_levels; it is not called where every pixel is sampled.
     void sample(FrameContext& frame, const Gather& gather,
                 const std::function<std::vector<Level>()>& least_levels = {});
-    /// Irradiance by slot to irradiance of every pixel.
+    /// Reconstructs the irradiance of every pixel from that of the slots.
     void reconstruct(FrameContext& frame);
 
     /// Four floats a pixel: red, green, blue, and the weight of samples, 0 where there are none.
@@ -60,18 +60,18 @@ class InterleavedIrradiance {
     DeviceBuffer<kinds::ReconstructedLight> filtered_;
 };
 
-/// What such irradiance needs of the frames, besides what gathers it.
-[[nodiscard]] ComponentNeeds needs_of_interleaved(bool adapts);
+/// What InterleavedIrradiance needs of the frames, besides the kernels that gather it.
+[[nodiscard]] ComponentRequirements requirements_of_interleaved(bool adapts);
 
-/// The discontinuity buffer of irradiance that every pixel has: reconstruct.cl as a stage.
+/// Filters the irradiance of all pixels with the discontinuity buffer: reconstruct.cl as a stage.
 void reconstruct_all(FrameContext& frame, const char* component, const GBuffer& gbuffer,
                      BufferRef<kinds::SlotLight> irradiance,
                      BufferRef<kinds::ReconstructedLight> filtered);
 
-/// Of irradiance that every pixel has.
+/// The SlotIrradiance of a component that samples every pixel.
 [[nodiscard]] SlotIrradiance all_slots(LightPart part, BufferRef<kinds::SlotLight> irradiance,
                                        const FrameBuffers& shared);
-/// Of irradiance that `sampling` has samples of.
+/// The SlotIrradiance of a component that `sampling` samples.
 [[nodiscard]] SlotIrradiance adaptive_slots(LightPart part, BufferRef<kinds::SlotLight> irradiance,
                                             const AdaptiveSampling& sampling);
 

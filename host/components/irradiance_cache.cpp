@@ -9,10 +9,10 @@
 #include "base/stopwatch.h"
 #include "cache/cache_picks.h"
 #include "cache/cached_pixels.h"
-#include "cache/kept_records.h"
 #include "cache/neighbour_clamping.h"
 #include "cache/record_pool.h"
 #include "cache/record_store.h"
+#include "cache/temporal_record_cache.h"
 #include "components/component.h"
 #include "kernels/cache/cache.h"
 
@@ -21,19 +21,19 @@ namespace {
 
 constexpr const char* name = "indirect";
 
-/// Bytes of cells that are kept at a time: records are made in batches of so many.
+/// Most bytes of hemisphere cells at a time; it limits how many records a batch makes.
 constexpr std::size_t cell_bytes = std::size_t{32} << 20;
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.has_indirect() && plan.traces_hemispheres();
 }
 
-ComponentNeeds needs(const FramePlan&) {
-    ComponentNeeds needs;
-    needs.kernels = {KernelId::receivers, KernelId::cache_tiles, KernelId::hemisphere_rays,
-                     KernelId::hemisphere_records, KernelId::cache_lookup};
-    needs.features = FEATURE_INDIRECT | FEATURE_HEMISPHERES;
-    return needs;
+ComponentRequirements requirements(const FramePlan&) {
+    ComponentRequirements requirements;
+    requirements.kernels = {KernelId::receivers, KernelId::cache_tiles, KernelId::hemisphere_rays,
+                            KernelId::hemisphere_records, KernelId::cache_lookup};
+    requirements.features = FEATURE_INDIRECT | FEATURE_HEMISPHERES;
+    return requirements;
 }
 
 std::uint32_t cells_of(const FramePlan& plan) {
@@ -43,24 +43,24 @@ std::uint32_t cells_of(const FramePlan& plan) {
 /// Irradiance caching (Ward, Rubinstein and Clear 1988; Ward and Heckbert 1992): diffuse
 /// interreflection from irradiance records, each of which has traced rays into the hemisphere above
 /// it. They are placed in the rounds of instant_cache.cpp. After each round radii are clamped by
-/// those of neighbours (Krivanek et al. 2006), and all pixels look up anew what all records give.
-/// Knows nothing of participating media: the program refuses scenes with any.
+/// those of neighbours (Krivanek et al. 2006), and all pixels look up all records anew. Does not
+/// support participating media: the program refuses scenes with any.
 class IrradianceCache : public Component {
   public:
     explicit IrradianceCache(const ComponentInputs& inputs);
 
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext&) override {}
-    void hand_over(ComposedIrradiance& composed) const override {
+    void bind_outputs(ComposedIrradiance& composed) const override {
         composed.indirect = pixels_.irradiance();
     }
 
   private:
-    /// Makes records of these pixels, in the pool's slots from the one returned on.
+    /// Makes records of these pixels. Returns the first of their slots in the pool.
     std::uint32_t make_records(FrameContext& frame, const std::vector<std::uint32_t>& pixels);
     /// Traces the rays of the records of `count` slots from `first` on, and sums them up.
     void trace_batch(FrameContext& frame, std::uint32_t first, std::uint32_t count);
-    /// Fills the store with the records of slots from `first` on; those of all slots clamp them.
+    /// Fills the store with the records of slots from `first` on, clamped by those of all slots.
     void fill_store(FrameContext& frame, std::uint32_t first);
 
     CachedPixels pixels_;
@@ -159,8 +159,8 @@ void IrradianceCache::sample(FrameContext& frame) {
         if (picks.empty()) break;
         const std::uint32_t first = make_records(frame, picks);
         if (frame.ended_early()) return;
-        // The last round makes a record of every pixel that lacks light. It must not take light
-        // from others: its records clamp none that were made before.
+        // The last round makes a record of every pixel that lacks irradiance. It must not take
+        // irradiance from other pixels, so its records clamp none that were made before.
         const bool last = edge == *std::rbegin(cache_rounds);
         fill_store(frame, last ? first : 0);
         frame.run_whole([&] {
@@ -177,7 +177,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind irradiance_cache_component() {
-    return {"irradiance_cache", Choice::unnamed, called_for, needs, make};
+    return {"irradiance_cache", Choice::unnamed, is_enabled, requirements, make};
 }
 
 }  // namespace weft

@@ -11,34 +11,35 @@ namespace {
 
 constexpr const char* name = "media";
 
-// Scattered light is smooth but for shafts, whose faint edges are long and lie over everything: it
-// is held to this share of the threshold, which costs little, since little has to be sampled.
+// Share of the threshold that the error of scattered light may reach. This light is smooth but for
+// shafts, whose faint edges are long and lie over everything; the stricter threshold costs little,
+// since few pixels have to be sampled.
 constexpr double threshold_share = 0.25;
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.media_light;
 }
 
-ComponentNeeds needs(const FramePlan& plan) {
-    ComponentNeeds needs = needs_of_interleaved(plan.adaptive);
-    needs.features = FEATURE_AIRLIGHT;
-    // Its tiles are of the ends of view rays, and its own.
-    needs.own_tiles = std::exchange(needs.tiles, false);
-    needs.kernels.push_back(KernelId::media_gather);
-    if (plan.light_sample_count() > 0) needs.kernels.push_back(KernelId::light_samples);
-    if (plan.has_vpls()) needs.kernels.push_back(KernelId::vpl_walk);
+ComponentRequirements requirements(const FramePlan& plan) {
+    ComponentRequirements requirements = requirements_of_interleaved(plan.adaptive);
+    requirements.features = FEATURE_AIRLIGHT;
+    // Its tiles are its own: those of the ends of view rays.
+    requirements.own_tiles = std::exchange(requirements.tiles, false);
+    requirements.kernels.push_back(KernelId::media_gather);
+    if (plan.light_sample_count() > 0) requirements.kernels.push_back(KernelId::light_samples);
+    if (plan.has_vpls()) requirements.kernels.push_back(KernelId::vpl_walk);
     if (plan.has_distant()) {
-        needs.kernels.push_back(KernelId::media_distant);
-        if (plan.directional_lights > 0) needs.features |= FEATURE_DIRECTIONAL_LIGHTS;
+        requirements.kernels.push_back(KernelId::media_distant);
+        if (plan.directional_lights > 0) requirements.features |= FEATURE_DIRECTIONAL_LIGHTS;
     }
-    return needs;
+    return requirements;
 }
 
 shared::SetList list_of(std::uint32_t first, std::uint32_t stride, std::uint32_t length) {
     return {.first = first, .stride = stride, .length = length};
 }
 
-/// Light that participating media scatter to the camera: of lights, and of VPLs. It is sampled and
+/// Light from lights and VPLs that participating media scatter to the camera. It is sampled and
 /// filtered as irradiance is, on surfaces that are the ends of view rays.
 class Media : public Component {
   public:
@@ -47,7 +48,7 @@ class Media : public Component {
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext& frame) override { radiance_.reconstruct(frame); }
 
-    void hand_over(ComposedIrradiance& composed) const override {
+    void bind_outputs(ComposedIrradiance& composed) const override {
         composed.media = radiance_.filtered();
     }
     [[nodiscard]] const SamplingDecision* decision() const override { return radiance_.adaptive(); }
@@ -144,7 +145,7 @@ void Media::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slot
         lists.push_back({Stage::media_vpls, buffers.vpls,
                          list_of(0, plan.vpls_per_set, plan.vpls_per_set * sets), 1,
                          plan.roulette});
-    // An empty list leaves all dark.
+    // Gathering an empty list sets the radiance to 0.
     if (lists.empty()) lists.push_back({Stage::media_clear, {}, list_of(0, 0, 0), 1, 0.0});
     bool adds = false;
     for (const Lights& lights : lists)
@@ -169,7 +170,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind media_component() {
-    return {name, Choice::by_default, called_for, needs, make};
+    return {name, Choice::by_default, is_enabled, requirements, make};
 }
 
 }  // namespace weft

@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* name = "direct";
 
-// What one look at a light may mean to the eye, in just noticeable differences, for its others to
-// be left out: a share of the threshold for interpolation, and at most so much.
+// Threshold, in just noticeable differences, below which a light gets no further shadow rays: a
+// share of the threshold for interpolation, but at most largest_step.
 constexpr double step_share = 0.2;
 constexpr double largest_step = 2.0;
 
@@ -25,7 +25,7 @@ SoftShadows::SoftShadows(const ComponentInputs& inputs)
     : executor_(inputs.executor),
       shared_(inputs.buffers),
       grid_{inputs.width, inputs.height},
-      words_(shared::shadow_words(inputs.scene.area_lights)) {
+      words_(shared::visibility_mask_words(inputs.scene.area_lights)) {
     const std::size_t plane = shared::shadow_plane(grid_.width, grid_.height);
     const std::vector<std::uint32_t> nothing(2 * words_ * plane, 0);
     pixel_shadows_ = upload<kinds::PixelShadows>(executor_, nothing, "shadows of pixels");
@@ -37,15 +37,15 @@ SoftShadows::SoftShadows(const ComponentInputs& inputs)
 
 void SoftShadows::sample(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
                          BufferRef<kinds::SlotLight> irradiance) {
-    look(frame, samples, irradiance);
+    probe(frame, samples, irradiance);
     edges_ = {};
     if (frame.ended_early()) return;
     frame.add_host_stage(Stage::scheduling, name, find_edges());
-    look_again(frame, samples, irradiance);
+    refine(frame, samples, irradiance);
 }
 
-void SoftShadows::look(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
-                       BufferRef<kinds::SlotLight> irradiance) {
+void SoftShadows::probe(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                        BufferRef<kinds::SlotLight> irradiance) {
     const std::uint32_t lanes = executor_.lanes();
     frame.run(Stage::shadow_probes, name,
               kernels::shadow_probes{.scene = *frame.scene_buffers.traced,
@@ -70,7 +70,7 @@ void SoftShadows::look(FrameContext& frame, BufferRef<kinds::VirtualLights> samp
 double SoftShadows::find_edges() {
     double milliseconds = 0.0;
     executor_.with_mapped(*shadow_edges_, Access::read, [&](std::span<std::byte> bytes) {
-        const Stopwatch watch;  // of the search: mapping waits for what the device still does
+        const Stopwatch watch;  // times the search alone: mapping waits for the device
         edges_ = find_shadow_edges(grid_, {reinterpret_cast<const std::uint32_t*>(bytes.data()),
                                            bytes.size() / sizeof(std::uint32_t)});
         milliseconds = watch.total();
@@ -78,14 +78,14 @@ double SoftShadows::find_edges() {
     return milliseconds;
 }
 
-void SoftShadows::look_again(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
-                             BufferRef<kinds::SlotLight> irradiance) {
+void SoftShadows::refine(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                         BufferRef<kinds::SlotLight> irradiance) {
     const double gain = frame.budget != nullptr ? frame.budget->gain(name) : 1.0;
     step_ = std::min(largest_step, step_share * gain * frame.plan.threshold);
     const std::uint32_t edge = shared::shadow_cell(executor_.lanes(), frame.plan.interleave);
     const std::uint32_t cells =
         ((grid_.width + edge - 1) / edge) * ((grid_.height + edge - 1) / edge);
-    // A full cell has as many packets as a packet has lanes; edges are usually of a quarter.
+    // A full cell has as many packets as a packet has lanes; usually a quarter of it is at edges.
     const std::uint32_t packets = std::max(1U, executor_.lanes() / 4);
     frame.run(
         Stage::area_lights, name,

@@ -13,8 +13,8 @@
 
 namespace weft {
 
-/// Light of area lights at every pixel, with rays where they tell something: one to each light
-/// first, the others where the pixels about have found different things.
+/// Direct light from area lights at every pixel, with shadow rays where they are needed: first the
+/// probe, one ray to each light, then the others where the probes of neighbouring pixels disagree.
 class SoftShadows : public SamplingDecision {
   public:
     explicit SoftShadows(const ComponentInputs& inputs);
@@ -29,18 +29,18 @@ class SoftShadows : public SamplingDecision {
     void add_layers(const std::string& component, Image& image) const override;
 
   private:
-    void look(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
-              BufferRef<kinds::SlotLight> irradiance);
+    void probe(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+               BufferRef<kinds::SlotLight> irradiance);
     /// Sets edges_; returns the milliseconds that the search took.
     [[nodiscard]] double find_edges();
-    void look_again(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
-                    BufferRef<kinds::SlotLight> irradiance);
+    void refine(FrameContext& frame, BufferRef<kinds::VirtualLights> samples,
+                BufferRef<kinds::SlotLight> irradiance);
 
     Executor& executor_;
     const FrameBuffers& shared_;
     TileGrid grid_;
-    double step_ = 0.0;    ///< of the last frame: see soft_shadows.cl
-    std::uint32_t words_;  ///< of a pixel, for a bit a light
+    double step_ = 0.0;    ///< shadow_step of the last frame: see soft_shadows.cl
+    std::uint32_t words_;  ///< words per pixel that hold one bit per light
     DeviceBuffer<kinds::PixelShadows> pixel_shadows_;
     DeviceBuffer<kinds::ShadowEdges> shadow_edges_;
     DeviceBuffer<kinds::BrightnessSlopes> slopes_;

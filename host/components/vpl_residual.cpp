@@ -7,26 +7,26 @@
 namespace weft {
 namespace {
 
-bool called_for(const FramePlan& plan) {
+bool is_enabled(const FramePlan& plan) {
     return plan.compensation;
 }
 
-ComponentNeeds needs(const FramePlan& plan) {
-    ComponentNeeds needs;
-    needs.kernels = {KernelId::vpl_residual};
+ComponentRequirements requirements(const FramePlan& plan) {
+    ComponentRequirements requirements;
+    requirements.kernels = {KernelId::vpl_residual};
     if (plan.undersamples()) {
-        needs.kernels.push_back(KernelId::filter_residual);
-        needs.all_receivers = true;
+        requirements.kernels.push_back(KernelId::filter_residual);
+        requirements.all_receivers = true;
     }
-    return needs;
+    return requirements;
 }
 
-/// What a launch adds to; see vpl_residual.cl.
+/// The bit of a part to which a launch adds; see vpl_residual.cl.
 std::uint32_t bit_of(LightPart part) {
     return part == LightPart::direct ? 1 : 2;
 }
 
-/// Irradiance that the same paths are added to: of the same receivers.
+/// Irradiance of the same receivers, to which the same paths are added.
 struct Receivers {
     std::uint32_t parts = 0;
     SlotIrradiance slots;
@@ -34,10 +34,10 @@ struct Receivers {
     BufferRef<kinds::SlotLight> indirect;
 };
 
-/// What virtual lights and light samples leave out, one path a pixel. Where a component samples
-/// every pixel it is added to those samples. Where it does not, paths at its samples would each
-/// stand for many pixels, as specks of their size: there every pixel has a path of its own, which
-/// is filtered apart.
+/// The residual: light that virtual lights and light samples leave out, by one path a pixel. Where
+/// a component samples every pixel, the paths are added to its samples. Where it does not, a path
+/// at a sample would stand for many pixels and show as a speck of their size: there every pixel has
+/// a path of its own, which is filtered apart.
 class VplResidual : public Component {
   public:
     explicit VplResidual(const ComponentInputs& inputs);
@@ -46,7 +46,7 @@ class VplResidual : public Component {
     void reconstruct(FrameContext& frame) override;
 
   private:
-    /// By slot of all pixels: for a part whose own samples are fewer.
+    /// Residual by slot of all pixels, for a part that does not sample every pixel.
     struct Apart {
         LightPart part;
         DeviceBuffer<kinds::SlotLight> irradiance;
@@ -70,7 +70,7 @@ VplResidual::VplResidual(const ComponentInputs& inputs) : shared_(inputs.buffers
     }
 }
 
-/// Where paths for these samples are added.
+/// The irradiance to which paths for these samples are added.
 SlotIrradiance VplResidual::target(const SlotIrradiance& slots) const {
     if (!slots.undersampled) return slots;
     const auto own = std::find_if(apart_.begin(), apart_.end(),
@@ -135,7 +135,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind vpl_residual_component() {
-    return {"VPL residual", Choice::unnamed, called_for, needs, make};
+    return {"VPL residual", Choice::unnamed, is_enabled, requirements, make};
 }
 
 }  // namespace weft

@@ -10,17 +10,17 @@
 
 namespace weft {
 
-/// Passes everything on to another executor, and lets another thread cancel what runs on it: no
-/// further launch begins then, whoever asks for it, but for those that are `whole`.
+/// Passes everything on to another executor, and lets another thread cancel what runs on it: then
+/// no further launch begins, except those that are `whole`.
 class CancellableExecutor : public ForwardingExecutor {
   public:
     explicit CancellableExecutor(std::unique_ptr<Executor> inner)
         : ForwardingExecutor(*inner), owned_(std::move(inner)) {}
 
-    /// Asks for an end. From any thread, at any time.
+    /// Requests that launches end. May be called from any thread, at any time.
     void request_cancel() noexcept { requested_ = true; }
 
-    /// While it lives the executor heeds requests, also one that came before. Outside nothing is
+    /// While it lives the executor heeds requests, even one that came before. Outside nothing is
     /// cancelled.
     class Scope {
       public:
@@ -35,7 +35,7 @@ class CancellableExecutor : public ForwardingExecutor {
         CancellableExecutor& executor_;
     };
 
-    /// Takes the request back; returns whether there was one.
+    /// Withdraws the request; returns whether there was one.
     bool take_request() noexcept { return requested_.exchange(false); }
 
     [[nodiscard]] bool cancelled() const override { return heeding_ && requested_; }
@@ -44,7 +44,7 @@ class CancellableExecutor : public ForwardingExecutor {
   private:
     std::unique_ptr<Executor> owned_;
     std::atomic<bool> requested_{false};
-    bool heeding_ = false;  ///< of the thread that runs launches
+    bool heeding_ = false;  ///< used only by the thread that runs launches
 };
 
 }  // namespace weft

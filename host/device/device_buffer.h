@@ -16,7 +16,8 @@
 
 namespace weft {
 
-/// What buffers hold, one type for each kind of kernels/core/buffers.def: its Element is one entry.
+/// The kinds of buffers, by what they hold: one type for each entry of kernels/core/buffers.def,
+/// whose Element is one element of the buffer.
 namespace kinds {
 using namespace shared;
 #define WEFT_BUFFER(kind, element) \
@@ -27,7 +28,7 @@ using namespace shared;
 #undef WEFT_BUFFER
 }  // namespace kinds
 
-/// Device memory of one kind, or none.
+/// Owns device memory of one kind, or none.
 template <class Kind>
 class DeviceBuffer {
   public:
@@ -45,7 +46,7 @@ class DeviceBuffer {
     std::unique_ptr<Buffer> memory_;
 };
 
-/// A DeviceBuffer that belongs to somebody else, or none.
+/// Refers to a DeviceBuffer that another object owns, or to none.
 template <class Kind>
 class BufferRef {
   public:
@@ -64,14 +65,14 @@ class BufferRef {
     Buffer* memory_ = nullptr;
 };
 
-/// Room for `count` elements; `what` names the buffer in errors.
+/// Allocates a buffer of `count` elements; `what` names it in errors.
 template <class Kind>
 [[nodiscard]] DeviceBuffer<Kind> allocate(Executor& executor, std::size_t count,
                                           std::string_view what) {
     return DeviceBuffer<Kind>(executor.allocate(count * sizeof(typename Kind::Element), what));
 }
 
-/// A buffer that holds `values`, or 16 bytes where there are none.
+/// Allocates a buffer that holds `values`, or 16 bytes where there are none.
 template <class Kind>
 [[nodiscard]] DeviceBuffer<Kind> upload(
     Executor& executor, std::type_identity_t<std::span<const typename Kind::Element>> values,
@@ -91,7 +92,7 @@ void write_buffer(Executor& executor, BufferRef<Kind> buffer,
     write_buffer<typename Kind::Element>(executor, *buffer, values);
 }
 
-/// The first `count` elements of a buffer.
+/// Reads the first `count` elements of a buffer.
 template <class Kind>
 [[nodiscard]] std::vector<typename Kind::Element> read_buffer(Executor& executor,
                                                               const DeviceBuffer<Kind>& buffer,

@@ -28,10 +28,10 @@ enum class KernelId : std::uint32_t {
 
 [[nodiscard]] std::string_view kernel_name(KernelId kernel);
 
-/// The most work-items of one launch on a CPU device, whose shape drivers compile for.
+/// The most work-items that one launch has on a CPU device. Drivers compile for this launch size.
 [[nodiscard]] std::uint32_t kernel_chunk(KernelId kernel);
 
-/// What a device is, for users and reports.
+/// Describes a device for users and reports.
 struct DeviceInfo {
     int index = -1;       ///< position in the list of OpenCL devices; -1 for native backends
     std::string backend;  ///< "opencl", "embree" or "native"
@@ -58,7 +58,7 @@ class Buffer {
     std::size_t bytes_;
 };
 
-/// What rays are traced in, as a backend keeps it.
+/// The acceleration structure in which rays are traced, as a backend keeps it.
 class TracedScene {
   public:
     virtual ~TracedScene() = default;
@@ -71,11 +71,11 @@ struct TracedGeometry {
     float box_padding = 0.0F;  ///< see BvhSettings::padding
     /// Triangles from here on may move: see Executor::update_scene. By default none does.
     std::size_t first_moving = std::numeric_limits<std::size_t>::max();
-    bool passing = false;  ///< built quickly, and not what Executor::bvh and scene_ms tell of
+    bool passing = false;  ///< temporary: built quickly; Executor::bvh and scene_ms ignore it
 };
 
-/// One argument of a launch: a buffer, a value, or neither for a buffer that the launch has no use
-/// for. Launches are made of typed arguments: see device/launch.h.
+/// One argument of a launch: a buffer, a value, or neither for a buffer that the launch does not
+/// use. They are made from typed arguments: see device/launch.h.
 struct LaunchArgument {
     Buffer* buffer = nullptr;
     const void* value = nullptr;
@@ -87,21 +87,21 @@ struct LaunchOptions {
     std::uint32_t items_per_launch = 0;  ///< at most; 0: the kernel's own chunk
     std::uint32_t first_item = 0;
     std::uint32_t counter = 0;  ///< which shared::RayCounter counts its rays
-    /// Where given, what it takes on the device is added here, by take_milliseconds at the latest,
-    /// which must be called while it is there.
+    /// Where not null, the launches' time on the device is added here, by take_milliseconds at the
+    /// latest, which must be called while the target still exists.
     double* milliseconds = nullptr;
-    /// Runs to its end even where the executor's user has cancelled all else: what it adds to must
-    /// get either all of it or nothing.
+    /// Runs to its end even after a cancel, because what it adds to must get either all of it or
+    /// nothing.
     bool whole = false;
 };
 
-/// One kernel over [first_item, first_item + items). The executor cuts it into short launches, each
-/// with a shared::LaunchRange of its own.
+/// A kernel to run over the work-items [first_item, first_item + items). The executor cuts it into
+/// short launches, each with a shared::LaunchRange of its own.
 struct Launch {
     KernelId kernel;
     const shared::RenderParams& params;
     const TracedScene* scene;                   ///< null for kernels that trace nothing
-    std::span<const LaunchArgument> arguments;  ///< the others, in the order of the signature
+    std::span<const LaunchArgument> arguments;  ///< those after it, in the order of the signature
     std::uint32_t items = 0;
     LaunchOptions options = {};
 };
@@ -112,7 +112,7 @@ struct KernelUse {
     std::uint32_t features = 0;
 };
 
-/// What building a kernel took.
+/// How a kernel was built, and in what time.
 struct KernelBuild {
     std::string name;
     std::string flags;
@@ -136,20 +136,20 @@ class Executor {
     /// `what` names the buffer in errors.
     [[nodiscard]] virtual std::unique_ptr<Buffer> allocate(std::size_t bytes,
                                                            std::string_view what) = 0;
-    /// Gives `use` the buffer's bytes in host memory. On CPU devices nothing is copied. For
-    /// Access::write the old contents need not be kept.
+    /// Calls `use` with the buffer's bytes in host memory. On CPU devices nothing is copied. With
+    /// Access::write the old contents may be lost.
     virtual void with_mapped(Buffer& buffer, Access access,
                              const std::function<void(std::span<std::byte>)>& use) = 0;
 
     [[nodiscard]] virtual std::unique_ptr<TracedScene> make_scene(
         const TracedGeometry& geometry) = 0;
     /// Brings a scene that was made of this geometry up to date after the vertices of its moving
-    /// triangles have moved, or these name other ones of them; the padding may be another, all else
-    /// is as it was (see check_update).
+    /// triangles have moved, or these triangles have been given other vertices. The padding may
+    /// differ, too; all else must be as it was (see check_update).
     virtual void update_scene(TracedScene& scene, const TracedGeometry& geometry) = 0;
 
-    /// Compiles what will be built later, all at once, where that is faster than one by one. What
-    /// does not compile is left for `build` to complain about.
+    /// Compiles kernels that will be built later, in parallel where that is faster than one by one.
+    /// `build` reports those that do not compile.
     virtual void compile(std::span<const KernelUse> uses) { (void)uses; }
 
     /// Makes kernels ready for frames with these features (RenderParams::features of their
@@ -157,15 +157,16 @@ class Executor {
     virtual void build(std::span<const KernelId> kernels, std::uint32_t features) = 0;
 
     /// Runs all launches of `launch`, in order, after all earlier ones. `keep_going`, where given,
-    /// is told between launches which share is launched, and when it says false the rest is left
-    /// out. Returns whether all ran.
+    /// is called between launches with the share that is launched; once it returns false the rest
+    /// is left out. Returns whether all ran.
     virtual bool run(const Launch& launch, const std::function<bool(double done)>& keep_going) = 0;
 
-    /// Whether nothing more is wanted of what is under way: launches are left out, and host work
-    /// should end as soon as it can.
+    /// Whether the work under way was cancelled: launches are left out, and host work should end as
+    /// soon as it can.
     [[nodiscard]] virtual bool cancelled() const { return false; }
 
-    /// Waits for everything launched and returns its milliseconds on the device since last asked.
+    /// Waits for everything launched and returns its milliseconds on the device since the call
+    /// before.
     virtual double take_milliseconds() = 0;
 
     [[nodiscard]] virtual const std::vector<KernelBuild>& builds() const = 0;
@@ -178,11 +179,12 @@ class Executor {
     [[nodiscard]] virtual std::size_t allocated_bytes() const = 0;
 };
 
-/// Throws Error (exit code 3) unless `given` is what a scene was `made_of`, but for what vertices
-/// and triangles are now and the padding: the same memory, and as many of it that move.
+/// Throws Error (exit code 3) unless `given` may update a scene that was `made_of` other geometry:
+/// it must be the same memory with as many moving triangles. Vertices, triangles and the padding
+/// may have changed.
 void check_update(const TracedGeometry& made_of, const TracedGeometry& given);
 
-/// Typed copy into a buffer; `values` fits in it.
+/// Copies `values` into a buffer, in which they fit.
 template <class T>
 void write_buffer(Executor& executor, Buffer& buffer, std::span<const T> values) {
     if (values.empty()) return;
@@ -192,7 +194,7 @@ void write_buffer(Executor& executor, Buffer& buffer, std::span<const T> values)
     });
 }
 
-/// Typed copy of the first `count` values of a buffer.
+/// Copies the first `count` values of a buffer to the host.
 template <class T>
 [[nodiscard]] std::vector<T> read_buffer(Executor& executor, Buffer& buffer, std::size_t count) {
     std::vector<T> values(count);
@@ -202,11 +204,11 @@ template <class T>
     return values;
 }
 
-/// The packet width that the environment variable WEFT_LANES asks for, or 0 where it is not set.
+/// The packet width in the environment variable WEFT_LANES, or 0 where it is not set.
 /// Throws Error (exit code 1) for anything but 1, 4, 8 or 16.
 [[nodiscard]] std::uint32_t lanes_from_environment();
 
-/// A buffer that holds `bytes`, or 16 where there are none.
+/// Allocates a buffer that holds `bytes`, or 16 bytes where there are none.
 [[nodiscard]] std::unique_ptr<Buffer> upload_bytes(Executor& executor,
                                                    std::span<const std::byte> bytes,
                                                    std::string_view what);

@@ -12,8 +12,8 @@
 
 namespace weft {
 
-/// Passes everything on to another executor: what executors that change or observe some of it are
-/// derived from.
+/// Passes everything on to another executor: the base class of executors that change or observe
+/// some of it.
 class ForwardingExecutor : public Executor {
   public:
     /// `inner` must outlive it.

@@ -33,7 +33,8 @@ using namespace shared;
 #define WEFT_TRACES_GROUP
 #define WEFT_TRACES_TRACES +1
 
-/// Bytes of `params`, `range`, the two buffers of a BVH where rays are traced, and of the others.
+/// Bytes that the arguments take: `params`, `range`, the two buffers of a BVH where rays are
+/// traced, and the others.
 template <std::size_t N>
 constexpr std::size_t bytes_of(const std::array<ArgumentInfo, N>& arguments, bool traces) {
     std::size_t bytes = sizeof(RenderParams) + sizeof(LaunchRange);

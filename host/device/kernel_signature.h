@@ -15,11 +15,11 @@ namespace weft {
 /// One argument of a kernel as kernels/core/signatures.h declares it.
 struct ArgumentInfo {
     std::string_view name;
-    bool is_value;      ///< else a buffer
+    bool is_value;      ///< false: a buffer
     std::size_t bytes;  ///< of a value, or of a pointer to a buffer
 };
 
-/// What all arguments of a kernel may take together: OpenCL's least CL_DEVICE_MAX_PARAMETER_SIZE.
+/// Most bytes of all arguments of a kernel: the least CL_DEVICE_MAX_PARAMETER_SIZE of OpenCL.
 inline constexpr std::size_t most_argument_bytes = 1024;
 
 /// The arguments of a kernel after `params`, `range` and the scene.

@@ -14,7 +14,7 @@
 
 namespace weft {
 
-/// A buffer that a kernel cannot do without.
+/// A buffer that a kernel always needs.
 template <class Kind>
 struct Required {
     Required(const DeviceBuffer<Kind>& of) : buffer(of.get()) {}
@@ -22,7 +22,7 @@ struct Required {
     Buffer* buffer;
 };
 
-/// A buffer that some launches of a kernel have no use for: then it may be none.
+/// A buffer that some launches of a kernel do not use; for those it may be null.
 template <class Kind>
 struct Optional {
     Optional(const DeviceBuffer<Kind>& of) : buffer(of.get()) {}
@@ -90,8 +90,9 @@ class ArgumentBinder {
 #define WEFT_OWNED_FIELD(mode, kind, name) DeviceBuffer<kinds::kind> name;
 #define WEFT_VIEW_FIELD(mode, kind, name) .name = owned.name,
 
-/// WEFT_GROUP(name): the buffers of GROUP_<name> (kernels/core/argument_groups.h) as arguments, as
-/// memory of its own (owned::name), and what makes arguments of that.
+/// WEFT_GROUP(name) defines three things for GROUP_<name> (kernels/core/argument_groups.h): its
+/// buffers as arguments (groups::name), as memory that they own (owned::name), and view(), which
+/// makes the arguments from the memory.
 #define WEFT_GROUP(name)                                                      \
     namespace groups {                                                        \
     struct name {                                                             \
@@ -116,8 +117,8 @@ WEFT_GROUP(SeenSurfaces)
 WEFT_GROUP(ComposedLight)
 #undef WEFT_GROUP
 
-/// The arguments of each kernel as a struct of its name: every field has to be given, by its name,
-/// and takes buffers of its own kind alone.
+/// The arguments of each kernel, as a struct of its name. Every field must be given, by its name,
+/// and takes only buffers of its own kind.
 namespace kernels {
 using namespace shared;
 #define WEFT_KERNEL_ENTRY(kernel, chunk)                                            \

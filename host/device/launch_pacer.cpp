@@ -7,13 +7,13 @@
 namespace weft {
 namespace {
 
-/// The share of the most with which an unknown workload begins.
+/// The first launch of an unknown workload has this fraction (1 / first_share) of its most items.
 constexpr std::uint32_t first_share = 16;
 /// How many times as large as any measured launch the next one may be.
 constexpr std::uint32_t most_growth = 4;
-/// How much of an older, longer time counts on: costs differ from place to place in a picture.
+/// Weight of an older, longer time: costs differ from place to place in an image.
 constexpr double memory = 0.7;
-/// Workloads that are remembered; those whose most depends on the frame would add up without end.
+/// Workloads that are kept; those whose most depends on the frame would add up without end.
 constexpr std::size_t most_workloads = 1024;
 
 }  // namespace
@@ -27,7 +27,7 @@ std::uint32_t LaunchPacer::items(KernelId kernel, std::uint32_t most) {
     const double wanted =
         pace.ms_per_item > 0.0 ? std::min(grown, launch_ms / pace.ms_per_item) : grown;
     if (wanted >= static_cast<double>(most)) return most;
-    // A multiple of the least leaves no part of the device without work at the end.
+    // A multiple of the least keeps all of the device busy to the end.
     const std::uint32_t count = static_cast<std::uint32_t>(wanted) / least * least;
     return std::max(least, count);
 }

@@ -11,17 +11,17 @@
 
 namespace weft {
 
-/// Chooses how many work-items one launch takes, from how long the ones before took: about as many
-/// as run in launch_ms, so that a run that is cancelled ends soon. Results do not depend on it.
+/// Chooses how many work-items one launch has, by the times of those before: about as many as run
+/// in launch_ms, so that a run that is cancelled ends soon. Results do not depend on it.
 class LaunchPacer {
   public:
     static constexpr double launch_ms = 6.0;
 
-    /// Launches are no smaller than `least` work-items, which keep the device busy.
+    /// Launches have at least `least` work-items, which keep the device busy.
     explicit LaunchPacer(std::uint32_t least) : least_(least > 0 ? least : 1) {}
 
-    /// Work-items of the next launch of a kernel, of at most `most`, 1 and up. A kernel launched
-    /// with another `most` than before is another workload, of which nothing is known.
+    /// Work-items of the next launch of a kernel, from 1 to `most`. A kernel launched with another
+    /// `most` than before is another workload, whose cost is not known.
     [[nodiscard]] std::uint32_t items(KernelId kernel, std::uint32_t most);
 
     /// Tells how long a launch of `items` work-items took.
@@ -30,7 +30,7 @@ class LaunchPacer {
   private:
     struct Pace {
         double ms_per_item = 0.0;   ///< 0: not known
-        std::uint32_t largest = 0;  ///< launch that has been measured
+        std::uint32_t largest = 0;  ///< items of the largest launch that was measured
     };
 
     std::uint32_t least_;

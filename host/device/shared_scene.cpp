@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-/// What users hold in place of the scene, which outlives them.
+/// Stands for the shared scene, which outlives all its users.
 class Placeholder : public TracedScene {};
 
 }  // namespace

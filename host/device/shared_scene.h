@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// Passes everything on to another executor, but builds the acceleration structure once: all that
-/// is made of one scene traces the same, as long as this executor lives.
+/// Passes everything on to another executor, but builds the acceleration structure only once: all
+/// scenes that are made while this executor lives share it.
 class SharedScene : public ForwardingExecutor {
   public:
     using ForwardingExecutor::ForwardingExecutor;

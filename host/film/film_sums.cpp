@@ -12,14 +12,14 @@
 namespace weft {
 namespace {
 
-// Variances estimated from fewer samples are not trusted, and no variance at all for long: where
-// few samples meet light, none of the first ones may.
+// Variances estimated from fewer than least_samples are not trusted, nor is a variance of 0 with
+// fewer than samples_without_variance: where few samples meet light, none of the first ones may.
 constexpr std::uint64_t least_samples = 16;
 constexpr std::uint64_t samples_without_variance = 1024;
-// What the rounding of beauty and of its square to floats leaves of a variance where samples agree,
-// relative to the square.
+// Variance, relative to the square, that remains from rounding beauty and its square to floats
+// where all samples agree.
 constexpr double rounding = 0x1p-21;
-// What the rounding of a square to the sum's unit may hide of a variance.
+// Variance that the rounding of a square to the sum's unit may hide.
 constexpr double resolution = 0x1p-73;
 static_assert(FILM_SQUARE_SHIFT == 72);
 
@@ -47,7 +47,7 @@ double plane_sum(const FilmSums& sums, std::size_t plane, std::size_t pixel) {
     return value_of(sums, plane * FILM_SUM_WORDS, FILM_SUM_WORDS, pixel, FILM_SUM_SHIFT);
 }
 
-/// Of the picture, in units of the light.
+/// Sum of beauty over the samples of a pixel, in units of the light.
 double beauty_sum(const FilmSums& sums, std::size_t channel, std::size_t pixel) {
     return plane_sum(sums, FILM_EMISSION + channel, pixel) +
            plane_sum(sums, FILM_DIRECT + channel, pixel) +
@@ -105,10 +105,10 @@ std::vector<SampleRange> joined(std::vector<SampleRange> ranges) {
 }
 
 void add_sums(FilmSums& whole, const FilmSums& part) {
-    if (whole.width != part.width || whole.height != part.height || whole.picture != part.picture ||
-        whole.light_exponent != part.light_exponent)
+    if (whole.width != part.width || whole.height != part.height ||
+        whole.identity != part.identity || whole.light_exponent != part.light_exponent)
         throw Error(ExitCode::bad_input,
-                    "the parts are not of one picture, expected the same scene, size, camera, seed "
+                    "the parts are not of one image, expected the same scene, size, camera, seed "
                     "and options");
     std::vector<SampleRange> ranges = whole.ranges;
     ranges.insert(ranges.end(), part.ranges.begin(), part.ranges.end());
@@ -172,7 +172,7 @@ double relative_error(const FilmSums& sums, const std::function<bool()>& keep_go
             const double of_mean = variance_of_mean(sums, c, pixel);
             varies = varies || of_mean * (n - 1.0) > rounding * mean * mean;
             total += weight[c] * mean;
-            // Channels of a sample move together.
+            // Channels of a sample are taken as fully correlated, so their deviations add up.
             deviation += weight[c] * std::sqrt(of_mean + resolution / (n - 1.0));
         }
         variance += deviation * deviation;

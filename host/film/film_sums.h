@@ -20,14 +20,14 @@ struct SampleRange {
     bool operator==(const SampleRange&) const = default;
 };
 
-/// The exact sums of a path-traced picture; see kernels/film/film_sums.h. Sums of disjoint samples
-/// of one picture add up to the sums of all of them, bit for bit.
+/// The exact sums of a path-traced image; see kernels/film/film_sums.h. Sums of disjoint samples
+/// of one image add up to the sums of all of them, bit for bit.
 struct FilmSums {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    /// What the samples belong to: scene, camera, seed and everything else that changes them. Only
-    /// equal pictures may be added.
-    std::string picture;
+    /// Digest of the scene, camera, seed and everything else that changes samples. Only sums with
+    /// equal identities may be added.
+    std::string identity;
     int light_exponent = 0;            ///< light is in units of 2^light_exponent
     double depth_unit = 1.0;           ///< kernel units per scene unit
     std::vector<SampleRange> ranges;   ///< disjoint, ascending, not adjacent
@@ -37,7 +37,7 @@ struct FilmSums {
     [[nodiscard]] std::uint64_t samples() const;
 };
 
-/// Adds `part` to `whole`. Throws Error (exit code 2) where they are not of one picture or share
+/// Adds `part` to `whole`. Throws Error (exit code 2) where they are not of one image or share
 /// samples.
 void add_sums(FilmSums& whole, const FilmSums& part);
 
@@ -49,9 +49,9 @@ void add_sums(FilmSums& whole, const FilmSums& part);
 /// estimated variance of each pixel's beauty (0 for a single sample).
 [[nodiscard]] Image resolve_sums(const FilmSums& sums);
 
-/// Estimated standard error of the picture's mean luminance, relative to it; infinite where that
+/// Estimated standard error of the image's mean luminance, relative to it; infinite where that
 /// cannot be told yet: of fewer than 16 samples, or of fewer than 1024 that all agree. `keep_going`
-/// is asked now and then, if given; where it says no, the result is infinite as well.
+/// is called now and then, if given; where it returns false, the result is infinite as well.
 [[nodiscard]] double relative_error(const FilmSums& sums,
                                     const std::function<bool()>& keep_going = {});
 

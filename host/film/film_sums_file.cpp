@@ -16,7 +16,7 @@
 namespace weft {
 namespace {
 
-constexpr const char* picture_key = "weft.picture";
+constexpr const char* identity_key = "weft.picture";
 constexpr const char* ranges_key = "weft.samples";
 constexpr const char* exponent_key = "weft.light_exponent";
 constexpr const char* unit_key = "weft.depth_exponent";
@@ -34,7 +34,7 @@ class Reader {
         const auto found = image_.metadata.find(key);
         if (found == image_.metadata.end())
             throw input_error(
-                place_, "holds no sums, expected a picture written with --samples or --resume");
+                place_, "holds no sums, expected an image written with --samples or --resume");
         return found->second;
     }
 
@@ -100,7 +100,7 @@ std::string ranges_text(const std::vector<SampleRange>& ranges) {
 }
 
 void attach_sums(const FilmSums& sums, Image& image) {
-    image.metadata[picture_key] = sums.picture;
+    image.metadata[identity_key] = sums.identity;
     image.metadata[ranges_key] = ranges_text(sums.ranges);
     image.metadata[exponent_key] = std::to_string(sums.light_exponent);
     image.metadata[unit_key] = std::to_string(std::ilogb(sums.depth_unit));  // a power of two
@@ -119,7 +119,7 @@ FilmSums sums_of(const Image& image, const std::string& place) {
     FilmSums sums;
     sums.width = image.width;
     sums.height = image.height;
-    sums.picture = reader.text(picture_key);
+    sums.identity = reader.text(identity_key);
     sums.ranges = reader.ranges();
     sums.light_exponent = reader.exponent(exponent_key);
     sums.depth_unit = std::ldexp(1.0, reader.exponent(unit_key));

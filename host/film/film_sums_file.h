@@ -12,11 +12,11 @@ namespace weft {
 /// "0:64,128:256".
 [[nodiscard]] std::string ranges_text(const std::vector<SampleRange>& ranges);
 
-/// Adds the sums to the picture made of them, as layers of words and metadata, so that its file can
-/// be continued or merged.
+/// Adds the sums to the image resolved from them, as layers of words and metadata, so that its file
+/// can be continued or merged.
 void attach_sums(const FilmSums& sums, Image& image);
 
-/// The sums in a picture read from the file `place`. Throws Error (exit code 2) where it has none
+/// The sums in an image read from the file `place`. Throws Error (exit code 2) where it has none
 /// or they are damaged.
 [[nodiscard]] FilmSums sums_of(const Image& image, const std::string& place);
 

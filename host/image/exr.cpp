@@ -40,13 +40,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view channel_order = "RGBAXYZ";
 
-// Decoded bytes a byte of the file can stand for: a property of deflate (1032), and a generous
-// bound for PIZ, whose blocks of zeros have almost constant size.
+// Most decoded bytes that a byte of the file can encode: a property of deflate (1032), and a
+// generous bound for PIZ, whose blocks of zeros have almost constant size.
 constexpr std::size_t max_zip_expansion = 1100;
 constexpr std::size_t max_piz_expansion = 65536;
 
-/// A file that remembers a failed write: Imf::OutputFile swallows the failures of its destructor,
-/// which writes the table of line offsets.
+/// An output stream that records a failed write: Imf::OutputFile swallows the failures of its
+/// destructor, which writes the table of line offsets.
 class CheckedStream : public Imf::OStream {
   public:
     explicit CheckedStream(const fs::path& path)
@@ -82,7 +82,7 @@ bool printable(std::string_view text) {
     });
 }
 
-/// Refuses what could not be written, or not be read again.
+/// Refuses images that could not be written, or could not be read again.
 void check_image(const Image& image, const std::string& place) {
     const auto refuse = [&](const std::string& why) {
         return Error(ExitCode::output, place, "cannot be written: " + why);
@@ -90,7 +90,7 @@ void check_image(const Image& image, const std::string& place) {
     const std::size_t pixels = std::size_t{image.width} * image.height;
     if (pixels == 0 || image.width > limits::max_film_edge ||
         image.height > limits::max_film_edge || pixels > limits::max_film_pixels)
-        throw refuse("the picture is empty or too large");
+        throw refuse("the image is empty or too large");
     std::set<std::string> names;
     for (const Layer& layer : image.layers) {
         if (layer.channels.empty() || layer.values.size() != pixels * layer.channels.size())
@@ -104,7 +104,7 @@ void check_image(const Image& image, const std::string& place) {
     }
     if (names.empty() || names.size() > limits::max_exr_channels ||
         names.size() * pixels > limits::max_exr_values)
-        throw refuse("the picture has no channels or too many");
+        throw refuse("the image has no channels or too many");
 }
 
 Imf::Header make_header(const Image& image, const std::string& place) {
@@ -112,7 +112,7 @@ Imf::Header make_header(const Image& image, const std::string& place) {
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
     for (const auto& [key, value] : image.metadata) {
-        // These mean something else to readers of several parts, although they are strings.
+        // These strings have a meaning of their own to readers of multi-part files.
         const bool reserved = key == "name" || key == "type" || key == "view";
         if (key.empty() || key.size() > 255 || !printable(key) || reserved ||
             header.find(key) != header.end())
@@ -151,7 +151,7 @@ std::vector<std::byte> read_head(const fs::path& path, const std::string& place)
     return bytes;
 }
 
-/// The layer and channel letter that a channel's full name stands for.
+/// The layer name and channel letter of a channel's full name.
 std::pair<std::string, char> split_name(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     const std::string letter = dot == std::string::npos ? name : name.substr(dot + 1);
@@ -205,7 +205,7 @@ Image read_pixels(Imf::InputFile& file, std::size_t file_bytes, const std::strin
     const std::size_t pixels = std::size_t{image.width} * image.height;
     std::size_t total = 0;
     for (const Layer& layer : image.layers) total += layer.channels.size() * pixels;
-    // A value takes at least two bytes; no file says less in fewer bytes than this.
+    // A value has at least two bytes, so the file must have at least this many.
     const bool piz = file.header().compression() == Imf::PIZ_COMPRESSION;
     const std::size_t expansion = piz ? max_piz_expansion : max_zip_expansion;
     if (total > limits::max_exr_values || total / expansion > file_bytes / 2)

@@ -122,7 +122,7 @@ struct AttributeSize {
     std::size_t bytes;
 };
 
-// Those that OpenEXR reads without a look at the stated size.
+// Sizes of the attribute types that OpenEXR reads without checking the stated size.
 constexpr std::array<AttributeSize, 24> attribute_sizes = {{
     {"box2i", 16},      {"box2f", 16},    {"chromaticities", 32},
     {"compression", 1}, {"double", 8},    {"deepImageState", 1},
@@ -144,8 +144,9 @@ bool is_string_list(Cursor value) {
     return true;
 }
 
-/// OpenEXR takes the bytes that a type needs, whatever size is stated. The two must agree: else
-/// it goes on to read a header other than the one that is checked here.
+/// Checks that the stated size of an attribute agrees with its type: OpenEXR reads the bytes that
+/// the type needs whatever size is stated, and would otherwise go on at another place of the header
+/// than the check.
 void check_size(std::string_view type, std::size_t size, Cursor value, const std::string& place) {
     bool good = type != "idmanifest";  // compressed: expands to any size
     for (const AttributeSize& known : attribute_sizes)

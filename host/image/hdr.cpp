@@ -22,8 +22,8 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-// Pixels a byte of the file can stand for. Old run lengths could say more than twice as much, of
-// rows of one colour alone that are wider than any picture of ours.
+// Most pixels that a byte of the file can encode. Old run lengths could encode more than twice as
+// many, but only in rows of one colour that are wider than any image within the limits.
 constexpr std::size_t max_expansion = 1024;
 
 /// How rows and columns lie in the file.
@@ -35,7 +35,7 @@ struct Resolution {
 
 struct Header {
     Resolution resolution;
-    std::array<double, 3> scale = {1.0, 1.0, 1.0};  ///< what pixels were multiplied with
+    std::array<double, 3> scale = {1.0, 1.0, 1.0};  ///< by which pixels were multiplied
 };
 
 /// The bytes of a file and the line a message is about.
@@ -56,7 +56,7 @@ class Source {
             text.substr(0, std::min(text.size(), limits::max_hdr_header_bytes)).substr(position_);
         const std::size_t end = rest.find('\n');
         if (end == std::string_view::npos)
-            throw error("the header of the Radiance picture has no end");
+            throw error("the header of the Radiance image has no end");
         position_ += end + 1;
         std::string_view result = rest.substr(0, end);
         if (result.ends_with('\r')) result.remove_suffix(1);
@@ -89,7 +89,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// The next word of a line, which loses it.
+/// Removes the next word from a line and returns it.
 std::string_view next_word(std::string_view& text) {
     text = trimmed(text);
     const std::string_view word = text.substr(0, text.find_first_of(" \t"));
@@ -112,7 +112,7 @@ std::uint32_t read_edge(std::string_view word, const Source& source) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || value == 0 ||
         value > limits::max_film_edge)
-        throw source.error("picture edge " + quote(word) + ", expected 1 to " +
+        throw source.error("image edge " + quote(word) + ", expected 1 to " +
                            std::to_string(limits::max_film_edge) + " pixels");
     return value;
 }
@@ -146,7 +146,7 @@ Resolution read_resolution(Source& source) {
 Header read_header(Source& source) {
     Header header;
     if (!source.line().starts_with("#?"))
-        throw source.error("is not a Radiance picture, expected #?RADIANCE");
+        throw source.error("is not a Radiance image, expected #?RADIANCE");
     for (std::string_view line = source.line(); !line.empty(); line = source.line()) {
         const std::size_t equals = line.find('=');
         if (line[0] == '#' || equals == std::string_view::npos) continue;
@@ -163,13 +163,14 @@ Header read_header(Source& source) {
     }
     for (const double scale : header.scale)
         if (!(scale > 1e-30) || !(scale < 1e30))
-            throw source.error("exposures multiply to a number that makes no picture");
+            throw source.error("exposures multiply to a number that makes no image");
     header.resolution = read_resolution(source);
     source.end_of_header();
     return header;
 }
 
-/// A byte for each mantissa and exponent, one after another, each as runs and pieces.
+/// Reads a row in the new format: all bytes of each mantissa and then of the exponent, each as runs
+/// and literal pieces.
 void read_new_runs(Source& source, std::vector<Rgbe>& row) {
     constexpr std::uint8_t run_mark = 128;
     for (std::size_t channel = 0; channel < 4; ++channel) {
@@ -188,7 +189,8 @@ void read_new_runs(Source& source, std::vector<Rgbe>& row) {
     }
 }
 
-/// Whole pixels; 1 1 1 n repeats the last one, and runs in a row are digits of one count.
+/// Reads a row in the old format: whole pixels; 1 1 1 n repeats the last one, and consecutive runs
+/// are digits of one count.
 void read_old_runs(Source& source, std::vector<Rgbe>& row) {
     unsigned shift = 0;
     for (std::size_t x = 0; x < row.size();) {
@@ -222,7 +224,7 @@ void read_row(Source& source, std::vector<Rgbe>& row) {
     read_old_runs(source, row);
 }
 
-/// Refuses sizes that so few bytes cannot stand for.
+/// Refuses sizes for which the file has too few bytes.
 void check_size(const Resolution& size, const Source& source) {
     const std::size_t pixels = std::size_t{size.width} * size.height;
     if (pixels > limits::max_film_pixels || pixels / max_expansion > source.left())

@@ -12,10 +12,10 @@
 
 namespace weft {
 
-/// Decodes a Radiance picture (`.hdr`, `.pic`) into one beauty layer RGB: flat, old and new run
-/// lengths, all eight orientations. A value is mantissa * 2^(exponent - 136), divided by what
-/// EXPOSURE and COLORCORR say it was multiplied with. Throws Error (exit code 2) that names `place`
-/// for anything damaged, too large, or in XYZ.
+/// Decodes a Radiance image (`.hdr`, `.pic`) into one beauty layer RGB: flat, old and new run
+/// lengths, all eight orientations. A value is mantissa * 2^(exponent - 136), divided by the
+/// factors of EXPOSURE and COLORCORR. Throws Error (exit code 2) that names `place` for anything
+/// damaged, too large, or in XYZ.
 [[nodiscard]] Image decode_hdr(std::span<const std::byte> bytes, const std::string& place);
 
 /// `decode_hdr` of a whole file.

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// One plane group of a picture, e.g. "direct" with channels R, G, B. Planar: all values of
+/// One plane group of an image, e.g. "direct" with channels R, G, B. Planar: all values of
 /// channel 0, then of channel 1, ...; each plane row-major, top row first.
 struct Layer {
     std::string name;      ///< empty for the beauty layer
@@ -21,10 +21,10 @@ struct Layer {
                          ///< word_layer_prefix
 };
 
-/// Layers of words are named this, a dot and more.
+/// Names of layers of words begin with this and a dot.
 inline constexpr std::string_view word_layer_prefix = "weft.sums";
 
-/// A picture of several layers of one size, linear Rec.709 where it holds colour.
+/// An image of several layers of one size, linear Rec.709 where it holds colour.
 struct Image {
     std::uint32_t width = 0;
     std::uint32_t height = 0;

@@ -24,10 +24,10 @@ constexpr std::string_view exr_mark = "\x76\x2f\x31\x01";
 constexpr std::string_view png_mark = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view hdr_mark = "#?";
 
-// Its value is known to this file alone, and taken out of whatever a file claims.
+// Metadata key that only this file sets; it is removed from the metadata of any file that is read.
 constexpr const char* display_key = "weft:display-referred";
 
-/// The first bytes of a file, as many as tell its kind.
+/// The first bytes of a file, as many as identify its format.
 std::string head_of(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error))
@@ -51,7 +51,7 @@ Image load_image(const fs::path& path) {
     if (head.starts_with(hdr_mark)) return read_hdr(path);
     if (!head.starts_with(png_mark))
         throw input_error(path.string(),
-                          "is not a picture, expected an OpenEXR, Radiance HDR or PNG file");
+                          "is not an image, expected an OpenEXR, Radiance HDR or PNG file");
     Image image = decode_png(read_file(path, limits::max_image_file_bytes), path.string());
     image.metadata[display_key] = "sRGB";
     return image;

@@ -22,6 +22,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/limits.h"
+#include "base/srgb.h"
 
 namespace weft {
 namespace {
@@ -49,10 +50,6 @@ ColourPlanes find_colour(const Image& image) {
         pixels};
 }
 
-double srgb_transfer(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
 /// Threshold in (0, 1) of the 8x8 Bayer matrix, whose 64 values are (k + 1/2) / 64.
 double dither_threshold(std::uint32_t x, std::uint32_t y) {
     std::uint32_t rank = 0;
@@ -66,7 +63,7 @@ double dither_threshold(std::uint32_t x, std::uint32_t y) {
 
 png_byte encode_value(double linear, double threshold) {
     if (!(linear > 0.0)) return 0;
-    const double value = 255.0 * srgb_transfer(std::min(linear, 1.0));
+    const double value = 255.0 * srgb_from_linear(std::min(linear, 1.0));
     return static_cast<png_byte>(std::min(255.0, std::floor(value + threshold)));
 }
 
@@ -118,7 +115,7 @@ class PngWriter {
         }
     }
 
-    /// False when libpng gave up. Nothing here may own memory: see the class.
+    /// Encodes all rows; false when libpng failed. Nothing here may own memory: see the class.
     template <typename FillRow>
     bool encode_rows(const FillRow& fill_row) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
@@ -136,7 +133,7 @@ class PngWriter {
         return true;
     }
 
-    /// Exceptions must not cross libpng, so that a lack of memory becomes an error of its kind.
+    /// Appends bytes. Exceptions must not cross libpng, so a lack of memory becomes a libpng error.
     bool append(std::span<const std::byte> bytes) noexcept {
         try {
             bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
@@ -177,7 +174,7 @@ std::vector<std::byte> png_bytes(const Image& image, double exposure_ev) {
     const ColourPlanes colour = find_colour(image);
     if (colour.pixels == 0 || image.width > limits::max_film_edge ||
         image.height > limits::max_film_edge)
-        throw std::invalid_argument("the picture has no colour layer, expected RGB or Y");
+        throw std::invalid_argument("the image has no colour layer, expected RGB or Y");
     return PngWriter().encode(image, colour, exposure_ev);
 }
 
@@ -207,7 +204,7 @@ double auto_exposure(const Image& image) {
         sum += y;
     }
     if (luminances.empty()) return 0.0;
-    // One pixel of almost nothing would otherwise brighten the whole picture.
+    // Otherwise a single pixel that is nearly black would brighten the whole image.
     const double floor = std::ldexp(sum / static_cast<double>(luminances.size()), -20);
     std::erase_if(luminances, [&](float y) { return !(y > floor); });
     double log_sum = 0.0;

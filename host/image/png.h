@@ -14,7 +14,7 @@ namespace weft {
 /// The beauty layer (`RGB...` or `Y`) times 2^exposure_ev as an 8-bit sRGB PNG. Values are clamped
 /// to [0, 1] (NaN counts as 0) and rounded with an 8x8 ordered dither, which depends on the pixel's
 /// place alone and keeps values that 8 bits can hold; metadata becomes text chunks. Throws
-/// std::invalid_argument where there is no such layer or the picture is too large, and
+/// std::invalid_argument where there is no such layer or the image is too large, and
 /// std::runtime_error where metadata does not fit into a PNG.
 [[nodiscard]] std::vector<std::byte> png_bytes(const Image& image, double exposure_ev);
 
@@ -24,7 +24,7 @@ void write_png(const std::filesystem::path& path, const Image& image, double exp
 /// Exposure in stops for the beauty layer, from the luminances Y of its pixels that are finite and
 /// not black (Y > 2^-20 of their mean): `key = log2(0.18 / exp(mean(log Y)))` puts the log-average
 /// at middle grey. Highlights are protected by at most two stops: the result is
-/// `max(key - 2, min(key, -log2(P)))`, P being the 95th percentile of Y. 0 for a black picture.
+/// `max(key - 2, min(key, -log2(P)))`, P being the 95th percentile of Y. 0 for a black image.
 [[nodiscard]] double auto_exposure(const Image& image);
 
 }  // namespace weft

@@ -17,16 +17,13 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "base/srgb.h"
 
 namespace weft {
 namespace {
 
-// Decoded bytes a byte of the file can stand for: a property of deflate, whose bound is 1032.
+// Most decoded bytes that a byte of the file can encode: deflate's bound is 1032.
 constexpr std::size_t max_expansion = 1100;
-
-double linear_from_srgb(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 /// libpng's state. Its errors leave by longjmp, past which no destructor runs: all that the decoder
 /// allocates belongs to this object, outside of the jumps.
@@ -71,7 +68,7 @@ class PngDecoder {
         png_set_user_limits(png_, limits::max_film_edge, limits::max_film_edge);
         png_set_chunk_malloc_max(png_, max_chunk);
         png_set_chunk_cache_max(png_, 100);
-        // A wrong checksum is damage even in what we do not look at.
+        // A wrong checksum is damage even in chunks that are not used.
         png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
         png_read_info(png_, info_);
         png_set_expand(png_);

@@ -21,14 +21,14 @@ constexpr double albedo_tolerance = 0.01;
 /// A camera's pixels in scene units.
 class PixelView {
   public:
-    explicit PixelView(const SequencePicture& picture)
-        : image_(picture.image), depth_(image_.find("depth")->values) {
-        const glm::dmat3 axes(picture.camera.to_world);
+    explicit PixelView(const SequenceImage& image)
+        : image_(image.image), depth_(image_.find("depth")->values) {
+        const glm::dmat3 axes(image.camera.to_world);
         const double aspect = static_cast<double>(image_.width) / image_.height;
-        origin_ = glm::dvec3(picture.camera.to_world[3]);
+        origin_ = glm::dvec3(image.camera.to_world[3]);
         forward_ = glm::normalize(-axes[2]);
-        tangent_ = vertical_tangent(picture.camera, aspect);
-        right_ = glm::normalize(axes[0]) * (picture.camera.mirror_x ? -1.0 : 1.0);
+        tangent_ = vertical_tangent(image.camera, aspect);
+        right_ = glm::normalize(axes[0]) * (image.camera.mirror_x ? -1.0 : 1.0);
         up_ = glm::normalize(axes[1]);
         aspect_ = aspect;
     }
@@ -93,8 +93,7 @@ std::vector<float> units(const Image& image, double luminance_scale) {
 
 }  // namespace
 
-std::vector<std::uint32_t> matching_pixels(const SequencePicture& before,
-                                           const SequencePicture& now) {
+std::vector<std::uint32_t> matching_pixels(const SequenceImage& before, const SequenceImage& now) {
     const PixelView then(before);
     const PixelView view(now);
     std::vector<std::uint32_t> matches(std::size_t{now.image.width} * now.image.height, no_pixel);
@@ -112,7 +111,7 @@ std::vector<float> excess_change(const Image& before, const Image& now,
                                  std::span<const std::uint32_t> matches, double luminance_scale) {
     for (const Image* image : {&before, &now, &reference_before, &reference_now})
         if (std::size_t{image->width} * image->height != matches.size())
-            throw std::invalid_argument("flicker needs pictures of one size");
+            throw std::invalid_argument("flicker needs images of one size");
     const std::vector<float> a = units(before, luminance_scale);
     const std::vector<float> b = units(now, luminance_scale);
     const std::vector<float> c = units(reference_before, luminance_scale);

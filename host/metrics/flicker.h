@@ -13,28 +13,28 @@
 
 namespace weft {
 
-/// A picture of a sequence: beauty with the layers emission, albedo, normal and depth as renderers
-/// write them, and where it was seen from.
-struct SequencePicture {
+/// An image of a sequence: beauty with the layers emission, albedo, normal and depth as renderers
+/// write them, and its camera.
+struct SequenceImage {
     const Image& image;
     const Camera& camera;
 };
 
-/// Stands for no pixel.
+/// Index of no pixel.
 inline constexpr std::uint32_t no_pixel = std::numeric_limits<std::uint32_t>::max();
 
-/// For every pixel of `now` the one of `before` within which its surface point lay, or no_pixel
-/// where that shows another surface: where the normals differ by more than acos(0.9), the other
+/// For every pixel of `now` the pixel of `before` in which its surface point lay, or no_pixel where
+/// that pixel shows another surface: where the normals differ by more than acos(0.9), the other
 /// point lies more than two pixel footprints off this one's tangent plane, or an albedo differs by
-/// more than 1 %. Background and light sources have none.
-[[nodiscard]] std::vector<std::uint32_t> matching_pixels(const SequencePicture& before,
-                                                         const SequencePicture& now);
+/// more than 1 %. Pixels of the background and of light sources have none.
+[[nodiscard]] std::vector<std::uint32_t> matching_pixels(const SequenceImage& before,
+                                                         const SequenceImage& now);
 
-/// How much more a sequence changes than its reference does: for every pixel that `matches` finds
-/// again |P(now) - P(before)| of the test less the same of the reference, P being the PU21 units
-/// of the luminance (see pu21_encode; a unit is about a just noticeable difference) with
+/// Flicker: how much more a sequence changes than its reference does. For every pixel with a match
+/// in `matches`, |P(now) - P(before)| of the test minus that of the reference, where P is the
+/// luminance in PU21 units (see pu21_encode; a unit is about a just noticeable difference) with
 /// `luminance_scale` cd/m^2 of radiance 1. 0 where there is no match. Throws std::invalid_argument
-/// unless all pictures have one size.
+/// unless all images have one size.
 [[nodiscard]] std::vector<float> excess_change(const Image& before, const Image& now,
                                                const Image& reference_before,
                                                const Image& reference_now,

@@ -86,7 +86,7 @@ std::vector<float> csf_taps(double a, double b, int radius, double ppd) {
     return taps;
 }
 
-/// What the eye's contrast sensitivity leaves of a picture in YCxCz, as linear RGB in [0, 1].
+/// An image in YCxCz filtered by the eye's contrast sensitivity, as linear RGB in [0, 1].
 Planes filtered_colour(const Planes& ycxcz, std::uint32_t width, std::uint32_t height, double ppd) {
     constexpr double widest = 0.04;
     const int radius = static_cast<int>(
@@ -115,7 +115,7 @@ Planes filtered_colour(const Planes& ycxcz, std::uint32_t width, std::uint32_t h
     return result;
 }
 
-/// Derivatives of the achromatic picture by x and y at the scale of features.
+/// Derivatives of the achromatic image by x and y at the scale of features.
 struct Features {
     std::vector<float> edge_x, edge_y, point_x, point_y;
 };
@@ -145,26 +145,26 @@ Features features_of(const std::vector<float>& achromatic, std::uint32_t width,
             filtered(gauss, second)};
 }
 
-/// All that the comparison takes of one picture.
+/// All that the comparison needs of one image.
 struct Perceived {
     Planes colour;
     Features features;
 };
 
-Perceived perceive(const RgbView& picture, double ppd) {
+Perceived perceive(const RgbView& image, double ppd) {
     const dmat3 matrix = xyz_from_rgb();
     Planes ycxcz;
-    for (auto& plane : ycxcz) plane.resize(picture.pixels());
-    std::vector<float> achromatic(picture.pixels());
-    tbb::parallel_for(std::size_t{0}, picture.pixels(), [&](std::size_t i) {
-        const dvec3 rgb(picture.plane(0)[i], picture.plane(1)[i], picture.plane(2)[i]);
+    for (auto& plane : ycxcz) plane.resize(image.pixels());
+    std::vector<float> achromatic(image.pixels());
+    tbb::parallel_for(std::size_t{0}, image.pixels(), [&](std::size_t i) {
+        const dvec3 rgb(image.plane(0)[i], image.plane(1)[i], image.plane(2)[i]);
         const dvec3 c = ycxcz_from_rgb(matrix, glm::clamp(rgb, 0.0, 1.0));
         for (int k = 0; k < 3; ++k)
             ycxcz[static_cast<std::size_t>(k)][i] = static_cast<float>(c[k]);
         achromatic[i] = static_cast<float>((c.x + 16.0) / 116.0);
     });
-    return {filtered_colour(ycxcz, picture.width, picture.height, ppd),
-            features_of(achromatic, picture.width, picture.height, ppd)};
+    return {filtered_colour(ycxcz, image.width, image.height, ppd),
+            features_of(achromatic, image.width, image.height, ppd)};
 }
 
 double colour_difference(double distance, double largest) {
@@ -233,11 +233,11 @@ double brightest_value() {
     return (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
 }
 
-std::vector<float> tone_mapped(const RgbView& picture, double exposure) {
+std::vector<float> tone_mapped(const RgbView& image, double exposure) {
     const double scale = std::exp2(exposure);
-    std::vector<float> result(picture.values.size());
+    std::vector<float> result(image.values.size());
     tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
-        result[i] = static_cast<float>(tone_curve(scale * std::max(0.0F, picture.values[i])));
+        result[i] = static_cast<float>(tone_curve(scale * std::max(0.0F, image.values[i])));
     });
     return result;
 }

@@ -39,9 +39,9 @@ class LineTransform {
     std::vector<Complex> padded_;
 };
 
-/// Two-dimensional transforms of row-major maps of one size. Two real maps travel as the real and
-/// the imaginary part of one complex map: a filter with weights that are real and equal at opposite
-/// frequencies treats each on its own.
+/// Two-dimensional transforms of row-major maps of one size. Two real maps are transformed as the
+/// real and the imaginary part of one complex map: a filter whose weights are real and equal at
+/// opposite frequencies filters each independently.
 class Fourier2d {
   public:
     Fourier2d(std::uint32_t width, std::uint32_t height);

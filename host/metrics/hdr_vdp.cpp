@@ -70,7 +70,7 @@ PositiveRange positive_range(std::span<const float> map, double scale) {
     return range;
 }
 
-/// One floor for both images: pixels that are black in both must not differ.
+/// Luminances of both images, with one lower limit so that pixels that are black in both are equal.
 Pair luminances(std::span<const float> test, std::span<const float> reference, double scale) {
     const PositiveRange of_test = positive_range(test, scale);
     const PositiveRange of_reference = positive_range(reference, scale);
@@ -101,7 +101,7 @@ void filter_image(Fourier2d& fourier, const Filter& filter, const Pair& spectrum
     fourier.inverse(image, filter.reach());
 }
 
-/// What the eye makes of both luminance maps: spectrum of the response in just noticeable
+/// The perception of both luminance maps: the spectrum of the response in just noticeable
 /// differences, weighted with the sensitivity at the local adaptation to the reference.
 Pair perceived_spectrum(Fourier2d& fourier, const FrequencyGrid& grid, Pair image,
                         const HdrVdpSettings& settings) {

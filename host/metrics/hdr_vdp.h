@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// How the two images are looked at. The result hangs on the absolute luminance.
+/// Viewing conditions of the two images. The result depends on the absolute luminance.
 struct HdrVdpSettings {
     double pixels_per_degree = 30.0;  ///< of visual angle, 0.01 ... 100000
     double viewing_distance = 0.5;    ///< metres, 0.001 ... 1000

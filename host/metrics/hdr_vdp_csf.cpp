@@ -11,7 +11,7 @@ namespace {
 
 constexpr double accommodation = 0.9;
 constexpr double image_area = 1.0;         // square degrees
-constexpr double largest_exponent = 50.0;  // sensitivity is nothing there, exp() not yet infinite
+constexpr double largest_exponent = 50.0;  // sensitivity is negligible, exp() still finite
 
 double straight_sensitivity(double frequency, double adaptation) {
     const double a = 0.801 * std::pow(1.0 + 0.7 / adaptation, -0.2);

@@ -19,7 +19,7 @@ inline constexpr std::array<double, 6> adaptation_levels{0.001, 0.01, 0.1, 1.0, 
 [[nodiscard]] double contrast_sensitivity(double frequency, double angle, double adaptation,
                                           double distance);
 
-/// The part of the contrast sensitivity at `adaptation` that is left after the optics: 0 at
+/// The neural part of the contrast sensitivity at `adaptation`, without that of the optics: 0 at
 /// frequency 0, at most 1 elsewhere.
 [[nodiscard]] Filter neural_filter(const FrequencyGrid& grid, const Filter& optics,
                                    double pixels_per_degree, double adaptation, double distance);

@@ -12,8 +12,7 @@ Filter::Filter(const FrequencyGrid& grid)
       reach_(grid.columns() - 1) {}
 
 // Both signs of the vertical frequency are in this column. Their weights must agree for the
-// filtered map to be real; the mean is what a transform back to real values makes of two that do
-// not.
+// filtered map to be real; a transform back to real values uses the mean of two that do not.
 void Filter::make_symmetric(std::uint32_t column) {
     for (std::uint32_t row = 1; row < grid_.height - row; ++row) {
         double& weight = (*this)(column, row);

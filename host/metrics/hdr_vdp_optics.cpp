@@ -24,8 +24,8 @@ Filter optics_filter(const FrequencyGrid& grid, double pixels_per_degree, double
         const double y = legacy_grid ? grid.signed_row(row) * legacy_y : grid.y(row);
         return optical_transfer(std::hypot(x, y) * pixels_per_degree, pupil);
     };
-    // The formula is not meant for frequency 0, which passes like its better neighbour. The
-    // function falls with frequency, so that neighbour is also the largest weight.
+    // The formula is not meant for frequency 0, which gets the weight of its better neighbour. The
+    // function falls with frequency, so this is also the largest weight.
     const double largest = std::max(transfer(1, 0), transfer(0, 1));
     return Filter(grid, [&](std::uint32_t column, std::uint32_t row) {
         return column == 0 && row == 0 ? 1.0 : transfer(column, row) / largest;

@@ -11,7 +11,7 @@ namespace weft {
 
 namespace {
 
-// At log10 luminance -4, -3.875, ..., 7.25 and at the logarithm of brightest_luminance.
+// Responses at log10 luminance -4, -3.875, ..., 7.25 and at the logarithm of brightest_luminance.
 constexpr std::array<double, 92> knots{
     0.000,    0.323,    0.684,    1.085,    1.540,    2.067,    2.674,    3.374,    4.177,
     5.098,    6.151,    7.353,    8.720,    10.263,   11.989,   13.914,   16.057,   18.457,
@@ -40,8 +40,9 @@ double secant(std::size_t interval) {
 
 }  // namespace
 
-// Slope of the parabola through three knots. Neighbouring secants differ too little for a slope to
-// leave the region where a cubic stays monotone (Fritsch and Carlson 1980), so none is limited.
+// A slope is that of the parabola through three knots. Neighbouring secants differ too little for a
+// slope to leave the region where a cubic stays monotone (Fritsch and Carlson 1980), so none is
+// limited.
 RetinaResponse::RetinaResponse() : slopes_(knots.size()) {
     slopes_.front() = secant(0);
     slopes_.back() = secant(intervals - 1);

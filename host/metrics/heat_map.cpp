@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "metrics/heat_map.h"
 
+#include "base/srgb.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +13,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include "image/srgb.h"
 
 namespace weft {
 namespace {
@@ -55,7 +55,7 @@ constexpr std::size_t margin = 4;
 constexpr std::size_t bar_height = 8;
 constexpr std::size_t footer = margin + bar_height + margin + glyph_height + margin;
 
-/// A picture to be drawn in, of 8-bit sRGB colours.
+/// An image of 8-bit sRGB colours to draw in.
 class Canvas {
   public:
     Canvas(std::size_t width, std::size_t height) {

@@ -16,7 +16,7 @@ namespace weft {
 /// vision.
 [[nodiscard]] std::array<std::uint8_t, 3> viridis(double value);
 
-/// A picture of a map of width x height values, `high` and above being brightest, with a scale bar
+/// An image of a map of width x height values, `high` and above being brightest, with a scale bar
 /// and its end values 0 and `high` below. It is wider than the map where the numbers need it.
 /// Linear values: `write_png` without exposure gives exactly the colours of `viridis`. Throws
 /// std::invalid_argument unless there is a value a pixel and `high` is finite and above 0.

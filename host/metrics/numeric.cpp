@@ -9,12 +9,14 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/srgb.h"
+
 namespace weft {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// 0 / 0 is no error; anything else over 0 has no value.
+/// A relative error: 0 for 0 / 0, and +Inf for anything else divided by 0.
 double ratio(double error, double size) {
     if (error == 0.0) return 0.0;
     return size > 0.0 ? error / size : infinity;
@@ -42,7 +44,7 @@ double trimmed_mean(std::vector<double> values, std::size_t dropped) {
 
 void check_planes(std::span<const float> a, std::span<const float> b) {
     if (a.empty() || a.size() != b.size())
-        throw std::invalid_argument("metrics need two pictures of one size");
+        throw std::invalid_argument("metrics need two images of one size");
 }
 
 constexpr std::size_t window = 11;
@@ -128,10 +130,11 @@ std::optional<double> ssim(std::span<const float> reference, std::span<const flo
                            std::uint32_t width, std::uint32_t height, double range) {
     check_planes(reference, test);
     if (reference.size() != std::size_t{width} * height)
-        throw std::invalid_argument("metrics need two pictures of one size");
+        throw std::invalid_argument("metrics need two images of one size");
     if (width < window || height < window) return std::nullopt;
     const Taps taps = gaussian_taps();
-    // Variances do not depend on it, but round far less without it where values are large.
+    // Variances do not depend on an offset, but have far less rounding without it where values are
+    // large.
     const double offset = mean_of(reference);
     const std::size_t columns = width - window + 1;
     std::vector<Moments> rows(columns * window);  // the last rows, each weighted along itself
@@ -177,9 +180,7 @@ std::vector<float> pu21_encode(std::span<const float> luminances, double scale) 
 std::vector<float> srgb_encode(std::span<const float> linear) {
     std::vector<float> result(linear.size());
     std::transform(linear.begin(), linear.end(), result.begin(), [](float value) {
-        const double x = std::clamp(double{value}, 0.0, 1.0);
-        return static_cast<float>(x <= 0.0031308 ? 12.92 * x
-                                                 : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055);
+        return static_cast<float>(srgb_from_linear(std::clamp(double{value}, 0.0, 1.0)));
     });
     return result;
 }

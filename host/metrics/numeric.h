@@ -12,8 +12,8 @@
 
 namespace weft {
 
-// Numbers without a model of the eye, computed in double precision. What has no value is empty:
-// a relative error, where something differs from a reference of 0.
+// Metrics without a model of the eye, computed in double precision. A metric without a value is
+// empty, such as a relative error where a value differs from a reference of 0.
 
 /// Errors relative to the reference, over all pixels and channels.
 struct RelativeErrors {
@@ -25,7 +25,7 @@ struct RelativeErrors {
     std::vector<float> relmse_map;  ///< per pixel, the mean of its channels; +Inf where undefined
 };
 
-/// All of the above. Equal black pixels of a black picture have no error. Throws
+/// Computes all of these. Equal black pixels of a black image have no error. Throws
 /// std::invalid_argument unless sizes agree; values have to be finite.
 [[nodiscard]] RelativeErrors relative_errors(const RgbView& reference, const RgbView& test);
 
@@ -34,7 +34,7 @@ struct RelativeErrors {
                           double peak);
 
 /// Structural similarity (Wang et al. 2004) of two planes whose values range over `range`: the mean
-/// over all 11x11 windows inside of the picture, weighted by a Gaussian of sigma 1.5, K1 = 0.01 and
+/// over all 11x11 windows inside of the image, weighted by a Gaussian of sigma 1.5, K1 = 0.01 and
 /// K2 = 0.03. 1 for equal planes; empty where an edge is shorter than a window.
 [[nodiscard]] std::optional<double> ssim(std::span<const float> reference,
                                          std::span<const float> test, std::uint32_t width,
@@ -47,8 +47,7 @@ struct RelativeErrors {
 /// `pu21_encode` of each value times `scale`.
 [[nodiscard]] std::vector<float> pu21_encode(std::span<const float> luminances, double scale);
 
-/// The value for a display of a linear one, as sRGB encodes it; those outside of [0, 1] are
-/// clamped.
+/// Display values of linear ones, as sRGB encodes them; those outside of [0, 1] are clamped.
 [[nodiscard]] std::vector<float> srgb_encode(std::span<const float> linear);
 
 }  // namespace weft

@@ -11,8 +11,8 @@
 
 namespace weft {
 
-/// A colour picture that lives elsewhere: linear Rec.709, planar (all red values, then green, then
-/// blue), rows from the top.
+/// A colour image in memory that others own: linear Rec.709, planar (all red values, then green,
+/// then blue), rows from the top.
 struct RgbView {
     std::span<const float> values;
     std::uint32_t width = 0;
@@ -24,14 +24,14 @@ struct RgbView {
     }
 };
 
-/// Throws std::invalid_argument unless both are pictures of one size that is not zero.
+/// Throws std::invalid_argument unless both are images of one size that is not zero.
 inline void check_pair(const RgbView& reference, const RgbView& test) {
     const auto whole = [](const RgbView& view) {
         return view.pixels() > 0 && view.values.size() == 3 * view.pixels();
     };
     if (!whole(reference) || !whole(test) || reference.width != test.width ||
         reference.height != test.height)
-        throw std::invalid_argument("metrics need two pictures of one size");
+        throw std::invalid_argument("metrics need two images of one size");
 }
 
 /// Luminance per pixel, with the weights that HDR-VDP's authors use for Rec.709; they add up to 1.

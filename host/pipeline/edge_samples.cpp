@@ -45,7 +45,7 @@ void EdgeSamples::find(FrameContext& frame) {
 void EdgeSamples::sample(FrameContext& frame) {
     const FrameBuffers& buffers = frame.buffers;
     const shared::RenderParams& params = frame.params;
-    // Rays that share a pixel share what a texture lookup covers.
+    // Rays that share a pixel share the area that a texture lookup covers.
     const std::uint32_t samples = params.sampling.edge_samples;
     const float share = std::sqrt(static_cast<float>(samples) + 1.0F);
     const std::uint32_t pixels_per_item =

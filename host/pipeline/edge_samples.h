@@ -16,8 +16,8 @@ namespace weft {
 [[nodiscard]] std::vector<std::uint32_t> pixels_of(const TileGrid& grid,
                                                    std::span<const TileMask> masks);
 
-/// Anti-aliasing: edge pixels of a frame get further primary rays, which take the irradiance that
-/// the components have reconstructed.
+/// Anti-aliasing: traces further primary rays through the edge pixels of a frame. Their irradiance
+/// is taken from what the components have reconstructed.
 class EdgeSamples {
   public:
     EdgeSamples(Executor& executor, std::uint32_t width, std::uint32_t height);
@@ -25,12 +25,12 @@ class EdgeSamples {
     /// Finds the edge pixels of the frame's G-buffer.
     void find(FrameContext& frame);
 
-    /// Adds the edge pixels to the film, which nothing else may do in this frame.
+    /// Adds the edge pixels to the film, which composition leaves out of it.
     void sample(FrameContext& frame);
 
     /// Bits of the edge pixels by tile, for compose.cl.
     [[nodiscard]] BufferRef<kinds::EdgeMasks> masks() const { return masks_; }
-    /// Edge pixels of the last frame.
+    /// Number of edge pixels in the last frame.
     [[nodiscard]] std::uint32_t pixels() const { return pixels_; }
 
   private:

@@ -16,13 +16,13 @@
 namespace weft {
 namespace {
 
-/// Counters that stages share out; all are read before the first is used again.
+/// Number of ray counters, one a stage; all are read before the first is used again.
 constexpr std::uint32_t counter_slots = 32;
 
 TracedGeometry traced_geometry(const FlatScene& flat) {
-    // Boxes grow by what the triangle tests may be off: some rounding errors of the largest
-    // coordinate. Where the tree changes from frame to frame they hold all that packets count as
-    // inside (2^-19 of the distance), so that a ray's result does not depend on it.
+    // Boxes grow by the error of triangle tests: some rounding errors of the largest coordinate.
+    // Where the tree changes from frame to frame they hold all that packets count as a hit (2^-19
+    // of the distance), so that a ray's result does not depend on the tree.
     const bool moves = flat.first_moving_triangle < flat.triangles.size();
     return {flat.positions, flat.triangles, flat.extent * (moves ? 0x1p-16F : 0x1p-22F),
             flat.first_moving_triangle};
@@ -136,30 +136,30 @@ groups::MediaTables FrameBuffers::media() const {
     return view(view_media ? view_media->media() : none);
 }
 
-BufferRef<kinds::EnclosingMedia> FrameBuffers::view_inside() const {
+BufferRef<kinds::EnclosingMedia> FrameBuffers::view_enclosing_media() const {
     if (!view_media) return {};
-    return view_media->inside();
+    return view_media->enclosing_media();
 }
 
 groups::ComposedLight FrameBuffers::composed() const {
     BufferRef<kinds::Transmittances> transmittance;
     BufferRef<kinds::MediaEmission> emission;
     if (view_media) {
-        transmittance = view_media->left();
-        emission = view_media->glow();
+        transmittance = view_media->transmittance();
+        emission = view_media->media_emission();
     }
     return {.pixel_slot = pixel_slot,
             .direct = irradiance.direct,
             .exact_irradiance = irradiance.exact_direct,
             .indirect = irradiance.indirect,
-            .view_left = transmittance,
-            .view_glow = emission,
+            .view_transmittance = transmittance,
+            .view_emission = emission,
             .media_light = irradiance.media};
 }
 
 void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter) {
     shared::NonfiniteCounter clear{};
-    for (auto& first : clear.first_pixel) first = NO_TRIANGLE;
+    for (auto& first : clear.first_pixel) first = INVALID_INDEX;
     write_buffer(executor, counter, std::span<const shared::NonfiniteCounter>(&clear, 1));
 }
 
@@ -198,7 +198,7 @@ FrameContext::~FrameContext() {
     try {
         (void)executor.take_milliseconds();
     } catch (const Error&) {
-        // What the device has to say of them it has said, or will say to the next frame.
+        // The device has reported the error already, or will report it to the next frame.
     }
 }
 
@@ -223,7 +223,7 @@ std::uint32_t gather_items_per_launch(const Executor& executor, std::uint32_t li
     constexpr std::uint32_t rays_per_launch = 1U << 20;
     const std::uint32_t rays_per_item = executor.lanes() * std::max(1U, list_length);
     const std::uint32_t items = std::max(64U, rays_per_launch / rays_per_item);
-    // Devices with many lanes take their own, larger chunk.
+    // Other devices take the kernel's own, larger chunk.
     return executor.device().is_cpu ? items : 0;
 }
 

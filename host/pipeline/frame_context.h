@@ -26,33 +26,34 @@ struct SceneBuffers {
     owned::LightTable light_table;
     std::unique_ptr<TracedScene> traced;
 
-    /// What kernels know of area lights, whose points lie on triangles of the geometry.
+    /// The buffers of area lights, whose points lie on triangles of the geometry.
     [[nodiscard]] groups::AreaLights area_lights() const {
         return {.lights = light_table.lights,
                 .emissive = light_table.emissive,
                 .positions = geometry.positions,
                 .triangle_list = geometry.triangle_list};
     }
-    /// Participating media, once something has asked for them: see media_of.
+    /// Participating media; null until media_of uploads them.
     std::shared_ptr<owned::MediaTables> media;
 };
 
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
 
-/// The scene's media on the device, uploaded when first asked for. All users of the buffers look
-/// from one camera.
+/// The scene's media on the device, which the first call uploads. All users of the buffers share
+/// one camera.
 [[nodiscard]] std::shared_ptr<owned::MediaTables> media_of(Executor& executor,
                                                            const FlatScene& flat,
                                                            SceneBuffers& scene);
 
-/// Brings them up to date with the scene they were made of after update_flat.
+/// Brings the buffers up to date with the scene that they were made of, after update_flat.
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
 
 class EdgeSamples;
 class TileGeometry;
 class ViewMedia;
 
-/// What primary rays, or view rays through media, have found (kernels/film/gbuffer.h).
+/// The surfaces that primary rays have hit, or the ends of view rays through media
+/// (kernels/film/gbuffer.h).
 using GBuffer = owned::SeenSurfaces;
 
 /// The irradiance that composition adds up: buffers of the components, null where there is none.
@@ -63,8 +64,8 @@ struct ComposedIrradiance {
     BufferRef<kinds::ReconstructedLight> media;  ///< radiance that media scatter to each pixel
 };
 
-/// What all stages and components of a frame share. Buffers that the plan does not call for are
-/// null.
+/// The buffers that all stages and components of a frame share. Those that the plan does not need
+/// are null.
 struct FrameBuffers {
     GBuffer gbuffer;
     DeviceBuffer<kinds::SlotPixels> slot_pixel;
@@ -91,30 +92,30 @@ struct FrameBuffers {
     /// The media of the scene; none of the buffers where it has none.
     [[nodiscard]] groups::MediaTables media() const;
     /// Boundaries of media around what each pixel shows; null where there are none.
-    [[nodiscard]] BufferRef<kinds::EnclosingMedia> view_inside() const;
-    /// What composition adds up.
+    [[nodiscard]] BufferRef<kinds::EnclosingMedia> view_enclosing_media() const;
+    /// The light that composition adds up.
     [[nodiscard]] groups::ComposedLight composed() const;
 };
 
-/// A G-buffer of that many pixels; `of` says of what.
+/// Allocates a G-buffer of that many pixels; `of` names it in errors.
 [[nodiscard]] GBuffer allocate_gbuffer(Executor& executor, std::size_t pixels, const char* of);
 
-/// What a frame shares, of a picture of this size, but for the media that it is seen through.
-/// `tiles`: whether a component adapts.
+/// Allocates the buffers that all components of a frame share, except those of view rays through
+/// media. `tiles`: whether a component adapts.
 [[nodiscard]] FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan,
                                           const WorkList& work, std::uint32_t width,
                                           std::uint32_t height, std::uint32_t features, bool tiles);
 
-/// Planes of receivers for kernels with these features.
+/// Number of planes that receivers have in kernels with these features.
 [[nodiscard]] std::size_t receiver_planes(std::uint32_t features);
 
-/// The counters alone, for algorithms that keep no other state between kernels.
+/// Allocates the counters alone, for algorithms that keep no other state between kernels.
 [[nodiscard]] FrameBuffers allocate_counters(Executor& executor);
 
-/// Sets the counters of values that were not finite to none.
+/// Resets the counters of values that were not finite.
 void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter);
 
-/// What one stage of a frame took.
+/// Time and rays of one stage of a frame.
 struct StageStats {
     Stage stage{};
     std::string component;
@@ -123,10 +124,11 @@ struct StageStats {
     std::uint64_t misses = 0;  ///< edge samples whose irradiance is that of another surface
 };
 
-/// Asked between launches with the stage's share done, in [0, 1]; false ends the frame early.
+/// Called between launches with the share of the stage that is done, in [0, 1]; returning false
+/// ends the frame early.
 using KeepGoing = std::function<bool(Stage stage, double done)>;
 
-/// What every frame of a rendering shares.
+/// The inputs that all frames of a rendering share.
 struct FrameInputs {
     Executor& executor;
     const FlatScene& scene;
@@ -135,7 +137,7 @@ struct FrameInputs {
     const FramePlan& plan;
 };
 
-/// One frame under way: where components find what they need and launch their stages.
+/// One frame under way: gives components what they share and launches their stages.
 class FrameContext : public FrameInputs {
   public:
     FrameContext(const FrameInputs& inputs, const shared::RenderParams& frame_params,
@@ -143,7 +145,7 @@ class FrameContext : public FrameInputs {
         : FrameInputs(inputs), params(frame_params), keep_going_(keep_going) {}
     FrameContext(const FrameContext&) = delete;
     FrameContext& operator=(const FrameContext&) = delete;
-    /// Waits for what still runs.
+    /// Waits for launches that still run.
     ~FrameContext();
 
     /// How a stage's work-items are divided.
@@ -154,7 +156,7 @@ class FrameContext : public FrameInputs {
     };
 
     /// Runs one kernel as a stage of a component and records its time and rays. After an early end
-    /// nothing heavy runs any more. `arguments` is a struct of weft::kernels.
+    /// it does nothing outside of run_whole. `arguments` is a struct of weft::kernels.
     template <class Kernel>
     void run(Stage stage, const char* component, const Kernel& arguments, const Items& items) {
         if (items.count == 0 || (ended_early() && !finishing_)) return;
@@ -163,7 +165,7 @@ class FrameContext : public FrameInputs {
         run_bound(Kernel::id, stage, component, binder, items);
     }
 
-    /// Runs `stages` to their end whatever keep_going says: what later stages must find defined.
+    /// Runs `stages` to their end whatever keep_going says, since later stages need their results.
     template <class Stages>
     void run_whole(const Stages& stages) {
         const bool before = std::exchange(finishing_, true);
@@ -172,11 +174,11 @@ class FrameContext : public FrameInputs {
     }
 
     [[nodiscard]] bool ended_early() const { return ended_early_ || executor.cancelled(); }
-    /// The stages so far, with what they counted.
+    /// Statistics of the stages so far.
     [[nodiscard]] const std::deque<StageStats>& stages();
-    /// Waits for what still runs, so that the time of host work that follows is its own alone.
+    /// Waits for launches that still run, so that they do not count as host work that follows.
     void wait() { (void)executor.take_milliseconds(); }
-    /// Records work of the host between stages; what ran on the device meanwhile must not count.
+    /// Records work of the host between stages; `ms` must not count what ran on the device.
     void add_host_stage(Stage stage, const char* component, double ms);
 
     /// Pixels of the image.
@@ -186,31 +188,31 @@ class FrameContext : public FrameInputs {
 
     const shared::RenderParams params;
 
-    /// What a frame is the first of.
-    enum class Begins : std::uint8_t { nothing, picture, sequence };
-    /// A sequence's first frame remembers nothing; a picture's first takes over what the pictures
-    /// before it said.
+    /// Whether a frame is the first of an image, or even of a sequence.
+    enum class Begins : std::uint8_t { nothing, image, sequence };
+    /// State that components keep between images is cleared by the first frame of a sequence, and
+    /// continued by the first frame of each further image.
     Begins begins = Begins::sequence;
     /// Whether stages run to their end even if all else is cancelled: see LaunchOptions::whole.
     bool whole_launches = false;
-    /// Where given, its gains scale the thresholds of adaptive components.
+    /// Its gains scale the thresholds of adaptive components; may be null.
     const FrameBudget* budget = nullptr;
 
   private:
     void run_bound(KernelId kernel, Stage stage, const char* component,
                    const ArgumentBinder& arguments, const Items& items);
-    /// Reads the counters of the stages that have not been read.
+    /// Reads the counters of stages whose counters have not been read.
     void count();
 
     const KeepGoing& keep_going_;
-    std::deque<StageStats> stages_;       ///< none moves: launches add their times there
+    std::deque<StageStats> stages_;       ///< addresses stay: launches add their times there
     std::vector<std::size_t> uncounted_;  ///< stages by counter
     bool ended_early_ = false;
     bool finishing_ = false;
 };
 
-/// Work-items of a gather launch that keeps it short whatever the list's length: about a million
-/// rays.
+/// Work-items per launch of a gather kernel that keep a launch short whatever the list's length:
+/// about a million rays. 0, which leaves it to the kernel, for devices that are no CPU.
 [[nodiscard]] std::uint32_t gather_items_per_launch(const Executor& executor,
                                                     std::uint32_t list_length);
 

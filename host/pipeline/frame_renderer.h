@@ -29,30 +29,30 @@ struct LevelStats {
     double gain = 1.0;                     ///< factor on the threshold, by the frame budget
 };
 
-/// What has become of irradiance records in a frame of those that outlast it.
+/// Statistics of one frame on irradiance records that outlast their frame.
 struct CacheStats {
     std::uint32_t kept = 0;     ///< of the frames before
-    std::uint32_t updated = 0;  ///< of those: light may have changed
-    std::uint32_t dropped = 0;  ///< their surface has moved
+    std::uint32_t updated = 0;  ///< of those, because their light may have changed
+    std::uint32_t dropped = 0;  ///< because their surface has moved
     std::uint32_t evicted = 0;  ///< beyond SamplingSettings::cache_records, or dispensable
     std::uint32_t made = 0;
     std::uint64_t bytes = 0;  ///< of device memory, for all records there is room for
-    // With SamplingSettings::cache_audit and masks, after a change:
+    // With SamplingSettings::validate_cache and masks, after a change:
     std::uint32_t differing = 0;  ///< records and VPLs that differ in any bit if computed anew
     std::uint64_t traced = 0;     ///< connections of kept records that were traced again
-    /// Those that meet anything that has moved, or whose VPL is elsewhere, counted one by one.
+    /// Connections that meet anything that has moved, or whose VPL is elsewhere, tested one by one.
     std::uint64_t affected = 0;
 };
 
-/// What one frame took.
+/// Time, rays and other statistics of one frame.
 struct FrameStats {
     double ms = 0.0;
     std::uint64_t rays = 0;
     std::vector<StageStats> stages;
     std::vector<LevelStats> levels;  ///< of adaptive components
     std::optional<CacheStats> cache;
-    std::uint32_t picture = 0;  ///< of those a renderer has begun, from 0 on
-    /// By component, COMPONENT_* order.
+    std::uint32_t image = 0;  ///< number among those that a renderer has begun, from 0 on
+    /// By component, in the order of COMPONENT_*.
     std::array<NonfiniteStats, COMPONENT_COUNT> nonfinite{};
 };
 
@@ -67,31 +67,31 @@ struct FilmView {
     BufferRef<kinds::FilmLow> low;
     BufferRef<kinds::FilmSums> sums;  ///< null for previews
     std::uint64_t samples = 0;        ///< of every pixel
-    double unit = 1.0;                ///< that the film's light counts in
+    double unit = 1.0;                ///< radiance of a value of 1 in the film
 };
 
-/// What makes a picture of a scene frame by frame, whatever the algorithm.
+/// Renders an image of a scene frame by frame, whatever the algorithm.
 class FrameRenderer {
   public:
     virtual ~FrameRenderer() = default;
 
     /// Adds a frame to the film; returns whether it was complete. See the algorithms' renderers for
-    /// what is kept where `keep_going` ends it early. A frame that Executor::cancelled ends is
-    /// never in the film in part.
+    /// what is kept where `keep_going` ends it early. A frame that was cancelled (see
+    /// Executor::cancelled) is never in the film in part.
     virtual bool render_frame(const KeepGoing& keep_going) = 0;
 
-    /// Begins the next picture: an empty film, seen from `camera`. Its first frame is that of a new
+    /// Begins the next image: an empty film, seen from `camera`. Its first frame is that of a new
     /// renderer with this camera, bit for bit.
     virtual void set_camera(const Camera& camera) = 0;
 
-    /// Begins the next picture of a sequence, which may go on from what the pictures since the
-    /// last set_camera told about where samples are needed.
+    /// Begins the next image of a sequence, which may use what the images since the last set_camera
+    /// have found about where samples are needed.
     virtual void move_camera(const Camera& camera) { set_camera(camera); }
 
-    /// Goes on with the scene as it is now: it has been changed where it lies (update_flat). The
-    /// next picture has to be begun afterwards.
+    /// Brings the scene's buffers and the renderer up to date with the scene, which has been
+    /// changed in place (update_flat). The next image has to be begun afterwards.
     virtual void update_scene() = 0;
-    /// The same where the owner of shared scene buffers has brought these up to date already.
+    /// The same where the owner of shared scene buffers has already brought these up to date.
     virtual void follow_scene() = 0;
 
     /// Samples of every pixel in the film.
@@ -99,9 +99,9 @@ class FrameRenderer {
     /// The mean of the film as layers.
     [[nodiscard]] virtual Image image() = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
-    /// Of all pictures, frame by frame, but for those that were taken.
+    /// Statistics of the frames of all images, without those that take_stats has returned.
     [[nodiscard]] virtual const std::vector<FrameStats>& stats() const = 0;
-    /// The same, which are forgotten here.
+    /// Returns the same and drops them here.
     [[nodiscard]] virtual std::vector<FrameStats> take_stats() = 0;
     /// The film, which has at least one sample, for the kernel that displays it.
     [[nodiscard]] virtual FilmView film() = 0;

@@ -12,11 +12,12 @@
 namespace weft {
 namespace {
 
-// What triangle tests and offsets may be off, of the scene's extent, and more.
+// Margin about what has moved, as a share of the scene's extent: more than triangle tests and
+// offsets of ray origins may err.
 constexpr float box_margin = 0x1p-15F;
 
-// Rays count as blocked that pass a triangle within 2^-19 of their length. No box may leave out
-// what some other tree would find.
+// Rays that pass a triangle within 2^-19 of their length count as blocked. No box may leave out a
+// hit that another tree would find.
 constexpr float tree_padding = 0x1p-16F;
 
 template <class T>
@@ -79,7 +80,7 @@ void SceneMotion::forget() {
     corners_.clear();
 }
 
-void SceneMotion::doubt_everything(Executor& executor) {
+void SceneMotion::invalidate_everything(Executor& executor) {
     forget();
     any_ = true;
     constexpr float far = std::numeric_limits<float>::max();
@@ -114,7 +115,7 @@ void SceneMotion::add_moved(const FlatScene& scene, const Snapshot& at, std::uin
     const InstanceRange& range = scene.ranges[instance];
     const std::size_t vertex = range.first_vertex - scene.first_moving_vertex;
     const auto vertices = std::span(at.positions).subspan(vertex, range.vertices);
-    // Absent things have all their vertices there.
+    // Absent instances have all their vertices there.
     if (std::all_of(vertices.begin(), vertices.end(), is_at_origin)) return;
     const float margin = box_margin * at.extent;
     shared::float4 low = vertices.front();

@@ -13,17 +13,17 @@
 
 namespace weft {
 
-/// What differs between a scene and itself at the frame before, found by comparing the two: nothing
-/// needs to know how things move.
+/// Finds what has changed in a scene since the frame before by comparing the two, so that nothing
+/// needs to know how objects move.
 class SceneMotion {
   public:
     explicit SceneMotion(Executor& executor);
 
-    /// Compares the scene with what it was when last asked. At first all of it is new.
+    /// Compares the scene with what it was at the call before. At the first call all of it is new.
     void observe(Executor& executor, const FlatScene& scene);
-    /// As if everything had changed, geometry included.
-    void doubt_everything(Executor& executor);
-    /// As if nothing had changed.
+    /// Reports everything as changed, geometry included.
+    void invalidate_everything(Executor& executor);
+    /// Reports nothing as changed.
     void forget();
 
     /// Whether anything that light depends on has changed.
@@ -33,15 +33,15 @@ class SceneMotion {
     /// By instance: whether any vertex of it has moved, or its triangles have turned.
     [[nodiscard]] const std::vector<bool>& moved_instances() const { return moved_; }
 
-    /// Triangles of those instances, both where they were and where they are.
+    /// Triangles of the instances that have moved, both where they were and where they are.
     [[nodiscard]] const TracedScene& traced() const { return *traced_; }
     [[nodiscard]] TriangleSoup triangles() const { return {positions_, triangles_}; }
-    /// Boxes about each of them at both places (kernels/bvh/moved.h), and how many there are.
+    /// Boxes about each of these instances at both places (kernels/bvh/moved.h).
     [[nodiscard]] BufferRef<kinds::MovedBounds> boxes() const { return boxes_; }
     [[nodiscard]] std::uint32_t box_count() const { return box_count_; }
 
   private:
-    /// What is compared.
+    /// The parts of a scene that are compared.
     struct Snapshot {
         std::vector<shared::float4> positions;  ///< of instances that may move
         std::vector<float> normals;

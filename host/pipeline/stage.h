@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// What a frame does one after another: one kernel or some work of the host (stages.def).
+/// The steps of a frame: each runs one kernel or some work of the host (stages.def).
 enum class Stage : std::uint8_t {
 #define WEFT_STAGE(id, name) id,
 #include "pipeline/stages.def"

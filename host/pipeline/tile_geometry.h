@@ -13,7 +13,8 @@
 
 namespace weft {
 
-/// The tiles of a picture and what the G-buffer says of them, for all adaptive components.
+/// The tiles of an image and the geometry that the G-buffer has in each, for all adaptive
+/// components.
 class TileGeometry {
   public:
     TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height);
@@ -25,8 +26,8 @@ class TileGeometry {
     [[nodiscard]] std::span<const shared::TileRecord> records() const { return records_; }
     [[nodiscard]] BufferRef<kinds::Tiles> buffer() const { return buffer_; }
 
-    /// Pixels in the order of ordered_by_place. Components of a frame mostly begin with the same
-    /// pixels: `masks`, those of `round`, are compared with what was ordered last.
+    /// `round` in the order of ordered_by_place. `masks` are its pixels: since the components of a
+    /// frame mostly begin with the same ones, the last order is used again where they are equal.
     [[nodiscard]] const WorkList& ordered(FrameContext& frame, std::span<const TileMask> masks,
                                           const WorkList& round);
 
@@ -38,7 +39,7 @@ class TileGeometry {
     WorkList ordered_;
 };
 
-/// A round on the device's G-buffer, in the order of ordered_by_place.
+/// `round` in the order of ordered_by_place, by the positions in the frame's G-buffer.
 [[nodiscard]] WorkList ordered_round(FrameContext& frame, const WorkList& round);
 
 }  // namespace weft

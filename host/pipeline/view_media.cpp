@@ -22,11 +22,13 @@ ViewMedia::ViewMedia(Executor& executor, const FlatScene& scene,
                      std::shared_ptr<MediaBuffers> media, const Camera& camera, std::size_t pixels,
                      std::uint32_t features)
     : media_(std::move(media)),
-      left_(allocate<kinds::Transmittances>(executor, pixels, "transmittance of view rays")),
-      inside_(allocate<kinds::EnclosingMedia>(executor, pixels, "surroundings of view rays")) {
+      transmittance_(
+          allocate<kinds::Transmittances>(executor, pixels, "transmittance of view rays")),
+      enclosing_media_(
+          allocate<kinds::EnclosingMedia>(executor, pixels, "surroundings of view rays")) {
     set_camera(executor, scene, camera);
     if ((features & FEATURE_EMISSIVE_MEDIA) != 0)
-        glow_ = allocate<kinds::MediaEmission>(executor, pixels, "light that media emit");
+        emission_ = allocate<kinds::MediaEmission>(executor, pixels, "light that media emit");
     if ((features & FEATURE_AIRLIGHT) != 0) {
         ends_ = allocate_gbuffer(executor, pixels, "ends of view rays");
         fill(executor, *ends_.gb_shading, {0.0F, 0.0F, 1.0F, 0.0F});
@@ -43,9 +45,9 @@ void ViewMedia::find(FrameContext& frame) const {
     frame.run(Stage::view_media, "",
               kernels::view_media{.surfaces = view(frame.buffers.gbuffer),
                                   .media_tables = view(*media_),
-                                  .view_left = left_,
-                                  .view_glow = glow_,
-                                  .view_inside = inside_,
+                                  .view_transmittance = transmittance_,
+                                  .view_emission = emission_,
+                                  .view_enclosing_media = enclosing_media_,
                                   .end_ids = ends_.gb_ids,
                                   .end_position = ends_.gb_position,
                                   .end_normal = ends_.gb_normal,

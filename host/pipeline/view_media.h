@@ -8,10 +8,11 @@
 
 namespace weft {
 
-/// Participating media of a scene on the device, and what they do to the view ray of each pixel.
+/// Participating media of a scene on the device, and their transmittance and emission along the
+/// view ray of each pixel.
 class ViewMedia {
   public:
-    /// With FEATURE_AIRLIGHT among the features also the ends of view rays.
+    /// Allocates the ends of view rays only where `features` has FEATURE_AIRLIGHT.
     ViewMedia(Executor& executor, const FlatScene& scene, std::shared_ptr<MediaBuffers> media,
               const Camera& camera, std::size_t pixels, std::uint32_t features);
 
@@ -21,21 +22,23 @@ class ViewMedia {
     void find(FrameContext& frame) const;
 
     [[nodiscard]] const MediaBuffers& media() const { return *media_; }
-    /// By pixel, float4: what media leave of light from the end of its view ray.
-    [[nodiscard]] BufferRef<kinds::Transmittances> left() const { return left_; }
-    /// By pixel, float4: what media emit towards the camera; null where none emits.
-    [[nodiscard]] BufferRef<kinds::MediaEmission> glow() const { return glow_; }
-    /// By pixel: boundaries around that end, a bit each.
-    [[nodiscard]] BufferRef<kinds::EnclosingMedia> inside() const { return inside_; }
+    /// By pixel, float4: transmittance of media along its view ray.
+    [[nodiscard]] BufferRef<kinds::Transmittances> transmittance() const { return transmittance_; }
+    /// By pixel, float4: radiance that media emit towards the camera; null where none emits.
+    [[nodiscard]] BufferRef<kinds::MediaEmission> media_emission() const { return emission_; }
+    /// By pixel: boundaries around the end of its view ray, a bit each.
+    [[nodiscard]] BufferRef<kinds::EnclosingMedia> enclosing_media() const {
+        return enclosing_media_;
+    }
     /// A G-buffer whose surfaces are ends of view rays (kernels/media/view_media.cl); empty where
-    /// no light scattered by media is asked for.
+    /// light scattered by media is not gathered.
     [[nodiscard]] const GBuffer& ends() const { return ends_; }
 
   private:
     std::shared_ptr<MediaBuffers> media_;
-    DeviceBuffer<kinds::Transmittances> left_;
-    DeviceBuffer<kinds::MediaEmission> glow_;
-    DeviceBuffer<kinds::EnclosingMedia> inside_;
+    DeviceBuffer<kinds::Transmittances> transmittance_;
+    DeviceBuffer<kinds::MediaEmission> emission_;
+    DeviceBuffer<kinds::EnclosingMedia> enclosing_media_;
     GBuffer ends_;
 };
 

@@ -32,7 +32,7 @@ void run_walk(FrameContext& frame, const char* component, BufferRef<kinds::Paths
                                 .light_table = view(frame.scene_buffers.light_table),
                                 .media_tables = frame.buffers.media(),
                                 .known_segments = known,
-                                .path_memory = memory,
+                                .light_path_cache = memory,
                                 .vpl_changes = changes,
                                 .vpls = frame.buffers.vpls,
                                 .counters = frame.buffers.counters},
@@ -75,13 +75,13 @@ void LightPaths::walk(FrameContext& frame, const char* component, const SceneMot
                       bool known) {
     if (known) {
         frame.run(Stage::vpl_invalidation, component,
-                  kernels::vpl_doubts{.scene = motion.traced(),
-                                      .geometry = view(frame.scene_buffers.geometry),
-                                      .light_table = view(frame.scene_buffers.light_table),
-                                      .media_tables = frame.buffers.media(),
-                                      .path_memory = memory_,
-                                      .known_segments = known_,
-                                      .counters = frame.buffers.counters},
+                  kernels::vpl_invalidation{.scene = motion.traced(),
+                                            .geometry = view(frame.scene_buffers.geometry),
+                                            .light_table = view(frame.scene_buffers.light_table),
+                                            .media_tables = frame.buffers.media(),
+                                            .light_path_cache = memory_,
+                                            .known_segments = known_,
+                                            .counters = frame.buffers.counters},
                   {paths_});
     } else {
         const std::vector<std::uint32_t> none(paths_, 0);
@@ -92,7 +92,7 @@ void LightPaths::walk(FrameContext& frame, const char* component, const SceneMot
     run_walk(frame, component, known_, memory_, changes_);
 }
 
-void LightPaths::doubt_all(Executor& executor) {
+void LightPaths::invalidate_all(Executor& executor) {
     const std::vector<std::uint32_t> all(vpls_, VPL_MOVED);
     write_buffer(executor, changes_, all);
 }

@@ -11,32 +11,32 @@
 
 namespace weft {
 
-/// Fills FrameBuffers::light_samples with the points on lights of a frame: a stage of `component`,
-/// the first of the frame that uses them.
+/// Fills FrameBuffers::light_samples with the points on lights of a frame. The stage counts for
+/// `component`, the first of the frame that uses them.
 void make_light_samples(FrameContext& frame, const char* component);
 
-/// Fills a buffer with the points on area lights from which light in media comes: those of
-/// FramePlan::media_samples_per_set of every set.
+/// Fills a buffer with the points on area lights that light media: FramePlan::media_samples_per_set
+/// of every set.
 void make_media_samples(FrameContext& frame, const char* component,
                         BufferRef<kinds::VirtualLights> samples);
 
-/// Fills FrameBuffers::vpls with the indirect VPLs of a frame, likewise.
+/// Fills FrameBuffers::vpls with the VPLs of a frame. The stage counts for `component`, likewise.
 void walk_vpls(FrameContext& frame, const char* component);
 
 class SceneMotion;
 
-/// Light paths, and so VPLs, that outlast their frame (FEATURE_TEMPORAL).
+/// Keeps light paths, and so VPLs, from frame to frame (FEATURE_TEMPORAL).
 class LightPaths {
   public:
     LightPaths(Executor& executor, const FramePlan& plan);
 
-    /// Fills FrameBuffers::vpls. Only segments that meet what has moved are traced, and those that
-    /// follow them, unless `known` is false: then all are.
+    /// Fills FrameBuffers::vpls. Where paths are `known` from the frame before, only segments that
+    /// meet what has moved are traced, and those that follow them; otherwise all are.
     void walk(FrameContext& frame, const char* component, const SceneMotion& motion, bool known);
-    /// As if all VPLs had moved.
-    void doubt_all(Executor& executor);
+    /// Marks all VPLs as moved.
+    void invalidate_all(Executor& executor);
 
-    /// By VPL: VPL_MOVED, VPL_RECOLOURED (kernels/cache/cache.h), by the last walk.
+    /// By VPL, what the last walk has changed: VPL_MOVED, VPL_RECOLOURED (kernels/cache/cache.h).
     [[nodiscard]] BufferRef<kinds::VplChanges> changes() const { return changes_; }
 
   private:

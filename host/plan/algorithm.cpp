@@ -17,6 +17,17 @@ std::string_view short_algorithm_name(std::string_view name) {
     return algorithm_names.at(static_cast<std::size_t>(found - long_algorithm_names.begin()));
 }
 
+std::string short_algorithm_names(std::string_view list) {
+    std::string result;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        if (begin > 0) result += ',';
+        result += short_algorithm_name(list.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return result;
+}
+
 std::string_view to_string(IndirectSource source) {
     return source_names.at(static_cast<std::size_t>(source));
 }

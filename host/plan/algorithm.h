@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "plan/frame_plan.h"
@@ -27,6 +28,8 @@ inline constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "t
 [[nodiscard]] std::string_view to_string(Algorithm algorithm);
 /// The short name of the algorithm that `name` is the long name of; any other text as it is.
 [[nodiscard]] std::string_view short_algorithm_name(std::string_view name);
+/// The same for each name of a list that is separated by commas.
+[[nodiscard]] std::string short_algorithm_names(std::string_view list);
 [[nodiscard]] std::string_view to_string(IndirectSource source);
 
 /// Whether an algorithm can take indirect light from elsewhere than from virtual lights.
@@ -40,8 +43,9 @@ inline constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "t
            algorithm == Algorithm::irradiance_cache || source != IndirectSource::vpl;
 }
 
-/// Whether what virtual lights leave out can be traced (SamplingSettings::compensation): records
-/// hold the light of virtual lights alone, and path tracing leaves nothing out.
+/// Whether the residual, the light that virtual lights leave out, can be path traced
+/// (SamplingSettings::compensation). Records hold the light of virtual lights alone, and path
+/// tracing leaves nothing out.
 [[nodiscard]] constexpr bool can_compensate(Algorithm algorithm, IndirectSource source) {
     return algorithm != Algorithm::path && !caches_indirect(algorithm, source);
 }

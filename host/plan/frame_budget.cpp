@@ -26,7 +26,7 @@ double FrameBudget::gain(const std::string& component) const {
 
 void FrameBudget::spend(double used_ms, std::span<const ThresholdScope> components) {
     if (!has_target() || !is_time(used_ms)) return;
-    // Each root alone: the quotient of the times may overflow.
+    // A root of each, because the quotient of the times may overflow.
     const double step =
         std::clamp(std::sqrt(used_ms) / std::sqrt(target_ms_), slowest_fall, fastest_rise);
     for (const ThresholdScope& scope : components) {

@@ -10,12 +10,12 @@
 
 namespace weft {
 
-/// Gains never leave [1 / greatest_gain, greatest_gain]. At the standard threshold of 8 that is 0.5
-/// to 128 just noticeable differences: below nothing worse than noise is left to refine, above
-/// everything is coarse.
+/// Gains stay within [1 / greatest_gain, greatest_gain]. At the standard threshold of 10 that is
+/// 0.6 to 160 just noticeable differences: below, errors are no worse than noise; above, all tiles
+/// are coarse.
 inline constexpr double greatest_gain = 16.0;
 
-/// Which way a component's cost can still go by its threshold.
+/// Whether a component's threshold can still change its cost, and in which direction.
 struct ThresholdScope {
     std::string component;
     bool can_save = true;   ///< some tile is sampled more densely because of its error
@@ -24,8 +24,8 @@ struct ThresholdScope {
 
 /// Keeps the time of frames near a target: one gain g per adaptive component on its threshold, and
 /// after each frame g *= clamp(sqrt(t_used / t_target), 0.8, 1.25). The square root damps, so that
-/// the gain settles also where cost falls faster than the threshold grows, and the clamp keeps
-/// a single slow frame from spoiling the next ones.
+/// the gain settles even where cost falls faster than the threshold grows, and the clamp keeps a
+/// single slow frame from spoiling the next ones.
 class FrameBudget {
   public:
     /// `target_ms`: above 0; 0 or less, or not finite: no target, and all gains stay 1.
@@ -37,9 +37,9 @@ class FrameBudget {
     /// Factor on the threshold of a component; 1 before its first frame.
     [[nodiscard]] double gain(const std::string& component) const;
 
-    /// Takes what a frame took. Gains that could not change its cost stay as they are, so that none
-    /// runs away while another does the work. A time that is not finite or not above 0 says
-    /// nothing.
+    /// Adapts the gains to the time of a frame. Those that could not change its cost stay as they
+    /// are, so that none runs away while another does the work. A time that is not finite or not
+    /// above 0 is ignored.
     void spend(double used_ms, std::span<const ThresholdScope> components);
 
   private:

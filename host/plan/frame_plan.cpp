@@ -25,8 +25,8 @@ std::uint32_t vpl_count(std::uint32_t paths, double reflectance, std::uint32_t b
 void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflectance) {
     plan.bounces = std::min({settings.bounces, settings.vpls_per_set, std::uint32_t{MAX_BOUNCES}});
     if (plan.bounces == 0) return;
-    // A floor keeps dark scenes from spending everything on the first bounce, a ceiling keeps
-    // paths from never ending.
+    // The lower limit keeps dark scenes from spending all VPLs on the first bounce, the upper one
+    // keeps paths from never ending.
     const double r = std::clamp(reflectance, 0.05, 0.95);
     std::uint32_t paths = 1;
     while (vpl_count(paths + 1, r, plan.bounces) <= settings.vpls_per_set) ++paths;
@@ -38,8 +38,8 @@ void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflect
     }
 }
 
-/// Cells about as wide as they are high where the hemisphere is widest: pi M azimuths for M
-/// elevations (Ward and Heckbert 1992).
+/// Plans the cells of hemispheres about as wide as they are high where the hemisphere is widest:
+/// pi M azimuths for M elevations (Ward and Heckbert 1992).
 void plan_hemisphere(FramePlan& plan, const SamplingSettings& settings,
                      const SceneStatistics& scene) {
     if (!scene.indirect || !(scene.mean_reflectance > 0.0)) return;
@@ -48,16 +48,17 @@ void plan_hemisphere(FramePlan& plan, const SamplingSettings& settings,
     plan.cache_azimuths = std::max(4U, settings.cache_rays / plan.cache_elevations);
 }
 
-/// Points on lights, and places on view rays for lights without area. Some view ray passes close to
-/// any point of a light, and the edges of shafts are only as fine as places are close: four times
-/// as many as for surfaces, but of all lights of a kind together about as many as there are VPLs.
+/// Plans how many points on area lights, and places on view rays for lights without area, light in
+/// media has. Some view ray passes close to any point of a light, and the edges of shafts are only
+/// as fine as places are close: so a light has up to four times as many as for surfaces, but all
+/// lights of a kind together have about as many as there are VPLs.
 void plan_media_samples(FramePlan& plan, const SamplingSettings& settings,
                         const SceneStatistics& scene) {
     const auto share_of = [&](std::uint32_t lights) {
         return std::clamp(settings.vpls_per_set / std::max(1U, lights), settings.samples_per_light,
                           4 * settings.samples_per_light);
     };
-    // Where a pixel has all sets, it has places of its own for each.
+    // A pixel that gathers all sets has places of its own for each.
     plan.media_steps = share_of(scene.punctual_lights + scene.directional_lights) *
                        (plan.gather_sets == 1 ? plan.sets : 1);
     plan.media_samples_per_light = plan.samples_per_light;
@@ -95,13 +96,13 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.media = scene.media;
     plan.media_light = scene.scattering && scene.media_light && lights > 0;
     plan.direct = scene.direct;
-    plan.first_look_samples = settings.first_look_samples;
+    plan.min_probed_samples = settings.min_probed_samples;
     plan.indirect = scene.indirect;
     plan.temporal = algorithm == Algorithm::tic || (settings.cached && settings.temporal);
     const bool hemispheres = algorithm == Algorithm::irradiance_cache;
     plan.cached = plan.temporal || algorithm == Algorithm::ic || hemispheres || settings.cached;
     plan.cache_masks = settings.cache_masks;
-    plan.cache_audit = settings.cache_audit;
+    plan.validate_cache = settings.validate_cache;
     plan.cache_records = settings.cache_records;
     plan.cache_error = settings.cache_error;
     if (scene.direct || plan.media_light) {
@@ -122,7 +123,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     if (hemispheres && lights > 0) plan_hemisphere(plan, settings, scene);
     plan.adaptive = algorithm == Algorithm::ais;
     if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
-    // Records that outlast their frame must not depend on what others see.
+    // No roulette for records that outlast their frame: its level depends on all VPLs, so that a
+    // change of one VPL would change every connection.
     if (plan.cached && !plan.temporal) plan.cache_roulette = std::max(0.0, settings.roulette);
     plan.compensation = settings.compensation && (plan.has_indirect() || plan.samples_per_set > 0);
     plan.vpl_bound =

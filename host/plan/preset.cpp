@@ -118,7 +118,7 @@ void read_source(const JsonValue& value, Preset& preset) {
     preset.sampling.temporal = source == IndirectSource::tic;
 }
 
-/// What each setting alone cannot show.
+/// Checks the conditions that concern several settings.
 void check_together(const JsonValue& value, const Preset& preset) {
     const SamplingSettings& sampling = preset.sampling;
     // Undersampling visits every second or fourth pixel, which with an even number never meets

@@ -11,15 +11,15 @@
 
 namespace weft {
 
-/// Settings of `weft render` that decide what a picture costs and how good it is, as a file keeps
-/// them.
+/// The contents of a preset file: settings of `weft render` that decide what an image costs and how
+/// good it is.
 struct Preset {
     Algorithm algorithm = default_algorithm;
     SamplingSettings sampling;  ///< cached and temporal say where indirect light comes from
     std::uint32_t samples = 1;  ///< per pixel, 1 and up
 };
 
-/// As JSON, every setting by its name; readers take what it writes.
+/// The preset as JSON for read_preset, every setting by its name.
 [[nodiscard]] nlohmann::json preset_json(const Preset& preset);
 
 /// Reads what preset_json wrote; what is not there has its default. Throws Error (exit code 2) that

@@ -13,7 +13,7 @@ SamplingSettings sampling_of(Quality quality) {
         settings.enough_support = 0.3;
         settings.roulette = 4.0;
         settings.cache_error = 0.2;
-        // Of more than four lights few points serve nearly as well, at half the time.
+        // With more than four lights few points are nearly as good, at half the time.
         settings.max_samples_per_set = 16;
     }
     if (quality == Quality::high) {

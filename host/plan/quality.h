@@ -7,11 +7,11 @@
 
 namespace weft {
 
-/// How much time a picture is worth. `preview` is the standard setting.
+/// Trade-off between the quality and the time of an image. `preview` is the standard setting.
 enum class Quality : std::uint8_t { draft, preview, high };
 
-/// The settings that stand for a quality: errors of undersampling that may be seen, and how many
-/// VPLs and points on lights a pixel's set has.
+/// The settings of a quality: which errors of undersampling are accepted, and how many VPLs and
+/// points on lights a pixel's set has.
 [[nodiscard]] SamplingSettings sampling_of(Quality quality);
 
 }  // namespace weft

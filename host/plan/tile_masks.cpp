@@ -71,12 +71,12 @@ void for_neighbours(const TileGrid& grid, std::uint32_t tile, const Use& use) {
         }
 }
 
-/// The pixels left and right of those in `mask`, within the tile, and these themselves.
+/// The pixels in `mask` and their left and right neighbours within the tile.
 constexpr TileMask widened(TileMask mask) {
     return mask | (mask & ~column_mask(edge - 1)) << 1 | (mask & ~column_mask(0)) >> 1;
 }
 
-/// What of `mask` falls into the tile at (column, row) beside it, when it grows by a pixel.
+/// The part of `mask`, grown by one pixel, that falls into the tile at (column, row) beside it.
 constexpr TileMask spilled(TileMask mask, int column, int row) {
     TileMask part = widened(mask);
     if (column > 0) part = (mask & column_mask(edge - 1)) >> (edge - 1);
@@ -93,9 +93,9 @@ constexpr std::uint32_t inwards(std::uint32_t at, std::uint32_t size) {
 
 using Lattices = std::uint8_t;  // a bit per level
 
-/// The lattices that each tile needs in itself and about it. At the right and lower border taps and
-/// windows move inwards, into the tile before where the picture cuts the last one off: then that
-/// one needs the same samples, beside those of its own level.
+/// The lattices that each tile needs in itself and about it. Where the image cuts off the last tile
+/// at its right or lower border, taps and footprints of that tile move inwards, into the tile
+/// before: then this one needs the samples of both levels.
 std::vector<Lattices> lattices_with_borders(const TileGrid& grid, std::span<const Level> levels) {
     std::vector<Lattices> result;
     result.reserve(levels.size());
@@ -125,15 +125,15 @@ std::vector<TileMask> dilated(const TileGrid& grid, std::span<const TileMask> ma
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
         if (masks[tile] == 0) continue;
         for_neighbours(grid, tile, [&](std::size_t other, int column, int row) {
-            // Corners spill one pixel; the two shifts of `spilled` make just that.
+            // A corner spills just one pixel, which the two shifts of `spilled` ensure.
             result[other] |= spilled(masks[tile], column, row);
         });
     }
     return result;
 }
 
-std::vector<TileMask> window_masks(const TileGrid& grid, std::span<const TileMask> masks) {
-    // At the border a pixel's window is that of the next one inwards.
+std::vector<TileMask> footprint_masks(const TileGrid& grid, std::span<const TileMask> masks) {
+    // At the border a pixel's footprint is that of the next one inwards.
     std::vector<TileMask> centres(masks.begin(), masks.end());
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
         const std::uint32_t left = tile % grid.columns() * TILE_EDGE;

@@ -22,9 +22,9 @@ enum class Level : std::uint8_t { coarse = 0, middle = 1, full = 2 };
     return 4U >> static_cast<unsigned>(level);
 }
 
-/// The tiles of a picture, row by row; those at the right and lower border may reach beyond it.
+/// The tiles of an image, row by row; those at the right and lower border may reach beyond it.
 struct TileGrid {
-    std::uint32_t width = 0;  ///< of the picture, pixels
+    std::uint32_t width = 0;  ///< of the image, pixels
     std::uint32_t height = 0;
 
     [[nodiscard]] std::uint32_t columns() const { return (width + TILE_EDGE - 1) / TILE_EDGE; }
@@ -39,19 +39,19 @@ struct TileGrid {
 /// one pixel in every direction.
 [[nodiscard]] std::vector<TileMask> dilated(const TileGrid& grid, std::span<const TileMask> masks);
 
-/// Pixels in the discontinuity buffer's windows about those in `masks`: as `dilated`, but for
-/// windows at the picture's border, which are moved inwards.
-[[nodiscard]] std::vector<TileMask> window_masks(const TileGrid& grid,
-                                                 std::span<const TileMask> masks);
+/// Pixels in the discontinuity buffer's footprints about those in `masks`: as `dilated`, but
+/// footprints at the image's border are moved inwards.
+[[nodiscard]] std::vector<TileMask> footprint_masks(const TileGrid& grid,
+                                                    std::span<const TileMask> masks);
 
 /// Pixels of each tile that must have samples so that all tiles can be reconstructed at these
 /// levels: its own lattice points, and those of its neighbours' lattices within reach of their
 /// taps. The coarse lattice is always there. Raising a tile from the coarse level only adds pixels;
-/// a full one asks less of its neighbours than one at middle level.
+/// a full one needs fewer pixels of its neighbours than one at middle level.
 [[nodiscard]] std::vector<TileMask> required_masks(const TileGrid& grid,
                                                    std::span<const Level> levels);
 
-/// Both words of a mask of the device.
+/// The mask of both words that the device has of it.
 [[nodiscard]] constexpr TileMask mask_of(const std::uint32_t (&words)[2]) {
     return TileMask{words[1]} << 32 | words[0];
 }

@@ -36,7 +36,7 @@ std::vector<Cell> morton_order(std::uint32_t edge) {
     return cells;
 }
 
-/// Pixels of a tile that belong to each sample set, by where the tile begins.
+/// The pixels of a tile that belong to each sample set, which depend on where the tile begins.
 class SetMasks {
   public:
     explicit SetMasks(std::uint32_t interleave)
@@ -62,7 +62,7 @@ class SetMasks {
     std::vector<TileMask> masks_;
 };
 
-/// Bits of a tile that lie in the picture.
+/// Bits of a tile that lie in the image.
 TileMask inside(const TileGrid& grid, std::uint32_t left, std::uint32_t top) {
     TileMask mask = 0;
     const std::uint32_t width = std::min<std::uint32_t>(TILE_EDGE, grid.width - left);
@@ -73,7 +73,7 @@ TileMask inside(const TileGrid& grid, std::uint32_t left, std::uint32_t top) {
 }
 
 void pad(WorkList& list, std::uint32_t set) {
-    while (list.pixels.size() % PACKET_BLOCK != 0) list.pixels.push_back(NO_TRIANGLE);
+    while (list.pixels.size() % PACKET_BLOCK != 0) list.pixels.push_back(INVALID_INDEX);
     list.block_sets.resize(list.pixels.size() / PACKET_BLOCK, set);
 }
 

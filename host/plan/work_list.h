@@ -15,24 +15,25 @@ namespace weft {
 /// sample set (interleaved sampling, Keller and Heidrich 2001), within a set along a Morton curve,
 /// so that neighbouring slots are neighbouring pixels of one set.
 struct WorkList {
-    /// Pixel index per slot, or NO_TRIANGLE for padding. A multiple of PACKET_BLOCK long.
+    /// Pixel index per slot, or INVALID_INDEX for padding. A multiple of PACKET_BLOCK long.
     std::vector<std::uint32_t> pixels;
     /// Sample set of each block of PACKET_BLOCK slots.
     std::vector<std::uint32_t> block_sets;
 };
 
-/// Work list of a picture with n x n interleaving: pixel (x, y) belongs to set
+/// Work list of an image with n x n interleaving: pixel (x, y) belongs to set
 /// (x mod n) + n (y mod n). Every pixel appears exactly once, whatever `tile` (in pixels).
 [[nodiscard]] WorkList make_work_list(std::uint32_t width, std::uint32_t height,
                                       std::uint32_t interleave, std::uint32_t tile);
 
-/// The same pixels with the same sets, but a block holds pixels of one place within squares of 2 n:
-/// every second of its set in a row and column (shadow_look in kernels/adaptive/shadow_words.h).
+/// The same pixels with the same sets, but a block holds pixels with the same place in squares of
+/// 2 n x 2 n: every second one of its set in a row and column (probed_sample in
+/// kernels/adaptive/visibility_mask.h).
 [[nodiscard]] WorkList make_spread_work_list(std::uint32_t width, std::uint32_t height,
                                              std::uint32_t interleave, std::uint32_t tile);
 
 /// Work list of the pixels in `masks` alone, one mask per tile of the grid; bits outside of the
-/// picture are left out. Ordered region by region, large squares of tiles whose packets are filled
+/// image are left out. Ordered region by region, large squares of tiles whose packets are filled
 /// together.
 [[nodiscard]] WorkList make_work_list(const TileGrid& grid, std::span<const TileMask> masks,
                                       std::uint32_t interleave);

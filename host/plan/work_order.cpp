@@ -73,7 +73,7 @@ WorkList ordered_by_place(const WorkList& list, std::span<const shared::float4> 
             if (list.block_sets[block] != set) continue;
             for (std::size_t i = block * PACKET_BLOCK; i < (block + 1) * PACKET_BLOCK; ++i) {
                 const std::uint32_t pixel = list.pixels[i];
-                if (pixel != NO_TRIANGLE)
+                if (pixel != INVALID_INDEX)
                     entries.push_back({morton_code(positions[pixel], extent), pixel});
             }
         }
@@ -83,7 +83,7 @@ WorkList ordered_by_place(const WorkList& list, std::span<const shared::float4> 
     WorkList ordered;
     for (std::uint32_t set = 0; set < count; ++set) {
         for (const Entry& entry : sets[set]) ordered.pixels.push_back(entry.pixel);
-        while (ordered.pixels.size() % PACKET_BLOCK != 0) ordered.pixels.push_back(NO_TRIANGLE);
+        while (ordered.pixels.size() % PACKET_BLOCK != 0) ordered.pixels.push_back(INVALID_INDEX);
         ordered.block_sets.resize(ordered.pixels.size() / PACKET_BLOCK, set);
     }
     return ordered;

@@ -13,19 +13,20 @@
 
 namespace weft {
 
-/// What every kernel is told of the scene and the camera, for a picture of that size.
+/// Parameters of the scene and the camera that every kernel gets, for an image of that size.
 [[nodiscard]] shared::RenderParams scene_params(const FlatScene& scene, const Camera& camera,
                                                 std::uint32_t width, std::uint32_t height);
 
 /// Sets the fields of `params` that come from the scene alone.
 void set_scene(const FlatScene& scene, shared::RenderParams& params);
 
-/// Sets the camera fields of `params` for a picture of params.camera.width x params.camera.height
+/// Sets the camera fields of `params` for an image of params.camera.width x params.camera.height
 /// square pixels.
 void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params);
 
-/// Position of frame `frame` inside the pixel, in [0, 1)^2: the centre where only one frame is
-/// made, else points of a Halton sequence shifted by the seed, the same for all pixels.
+/// Sets the sample position of frame `frame` inside the pixel, in [0, 1)^2: the centre where only
+/// one frame is made (`single`), else points of a Halton sequence shifted by the seed, the same for
+/// all pixels.
 void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::RenderParams& params);
 
 /// The camera of that name; the first where `name` is empty. A scene without cameras gets one that

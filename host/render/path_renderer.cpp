@@ -19,13 +19,14 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t most_frame_samples = 256;
-// Powers of two beyond which light cannot be scaled: the scale and its square stay ordinary floats.
+// Largest exponent of the scale of light: the scale and its square must stay normal floats.
 constexpr double largest_exponent = 60.0;
 
-// Surfaces may be this much nearer to a point light than the scene is large, squared.
+// Square of the ratio of the scene's radius to the distance at which a surface may be from a point
+// light.
 constexpr double nearness = 0x1p20;
 
-/// Radiance of the brightest light or medium; for lights without an area, of a surface close to
+/// Radiance of the brightest light or medium; for lights without area, that of a surface close to
 /// them.
 double brightest(const FlatScene& scene) {
     const auto radius = static_cast<double>(scene.radius);
@@ -62,7 +63,7 @@ class Digest {
     std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
 
-/// Adds what a part of a frame took to what the parts before it did.
+/// Adds the statistics of a part of a frame to those of the parts before it.
 void add_part(FrameStats& whole, FrameStats part) {
     if (whole.stages.empty()) {
         whole = std::move(part);
@@ -90,8 +91,8 @@ std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
 
-std::string picture_identity(const FlatScene& scene, const shared::RenderParams& params,
-                             const shared::PathParams& path_params) {
+std::string image_identity(const FlatScene& scene, const shared::RenderParams& params,
+                           const shared::PathParams& path_params) {
     Digest digest;
     const auto add = [&]<class T>(const std::vector<T>& values) {
         digest.add(std::span<const T>(values));
@@ -155,9 +156,9 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
     }
     std::vector<SampleRange> all = sums.ranges;
     all.push_back(settings.samples);
-    if (continues && (sums.picture != picture() || sums.words.size() != words))
+    if (continues && (sums.identity != identity() || sums.words.size() != words))
         throw Error(ExitCode::bad_input,
-                    "the samples so far are of another picture, expected the same scene, size, "
+                    "the samples so far are of another image, expected the same scene, size, "
                     "camera, seed and options");
     (void)joined(std::move(all));
     film_.ranges = sums.ranges;
@@ -180,8 +181,8 @@ void PathRenderer::filter_textures() {
     params_.camera.texture_angle = settings_.through_centres ? params_.camera.pixel_angle : 0.0F;
 }
 
-const std::string& PathRenderer::picture() {
-    if (!identity_) identity_ = picture_identity(scene_, params_, path_params_);
+const std::string& PathRenderer::identity() {
+    if (!identity_) identity_ = image_identity(scene_, params_, path_params_);
     return *identity_;
 }
 
@@ -214,7 +215,7 @@ void PathRenderer::set_camera(const Camera& camera) {
     identity_.reset();
     film_.ranges.clear();
     next_ = settings_.samples.first;
-    ++picture_;
+    ++image_;
     const std::vector<std::uint32_t> zeros(
         std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height, 0);
     write_buffer(executor_, sums_, zeros);
@@ -234,7 +235,7 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
         open_ = OpenFrame{count, 0, {}};
     }
     bool wanted = true;
-    // Asked all the same, so that progress is seen.
+    // keep_going is called although the frame does not end, because it reports progress.
     const KeepGoing listen = [&](Stage stage, double done) {
         if (keep_going) wanted = keep_going(stage, done) && wanted;
         return true;
@@ -255,7 +256,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
     };
     FrameContext frame(inputs, params_, follow);
     frame.whole_launches = whole;
-    // Launches of few samples at a time: a work-item of many would hold up everything else.
+    // A launch has fewer work-items where each makes many samples, so that it stays short.
     constexpr std::uint32_t items = 1U << 14;
     const FrameContext::Items all{
         .count = pixels - first, .per_launch = std::max(64U, items / open_->count), .first = first};
@@ -290,7 +291,7 @@ void PathRenderer::finish_frame() {
     const std::uint32_t count = open_->count;
     stats_.push_back(std::move(open_->stats));
     open_.reset();
-    stats_.back().picture = picture_;
+    stats_.back().image = image_;
     std::vector<SampleRange> ranges = film_.ranges;
     ranges.push_back({next_, next_ + count});
     film_.ranges = joined(std::move(ranges));
@@ -301,7 +302,7 @@ void PathRenderer::finish_frame() {
 FilmSums PathRenderer::sums() {
     if (open_) (void)continue_frame([](Stage, double) { return true; }, true);
     FilmSums sums = film_;
-    sums.picture = picture();
+    sums.identity = identity();
     sums.words =
         read_buffer(executor_, sums_, std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height);
     return sums;

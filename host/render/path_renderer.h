@@ -16,7 +16,7 @@
 
 namespace weft {
 
-/// What reference to make of a scene.
+/// Settings of a path-traced image.
 struct PathSettings {
     std::uint32_t width = 512;
     std::uint32_t height = 512;
@@ -28,27 +28,27 @@ struct PathSettings {
     double frame_ms = 500.0;  ///< milliseconds that a frame takes, about
 };
 
-/// The path-traced reference. A frame adds some samples to every pixel's exact sums; however many
-/// frames they are spread over, the same samples give the same bits.
+/// Renders references by path tracing. A frame adds some samples to every pixel's exact sums;
+/// however many frames they are spread over, the same samples give the same bits.
 class PathRenderer : public FrameRenderer {
   public:
     /// `scene` must outlive the renderer. Where `sums` holds words, they are continued: its ranges
     /// must lie outside `settings.samples`. Throws Error (exit code 2) where it is of another
-    /// picture.
+    /// image.
     PathRenderer(Executor& executor, const FlatScene& scene, const Camera& camera,
                  const PathSettings& settings, FilmSums sums);
     /// The same on a scene that has been uploaded, by others perhaps.
     PathRenderer(Executor& executor, const FlatScene& scene, std::shared_ptr<SceneBuffers> uploaded,
                  const Camera& camera, const PathSettings& settings, FilmSums sums);
 
-    /// Samples of one frame that takes PathSettings::frame_ms, or what is left if that is less.
-    /// Whatever `keep_going` says it ends whole, since a sample that only some pixels have would be
-    /// lost. A cancelled frame is not lost either: it goes on where it was the next time, or as
-    /// soon as the sums are asked for. Returns whether it ended, more is left to do and
-    /// `keep_going` agrees.
+    /// Adds the samples of one frame that takes about PathSettings::frame_ms, or all remaining ones
+    /// if they take less. The frame is finished whatever `keep_going` returns, since a sample that
+    /// only some pixels have would be lost. A cancelled frame is not lost either: the next call, or
+    /// reading the sums, continues it. Returns whether the frame was finished, more samples remain
+    /// and `keep_going` never returned false.
     bool render_frame(const KeepGoing& keep_going) override;
 
-    /// Forgets the sums, also those of other renderers that it went on from.
+    /// Clears the sums, even those of other renderers that were continued.
     void set_camera(const Camera& camera) override;
     void update_scene() override;
     void follow_scene() override;
@@ -76,21 +76,21 @@ class PathRenderer : public FrameRenderer {
     [[nodiscard]] FilmView film() override;
 
   private:
-    /// A frame under way: samples [next_, next_ + count) of the pixels before `pixel`.
+    /// A frame under way: samples [next_, next_ + count), which the pixels before `pixel` have.
     struct OpenFrame {
         std::uint32_t count;
         std::uint32_t pixel;
         FrameStats stats;  ///< of its parts so far
     };
 
-    /// Renders the rest of the open frame and returns whether it got to its end. With `whole` no
+    /// Renders the rest of the open frame and returns whether it is finished. With `whole`, no
     /// cancel stops it.
     bool continue_frame(const KeepGoing& keep_going, bool whole);
     void finish_frame();
     void filter_textures();
-    [[nodiscard]] const std::string& picture();
+    [[nodiscard]] const std::string& identity();
     void scale_light();
-    /// path, or path_media where the scene has media.
+    /// The kernel `path`, or `path_media` where the scene has media.
     [[nodiscard]] KernelId kernel() const noexcept;
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;
 
@@ -104,19 +104,18 @@ class PathRenderer : public FrameRenderer {
     DeviceBuffer<kinds::FilmSums> sums_;
     shared::RenderParams params_{};
     shared::PathParams path_params_{};
-    FilmSums film_;  ///< without words, which are on the device, and without picture
-    std::optional<std::string> identity_;  ///< of the picture, once it was asked for
+    FilmSums film_;  ///< without words, which are on the device, and without identity
+    std::optional<std::string> identity_;  ///< of the image, once it was computed
     std::optional<OpenFrame> open_;
     std::vector<FrameStats> stats_;
     std::uint32_t next_;
-    std::uint32_t picture_ = 0;
+    std::uint32_t image_ = 0;
     double ms_per_sample_ = 0.0;
 };
 
-/// What identifies the picture that samples belong to: a text of everything that changes them.
-[[nodiscard]] std::string picture_identity(const FlatScene& scene,
-                                           const shared::RenderParams& params,
-                                           const shared::PathParams& path_params);
+/// Identifies the image that samples belong to: a digest of everything that changes them.
+[[nodiscard]] std::string image_identity(const FlatScene& scene, const shared::RenderParams& params,
+                                         const shared::PathParams& path_params);
 
 /// FEATURE_* of path tracing.
 [[nodiscard]] std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings);

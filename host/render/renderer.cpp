@@ -18,14 +18,14 @@ namespace weft {
 
 namespace {
 
-/// Blocks of pixels that cover a picture: packets of primary rays.
+/// Number of blocks of pixels that cover an image, each a packet of primary rays.
 std::uint32_t pixel_blocks(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
     const std::uint32_t columns = shared::pixel_block_width(lanes);
     const std::uint32_t rows = lanes / columns;
     return ((width + columns - 1) / columns) * ((height + rows - 1) / rows);
 }
 
-/// Runs of pixels of the rows of a picture (kernels/film/wide_pixels.h).
+/// Number of runs of pixels in the rows of an image (kernels/film/wide_pixels.h).
 std::uint32_t pixel_runs(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
     return (width + lanes - 1) / lanes * height;
 }
@@ -43,7 +43,8 @@ WorkList work_list_of(const FramePlan& plan, const RenderSettings& settings) {
     return make_work_list(settings.width, settings.height, plan.interleave, settings.tile);
 }
 
-/// Whether frames of one plan take their light from as many lights, and VPLs, as those of another.
+/// Whether two plans agree in the numbers of lights and light samples, and in whether there are
+/// VPLs, so that buffers for one serve the other.
 bool same_lights(const FramePlan& a, const FramePlan& b) {
     return a.samples_per_light == b.samples_per_light && a.samples_per_set == b.samples_per_set &&
            a.environment_samples == b.environment_samples &&
@@ -52,9 +53,9 @@ bool same_lights(const FramePlan& a, const FramePlan& b) {
            a.media_light == b.media_light;
 }
 
-/// What numbers of light paths go by: the reflectance that the scene had at first, so that they are
-/// the same in all frames in which anything reflects light. That of a scene black at first is not
-/// known from there.
+/// The mean reflectance that decides how many light paths survive: that of the scene at first, so
+/// that the numbers are the same in all frames in which anything reflects light. For a scene that
+/// was black at first a common value is used.
 double planned_reflectance(const FlatScene& scene) {
     constexpr double common = 0.5;
     if (!(scene.mean_reflectance > 0.0)) return 0.0;
@@ -84,11 +85,12 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
 }
 
 std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
-    const ComponentNeeds needs = needs_of(plan, kinds);
-    std::set<KernelId> kernels(needs.kernels.begin(), needs.kernels.end());
+    const ComponentRequirements requirements = requirements_of(plan, kinds);
+    std::set<KernelId> kernels(requirements.kernels.begin(), requirements.kernels.end());
     kernels.insert({KernelId::gbuffer, KernelId::compose});
-    if (needs.all_receivers || needs.tiles || needs.own_tiles) kernels.insert(KernelId::receivers);
-    if (needs.tiles || needs.own_tiles) kernels.insert(KernelId::tile_geometry);
+    if (requirements.all_receivers || requirements.tiles || requirements.own_tiles)
+        kernels.insert(KernelId::receivers);
+    if (requirements.tiles || requirements.own_tiles) kernels.insert(KernelId::tile_geometry);
     if (plan.media) kernels.insert(KernelId::view_media);
     if (plan.edge_samples > 0) kernels.insert({KernelId::edge_masks, KernelId::edge_samples});
     return {kernels.begin(), kernels.end()};
@@ -97,7 +99,7 @@ std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const Componen
 std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
                           std::span<const ComponentKind> kinds) {
     const std::uint32_t of_media = plan.media ? FEATURE_MEDIA | scene.media.features() : 0U;
-    return surface_features(scene) | of_media | needs_of(plan, kinds).features;
+    return surface_features(scene) | of_media | requirements_of(plan, kinds).features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
@@ -123,10 +125,10 @@ void Renderer::set_up() {
     work_ = work_list_of(plan_, settings_);
     const std::uint32_t features = features_of(scene_, plan_, settings_.components);
     executor_.build(kernels_of(plan_, settings_.components), features);
-    const ComponentNeeds needs = needs_of(plan_, settings_.components);
-    all_receivers_ = needs.all_receivers;
+    const ComponentRequirements requirements = requirements_of(plan_, settings_.components);
+    all_receivers_ = requirements.all_receivers;
     buffers_ = allocate_frame(executor_, plan_, work_, settings_.width, settings_.height, features,
-                              needs.tiles);
+                              requirements.tiles);
     if (plan_.media)
         buffers_.view_media = std::make_unique<ViewMedia>(
             executor_, scene_, media_of(executor_, scene_, *scene_buffers_), camera_,
@@ -141,7 +143,7 @@ void Renderer::set_up() {
                                                          .features = features,
                                                          .earlier = {}});
     for (const ActiveComponent& active : components_)
-        active.component->hand_over(buffers_.irradiance);
+        active.component->bind_outputs(buffers_.irradiance);
     set_params(features);
 }
 
@@ -176,7 +178,7 @@ void Renderer::set_params(std::uint32_t features) {
 
 void Renderer::set_camera(const Camera& camera) {
     move_camera(camera);
-    sequence_ = picture_;
+    sequence_ = image_;
 }
 
 void Renderer::update_scene() {
@@ -200,7 +202,7 @@ void Renderer::move_camera(const Camera& camera) {
     if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
     base_params_.camera.texture_angle = texture_angle(base_params_, settings_);
     frames_in_film_ = 0;
-    ++picture_;
+    ++image_;
 }
 
 shared::RenderParams Renderer::params_of_frame(std::uint32_t frame) const {
@@ -234,7 +236,7 @@ void Renderer::trace_primary(FrameContext& frame) {
                   kernels::receivers{.surfaces = view(gbuffer),
                                      .slots = buffers_.slots,
                                      .slot_pixel = buffers_.slot_pixel,
-                                     .view_inside = buffers_.view_inside(),
+                                     .view_enclosing_media = buffers_.view_enclosing_media(),
                                      .receiver_planes = buffers_.receivers,
                                      .pixel_slot = buffers_.pixel_slot},
                   {buffers_.slots});
@@ -242,8 +244,8 @@ void Renderer::trace_primary(FrameContext& frame) {
 }
 
 void Renderer::compose(FrameContext& frame) {
-    // A film that other frames are in gets all of this one or nothing. What edges are found by has
-    // to be whole as well: masks that nothing has written name pixels that are not there.
+    // A film that has other frames gets all of this one or nothing. Edges have to be found in whole
+    // as well: masks that nothing has written name pixels that are not there.
     frame.whole_launches = true;
     if (buffers_.edges) buffers_.edges->find(frame);
     frame.run(Stage::composition, "",
@@ -266,9 +268,9 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
     const std::uint32_t number = frames_in_film_;
     FrameContext frame(inputs, params_of_frame(number), keep_going);
     frame.budget = &budget_;
-    frame.begins = number > 0              ? FrameContext::Begins::nothing
-                   : picture_ == sequence_ ? FrameContext::Begins::sequence
-                                           : FrameContext::Begins::picture;
+    frame.begins = number > 0            ? FrameContext::Begins::nothing
+                   : image_ == sequence_ ? FrameContext::Begins::sequence
+                                         : FrameContext::Begins::image;
     frame.run_whole([&] { trace_primary(frame); });
     for (const ActiveComponent& active : components_) {
         if (executor_.cancelled()) return false;
@@ -306,7 +308,7 @@ std::vector<ThresholdScope> Renderer::threshold_scopes() const {
 
 void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
     stats_.push_back(frame_stats(frame, watch));
-    stats_.back().picture = picture_;
+    stats_.back().image = image_;
     for (const ActiveComponent& active : components_) {
         if (const auto cache = active.component->cache()) stats_.back().cache = cache;
         const SamplingDecision* const decision = active.component->decision();

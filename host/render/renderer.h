@@ -19,7 +19,7 @@
 
 namespace weft {
 
-/// What picture to make of a scene.
+/// Settings of a preview: an image by any algorithm but path tracing.
 struct RenderSettings {
     Algorithm algorithm = default_algorithm;
     SamplingSettings sampling;
@@ -27,26 +27,25 @@ struct RenderSettings {
     std::uint32_t height = 512;
     std::uint32_t tile = 64;
     std::uint32_t seed = 0;
-    /// Frames that are to be made, as far as known: 1 traces pixel centres, more points all over
-    /// the pixel, between which textures need less filtering.
+    /// Expected number of frames: with 1, rays go through pixel centres; with more, they cover the
+    /// whole pixel, and textures need less filtering.
     std::uint32_t samples = 1;
-    /// Of ais: milliseconds that each frame may take, kept by the thresholds; 0: as long as the
-    /// sampling settings make it.
+    /// Of ais: target for the milliseconds of a frame, which thresholds are adapted to; 0: none.
     double frame_time_ms = 0.0;
     bool direct = true;
     bool indirect = true;
     bool media = true;  ///< light that participating media scatter to the camera
     /// Names of further components (Choice::on_request).
     std::vector<std::string> requested;
-    /// Those to choose from.
+    /// Components to choose from.
     std::span<const ComponentKind> components = weft::components();
 };
 
-/// Renders frames of one scene into one film, for one picture after the other.
+/// Renders frames of one scene into one film, for one image after the other.
 class Renderer : public FrameRenderer {
   public:
-    /// `scene` must outlive the renderer. Uploads the scene, plans and builds what the plan calls
-    /// for.
+    /// `scene` must outlive the renderer. Uploads the scene, plans, and builds the kernels that the
+    /// plan needs.
     Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
              const RenderSettings& settings);
     /// The same on a scene that has been uploaded, by others perhaps.
@@ -56,13 +55,13 @@ class Renderer : public FrameRenderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// Adds a frame to the film. Where `keep_going` ends it early, a first frame is kept as far as
-    /// it got and a later one is dropped; returns whether it was complete. Any frame is dropped
-    /// that was cancelled.
+    /// it got and a later one is dropped; a cancelled frame is always dropped. Returns whether the
+    /// frame was complete.
     bool render_frame(const KeepGoing& keep_going) override;
 
     void set_camera(const Camera& camera) override;
     void move_camera(const Camera& camera) override;
-    /// Keeps the plan, unless the scene has other lights now than it was made for.
+    /// Keeps the plan, unless the scene's lights or features are others than it was made for.
     void update_scene() override;
     void follow_scene() override;
 
@@ -78,15 +77,16 @@ class Renderer : public FrameRenderer {
     [[nodiscard]] FilmView film() override;
 
   private:
-    /// Makes everything that depends on the plan.
+    /// Builds the kernels and makes the buffers and components that depend on the plan.
     void set_up();
     void set_params(std::uint32_t features);
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
-    /// The components' results to the film; returns whether all of it got there.
+    /// Reconstructs all components and adds the frame to the film; returns whether all of it got
+    /// there.
     bool finish(FrameContext& frame);
     void record(FrameContext& frame, const Stopwatch& watch);
-    /// Of the last frame.
+    /// Which thresholds could have changed the cost of the last frame.
     [[nodiscard]] std::vector<ThresholdScope> threshold_scopes() const;
     [[nodiscard]] shared::RenderParams params_of_frame(std::uint32_t frame) const;
 
@@ -103,8 +103,8 @@ class Renderer : public FrameRenderer {
     shared::RenderParams base_params_{};
     std::vector<FrameStats> stats_;
     std::uint32_t frames_in_film_ = 0;
-    std::uint32_t picture_ = 0;
-    std::uint32_t sequence_ = 0;  ///< its first picture
+    std::uint32_t image_ = 0;
+    std::uint32_t sequence_ = 0;  ///< first image of the sequence
     FrameBudget budget_;
 };
 

@@ -51,8 +51,7 @@ glm::dvec4 value_of(const KeyTrack& track, std::size_t key) {
     return part_of(track, key, value_part(track));
 }
 
-/// Value of a cubic Hermite spline from `a`, which it leaves with a slope, to `b`; slopes are those
-/// of a way that takes 1.
+/// Value of a cubic Hermite spline from `a` to `b` with the slopes at both ends, over a time of 1.
 template <typename Value>
 Value hermite(const Value& a, const Value& leaving, const Value& b, const Value& arriving,
               double t) {

@@ -28,7 +28,8 @@ enum class Interpolation : std::uint8_t {
     cubic,   ///< cubic Hermite spline with the tangents of the keys
 };
 
-/// What one property of a node is over time. Before its first and after its last key it rests.
+/// The values of one property of a node over time, which are constant before the first and after
+/// the last key.
 struct KeyTrack {
     Interpolation interpolation = Interpolation::linear;
     std::uint32_t width = 3;   ///< numbers of a value: 3 of a vector, 4 of a quaternion x, y, z, w,
@@ -48,16 +49,17 @@ struct KeyTrack {
 /// All numbers of the value of a track of any width at `time`, seconds, each for itself.
 [[nodiscard]] std::vector<double> numbers_at(const KeyTrack& track, double time);
 
-/// A node whose local transform changes. To the world it is, from the left, the transform of
-/// `parent` (the moving node above it), that of the resting nodes in between, and its own.
+/// A node whose local transform changes. Its transform to the world is the product, from the left,
+/// of that of `parent` (the moving node above it), that of the resting nodes in between, and its
+/// own.
 struct MovingNode {
     int parent = -1;  ///< index into Animation::nodes, below this node's own; -1: the world
     glm::dmat4 to_parent{1.0};
-    Pose rest;  ///< what counts for properties without a track
+    Pose rest;                                        ///< values of properties without a track
     int translation = -1, rotation = -1, scale = -1;  ///< index into Animation::tracks, or -1
 };
 
-/// Where a thing is fixed: to a moving node, or with -1 to the world.
+/// Attaches an instance, light or camera to a moving node, or with -1 to the world.
 struct Attachment {
     int node = -1;            ///< index into Animation::nodes
     glm::dmat4 to_node{1.0};  ///< through the resting nodes below the moving one
@@ -65,7 +67,7 @@ struct Attachment {
     [[nodiscard]] bool moves() const noexcept { return node >= 0; }
 };
 
-/// All that moves in a scene.
+/// The animation of a scene.
 struct Animation {
     std::vector<KeyTrack> tracks;
     std::vector<MovingNode> nodes;  ///< parents before children
@@ -77,7 +79,7 @@ struct Animation {
 /// The transforms to the world of all moving nodes at `time`, seconds.
 [[nodiscard]] std::vector<glm::dmat4> nodes_to_world_at(const Animation& animation, double time);
 
-/// The transform to the world of what is attached, at `time`, seconds.
+/// The transform to the world by an attachment, at `time`, seconds.
 [[nodiscard]] glm::dmat4 to_world_at(const Animation& animation, const Attachment& attachment,
                                      double time);
 

@@ -16,13 +16,13 @@
 namespace weft {
 namespace {
 
-/// From `a` to `b`, exact at both ends and where they are the same.
+/// Interpolates from `a` to `b`, exactly at both ends and where they are the same.
 template <typename T>
 T blend(const T& a, const T& b, double share) {
     return a == b ? b : a * (1.0 - share) + b * share;
 }
 
-/// Numbers as the floats that the scene keeps.
+/// Numbers as floats, which the scene keeps.
 glm::vec3 as_floats(const glm::dvec3& value, const SceneEdit& edit) {
     for (int i = 0; i < 3; ++i)
         if (!(std::abs(value[i]) <= static_cast<double>(std::numeric_limits<float>::max())))
@@ -34,7 +34,7 @@ glm::vec3 as_floats(const glm::dvec3& value, const SceneEdit& edit) {
     throw input_error(edit.place, "puts something too far from the origin");
 }
 
-/// What a share of one edit makes of the things that it targets.
+/// Applies a share of one edit to its targets.
 struct Change {
     const SceneEdit& edit;
     double share;
@@ -128,14 +128,14 @@ double SceneEdit::share_at(std::uint32_t at) const noexcept {
 }
 
 void apply_edits(const EditTimeline& timeline, std::uint32_t frame, Scene& scene) {
-    std::map<std::uint32_t, const SceneEdit*> moved;  // by the last edit
+    std::map<std::uint32_t, const SceneEdit*> moved;  // instances, with the last edit of each
     for (const SceneEdit& edit : timeline.edits) {
         if (edit.frame > frame) break;
         std::visit(Change{edit, edit.share_at(frame), scene}, edit.change);
         if (!edit.is_of_object()) continue;
         for (const std::uint32_t index : edit.targets) moved[index] = &edit;
     }
-    // Only where things end counts, as the way there is never drawn.
+    // Only the result of all edits is checked, since steps on the way are never rendered.
     for (const auto& [index, edit] : moved) {
         const Instance& instance = scene.instances[index];
         if (!instance.present) continue;

@@ -24,7 +24,7 @@ struct Hull {
     std::vector<Plane> planes;
 };
 
-// Rounding has moved vertices by no more, and nothing thinner is told apart.
+// More than rounding has moved vertices; anything thinner is not resolved.
 double tolerance_of(const FlatMedia& media) {
     return 4.0 * static_cast<double>(media.space.rounding);
 }
@@ -42,8 +42,8 @@ std::vector<Hull> hulls_of(const FlatMedia& media) {
     return hulls;
 }
 
-// Whether every edge is met by as many triangles one way as the other. Vertices at the same place
-// are one.
+// Whether every edge has as many triangles in one direction as in the other. Vertices at the same
+// place count as one.
 bool is_closed(const Hull& hull) {
     const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -85,8 +85,8 @@ std::vector<Plane> planes_of(const Hull& hull, double tolerance) {
     return planes;
 }
 
-// Puts planes that face away from each other one after the other, with normals that are each
-// other's negative to the last bit.
+// Puts parallel planes that face away from each other one after the other, with normals that are
+// negatives of each other to the last bit.
 void pair_planes(Hull& hull, double tolerance) {
     std::vector<Plane>& planes = hull.planes;
     for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
@@ -125,7 +125,7 @@ bool is_inside(const Hull& hull, const Hull& of, double tolerance) {
                        [&](const Plane& plane) { return all_below(hull, plane, tolerance); });
 }
 
-// Whether a face of one parts them; of two that edges alone part this says no.
+// Whether a face of one hull separates them. False also for hulls that only edges separate.
 bool are_apart(const Hull& a, const Hull& b, double tolerance) {
     const auto part = [&](const Hull& of, const Hull& from) {
         return std::any_of(of.planes.begin(), of.planes.end(),
@@ -134,17 +134,17 @@ bool are_apart(const Hull& a, const Hull& b, double tolerance) {
     return part(a, b) || part(b, a);
 }
 
-// A tetrahedron has four.
+// At least four planes, as a tetrahedron has.
 bool is_convex(const Hull& hull, double tolerance) {
     return hull.planes.size() >= 4 && is_closed(hull) && is_inside(hull, hull, tolerance);
 }
 
 bool has_grid(const FlatMedia& media, std::uint32_t medium) {
-    return medium != NO_MEDIUM && media.records[medium].grid != NO_TRIANGLE;
+    return medium != NO_MEDIUM && media.records[medium].grid != INVALID_INDEX;
 }
 
-// The next hull around each, or false where two are neither apart nor one inside of the other.
-// Later ones have larger volumes.
+// Finds the next hull around each; false where two are neither apart nor one inside of the other.
+// Later hulls have larger volumes.
 bool find_around(const FlatMedia& media, const std::vector<Hull>& hulls, double tolerance,
                  std::array<std::uint32_t, CONVEX_BOUNDARIES>& around) {
     around.fill(NO_MEDIUM);
@@ -152,7 +152,7 @@ bool find_around(const FlatMedia& media, const std::vector<Hull>& hulls, double 
         for (std::size_t k = j + 1; k < hulls.size(); ++k) {
             const bool inside = is_inside(hulls[j], hulls[k], tolerance);
             if (!inside && !are_apart(hulls[j], hulls[k], tolerance)) return false;
-            if (inside && has_grid(media, media.space.inside[k])) return false;
+            if (inside && has_grid(media, media.space.interior[k])) return false;
             if (inside && around.at(j) == NO_MEDIUM) around.at(j) = static_cast<std::uint32_t>(k);
         }
     }

@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// Finds out whether the stretches of a line inside of the boundaries of media follow from planes
+/// Finds out whether the segments of a line inside of the boundaries of media follow from planes
 /// alone, and fills in what kernels need for that (MediaRecord::convex and what follows it): where
 /// every boundary is closed and convex, each two are apart or one is inside of the other, and no
 /// density grid lies around another boundary. Otherwise `convex` is 0 and kernels walk through

@@ -18,7 +18,7 @@ struct Vertex {
     glm::dvec3 normal{0.0};
 };
 
-/// A target that counts.
+/// A target whose weight is not 0.
 struct ActiveTarget {
     const MorphTarget* target;
     double weight;
@@ -49,7 +49,7 @@ glm::dmat4 mean_matrix(const JointInfluences& influences, std::span<const glm::d
     glm::dmat4 mean(0.0);
     for (std::uint32_t i = 0; i < influences.width; ++i) {
         const std::size_t at = vertex * influences.width + i;
-        // A joint that does not count may be anything.
+        // The index of a joint without weight may be invalid.
         if (influences.weights[at] != 0.0F)
             mean += static_cast<double>(influences.weights[at]) * joints[influences.joints[at]];
     }
@@ -58,10 +58,10 @@ glm::dmat4 mean_matrix(const JointInfluences& influences, std::span<const glm::d
 
 /// Carries a vertex, and returns on which side of 0 the determinant lies.
 int carry(const glm::dmat4& matrix, Vertex& vertex) {
-    // Its last component is the sum of the weights, which is 1 but for their rounding.
+    // The last component is the sum of the weights, which is 1 up to their rounding.
     const glm::dvec4 moved = matrix * glm::dvec4(vertex.position, 1.0);
     vertex.position = glm::dvec3(moved) / moved.w;
-    // Cofactors are the inverse transpose up to a factor, and are there for singular matrices too.
+    // Cofactors are the inverse transpose up to a factor, and exist for singular matrices, too.
     const glm::dmat3 linear(matrix);
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));

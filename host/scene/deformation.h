@@ -13,20 +13,20 @@
 
 namespace weft {
 
-/// What a morph target adds to the vertices of a mesh at a weight of 1, in object space.
+/// Displacements by a morph target of the vertices of a mesh at a weight of 1, in object space.
 struct MorphTarget {
-    std::vector<glm::vec3> positions;  ///< one a vertex; empty: nothing
+    std::vector<glm::vec3> positions;  ///< one a vertex; empty: none
     std::vector<glm::vec3> normals;    ///< likewise
 };
 
-/// Which joints of a skin carry the vertices of a mesh.
+/// Which joints of a skin carry the vertices of a mesh, and with what weights.
 struct JointInfluences {
     std::uint32_t width = 0;            ///< joints of a vertex; 0: no joint carries the mesh
     std::vector<std::uint16_t> joints;  ///< `width` a vertex
     std::vector<float> weights;         ///< likewise, not negative, with a sum of 1 up to rounding
 };
 
-/// What a mesh is deformed from. Triangles and all other attributes stay those of the mesh.
+/// The undeformed vertices of a mesh. Triangles and all other attributes stay those of the mesh.
 struct MeshShape {
     std::vector<glm::vec3> positions;  ///< object space
     std::vector<glm::vec3> normals;    ///< one a vertex, or empty
@@ -43,8 +43,8 @@ struct Skin {
 
 /// How a mesh of a scene changes its form over time.
 struct Deformation {
-    std::uint32_t mesh = 0;                  ///< index into Scene::meshes: what it makes
-    std::shared_ptr<const MeshShape> shape;  ///< what it makes that of; copies of a scene share it
+    std::uint32_t mesh = 0;                  ///< index into Scene::meshes: the deformed mesh
+    std::shared_ptr<const MeshShape> shape;  ///< the undeformed one; copies of a scene share it
     int skin = -1;                           ///< index into Scene::skins, or -1
     int weights_track = -1;                  ///< index into Animation::tracks, or -1
     std::vector<double> weights;             ///< of the targets, where there is no track
@@ -55,11 +55,12 @@ struct Deformation {
 [[nodiscard]] std::vector<glm::dmat4> joint_matrices(const Skin& skin,
                                                      std::span<const glm::dmat4> nodes_to_world);
 
-/// Makes `positions` and `normals`, as many as the shape has, those of `shape`: its targets are
-/// added with `weights`, one each, and joints carry the result with the mean of their matrices
-/// (`joints`, one for each that the shape refers to; without influences, none is needed). Normals
-/// stay at right angles to what they are on; they have unit length, or are 0 where they have no
-/// direction. Returns whether most vertices are mirrored: then faces and normals point inwards.
+/// Sets `positions` and `normals`, as many as the shape has, to the deformed ones of `shape`: its
+/// targets are added with `weights`, one each, and joints carry the result with the weighted mean
+/// of their matrices (`joints`, one for each that the shape refers to; without influences, none is
+/// needed). Normals stay perpendicular to the surface; they have unit length, or are 0 where they
+/// have no direction. Returns whether most vertices are mirrored: then faces and normals point
+/// inwards.
 bool deform(const MeshShape& shape, std::span<const double> weights,
             std::span<const glm::dmat4> joints, std::vector<glm::vec3>& positions,
             std::vector<glm::vec3>& normals);

@@ -22,7 +22,7 @@ using GridSize = std::array<std::uint32_t, 3>;
 struct DensityGrid {
     GridSize size{};
     std::vector<float> densities;  ///< of voxel (i, j, k) at (k ny + j) nx + i; finite, at least 0
-    glm::dmat4 placement{1.0};     ///< from the unit cube to the space that the file speaks of
+    glm::dmat4 placement{1.0};     ///< from the unit cube to the space that the file defines
 };
 
 /// The number of voxels of a grid of these sizes, 0 where a size is 0. Throws Error (exit code 2)
@@ -33,7 +33,7 @@ struct DensityGrid {
 /// allowed, and all of them are finite and at least 0; it names `place` and the voxel.
 void validate_density_grid(const DensityGrid& grid, const std::string& place);
 
-/// The greatest density of all voxels, and so of all places; 0 where there is no medium.
+/// The greatest density of all voxels, and so of all points; 0 where there is no medium.
 [[nodiscard]] float greatest_density(const DensityGrid& grid);
 
 }  // namespace weft

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// Tangent of half the vertical field of view; `aspect`: width of the picture over its height.
+/// Tangent of half the vertical field of view; `aspect`: width of the image over its height.
 [[nodiscard]] inline double vertical_tangent(const Camera& camera, double aspect) {
     const double tangent = std::tan(0.5 * camera.fov);
     switch (camera.fov_axis) {

@@ -21,9 +21,9 @@
 namespace weft {
 namespace {
 
-/// Beyond that everything is opaque within the rounding of a position.
+/// Largest extinction: with more, everything is opaque within the rounding of a position.
 constexpr double largest_extinction = 1e30;
-/// Beyond that nothing is told apart by its brightness.
+/// Largest emission: with more, differences in brightness are meaningless.
 constexpr double largest_emission = 1e30;
 
 glm::dvec3 vector_of(const shared::float4& p) {
@@ -34,13 +34,13 @@ std::uint32_t medium_or_none(int medium) {
     return medium >= 0 ? static_cast<std::uint32_t>(medium) : NO_MEDIUM;
 }
 
-/// The density that a medium's extinction is for, in kernels: the greatest of its grid.
+/// The density to which a medium's extinction in kernels refers: the greatest of its grid.
 float unit_density(const Scene& scene, const Medium& medium) {
     return medium.grid < 0 ? 1.0F
                            : greatest_density(scene.grids[static_cast<std::size_t>(medium.grid)]);
 }
 
-/// Whether the medium is of no effect.
+/// Whether the medium has no effect.
 bool is_clear(const Scene& scene, const Medium& medium) {
     const glm::vec3 effect = medium.sigma_t * medium.scale + medium.emission;
     return !(std::max({effect.r, effect.g, effect.b}) > 0.0F) ||
@@ -59,7 +59,7 @@ shared::MediumRecord record_of(const Scene& scene, const Medium& medium, const K
         const auto emitted = static_cast<double>(medium.emission[c]);
         const double value = per_unit(extinction);
         sigma[c] = static_cast<float>(std::min(value, largest_extinction));
-        // What is opaque has the radiance emission / extinction, whatever is left of both.
+        // An opaque medium has the radiance emission / extinction, which limiting both must keep.
         emission[c] = static_cast<float>(std::min(value > largest_extinction
                                                       ? emitted / extinction * largest_extinction
                                                       : per_unit(emitted),
@@ -69,11 +69,11 @@ shared::MediumRecord record_of(const Scene& scene, const Medium& medium, const K
     record.emission = {emission.r, emission.g, emission.b, 0.0F};
     record.albedo = {medium.albedo.r, medium.albedo.g, medium.albedo.b, 0.0F};
     record.anisotropy = medium.anisotropy;
-    record.grid = NO_TRIANGLE;
+    record.grid = INVALID_INDEX;
     return record;
 }
 
-/// What a medium emits along a line of this length, in its brightest channel.
+/// Radiance that a medium emits along a line of this length, in its brightest channel.
 double emitted_along(const shared::MediumRecord& record, double length) {
     const auto of = [&](float emission, float sigma) {
         const auto e = static_cast<double>(emission);
@@ -86,9 +86,9 @@ double emitted_along(const shared::MediumRecord& record, double length) {
                      of(record.emission.z, record.sigma_t.z)});
 }
 
-/// The brightness that pictures of a medium of this size are made for.
+/// Typical radiance of an image of a medium of this size.
 double radiance_of(const shared::MediumRecord& record, double size) {
-    // What lies beyond the surfaces may be this much brighter than what is seen before them.
+    // The medium behind surfaces may be brighter by the inverse of this than what is seen before.
     constexpr double beyond = 0x1p-20;
     constexpr double scene_size = 4.0;
     return std::max(emitted_along(record, std::min(size, scene_size)),
@@ -103,7 +103,7 @@ double size_of(const Medium& medium, double extent, const KernelUnits& units) {
     return sum * units.scale;
 }
 
-/// Refuses light without end.
+/// Refuses infinite media whose emission would add up without limit.
 void check_endless(const Scene& scene, const Medium& medium, const shared::MediumRecord& record) {
     const auto dims = [](float emission, float sigma) {
         return !(emission > 0.0F) || sigma > 0.0F;
@@ -127,7 +127,7 @@ struct Enclosure {
 
 double signed_volume(const Enclosure& enclosure) {
     if (enclosure.positions.empty()) return 0.0;
-    // About a vertex, so that a mesh far from the centre loses nothing.
+    // Relative to a vertex, so that a mesh far from the centre loses no precision.
     const glm::dvec3 about = vector_of(enclosure.positions.front());
     const auto vertex = [&](std::uint32_t i) { return vector_of(enclosure.positions[i]) - about; };
     double six = 0.0;
@@ -172,7 +172,7 @@ void append(const Enclosure& enclosure, std::uint32_t number, FlatMedia& media) 
         const glm::vec3 unit(length > 0.0 ? normal / length : glm::dvec3(0.0));
         media.normals.push_back({unit.x, unit.y, unit.z, std::bit_cast<float>(number)});
     }
-    media.space.inside[number] = enclosure.inside;
+    media.space.interior[number] = enclosure.inside;
 }
 
 std::vector<Enclosure> enclosures_of(const Scene& scene, const KernelUnits& units) {
@@ -196,8 +196,8 @@ std::vector<Enclosure> enclosures_of(const Scene& scene, const KernelUnits& unit
     return all;
 }
 
-/// The medium outside of all boundaries: what the file says to surround everything; else the
-/// camera's, where no boundary encloses that; else what the largest boundary has outside.
+/// The medium outside of all boundaries: the one that the file names for it; else that of the
+/// camera, where no boundary encloses the camera; else the exterior medium of the largest boundary.
 std::uint32_t outermost(const Scene& scene, const KernelUnits& units, const FlatMedia& media,
                         std::uint32_t outside_largest) {
     if (scene.outer_medium >= 0) return medium_or_none(scene.outer_medium);
@@ -220,8 +220,8 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     return 2.0 * std::atan2(above, below);
 }
 
-/// The box outside of which no medium is: about all boundaries, and about the grid of the medium
-/// outside of them. Without end where that medium has no grid.
+/// Sets the box that holds all media: all boundaries, and the grid of the medium outside of them.
+/// It is infinite where that medium has no grid.
 void set_box(const Scene& scene, const KernelUnits& units, FlatMedia& media) {
     glm::dvec3 low(HUGE_VAL);
     glm::dvec3 high(-HUGE_VAL);
@@ -241,7 +241,7 @@ void set_box(const Scene& scene, const KernelUnits& units, FlatMedia& media) {
     glm::dvec3 reach(MEDIA_EVERYWHERE);
     if (!everywhere && low.x <= high.x) {
         centre = 0.5 * (low + high);
-        // As far as rounding may move a boundary, and what becomes float here.
+        // Grown by the rounding of boundaries and by that of the box itself.
         reach = 0.5 * (high - low) + 4.0 * static_cast<double>(media.space.rounding);
     }
     const auto vector = [](const glm::dvec3& v) {
@@ -272,13 +272,13 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
     for (const Medium& medium : scene.media) clear.push_back(is_clear(scene, medium));
     if (std::find(clear.begin(), clear.end(), false) == clear.end()) return {};
     FlatMedia media;
-    std::fill(std::begin(media.space.inside), std::end(media.space.inside), NO_MEDIUM);
+    std::fill(std::begin(media.space.interior), std::end(media.space.interior), NO_MEDIUM);
     std::uint32_t outside_largest = NO_MEDIUM;
     for (const Enclosure& enclosure : enclosures_of(scene, units)) {
         append(enclosure, media.space.boundaries++, media);
         outside_largest = enclosure.outside;
     }
-    // That of positions and of the distances along rays, as for surfaces.
+    // Bounds the rounding of positions and of distances along rays, as for surfaces.
     float extent = 1.0F;
     for (const shared::float4& p : media.positions)
         extent = std::max({extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -286,7 +286,7 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
     media.space.outside = outermost(scene, units, media, outside_largest);
     const auto counts = [&](std::uint32_t medium) { return medium != NO_MEDIUM && !clear[medium]; };
     if (!counts(media.space.outside) &&
-        std::none_of(std::begin(media.space.inside), std::end(media.space.inside), counts))
+        std::none_of(std::begin(media.space.interior), std::end(media.space.interior), counts))
         return {};
     for (std::size_t i = 0; i < scene.media.size(); ++i) {
         const Medium& medium = scene.media[i];

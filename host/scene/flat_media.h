@@ -16,22 +16,23 @@ namespace weft {
 struct KernelUnits;
 
 /// Participating media as kernels read them (kernels/media/medium_walk.h), in kernel units. Empty
-/// where no medium of the scene takes anything from light or adds to it.
+/// where no medium of the scene absorbs, scatters or emits light.
 struct FlatMedia {
     std::vector<shared::MediumRecord> records;
-    /// What lies inside and outside of boundaries; `around_camera` is left to the renderer.
+    /// The media inside and outside of boundaries; the renderer sets `around_camera`.
     shared::MediaRecord space{};
     std::vector<shared::float4> positions;    ///< of the boundaries
     std::vector<shared::Triangle> triangles;  ///< `instance` is the number of the boundary
     std::vector<shared::float4> normals;      ///< by triangle, outwards; w: the number, as bits
-    FlatGrids grids;                          ///< that records refer to
-    /// About what the brightest medium emits along a line through the scene; 0 where none emits.
+    FlatGrids grids;                          ///< to which records refer
+    /// Approximate radiance of the brightest medium along a line through the scene; 0 where none
+    /// emits.
     double radiance = 0.0;
 
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
     /// Whether any medium scatters light.
     [[nodiscard]] bool scatters() const;
-    /// FEATURE_* of what they hold.
+    /// FEATURE_* that the media need.
     [[nodiscard]] std::uint32_t features() const;
 };
 

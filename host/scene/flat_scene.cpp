@@ -16,7 +16,7 @@
 namespace weft {
 namespace {
 
-/// Which optional attributes any instance of the scene brings.
+/// Which optional attributes any instance of the scene has.
 struct Attributes {
     bool normals = false;
     bool uvs = false;
@@ -67,7 +67,7 @@ KernelUnits kernel_units(const Scene& scene) {
     Extent extent;
     for (const Instance& instance : scene.instances)
         extent.add(scene.meshes[instance.mesh], instance.to_world);
-    // Where there are surfaces their precision counts, however large the fog about them.
+    // Where there are surfaces their precision matters, however large the media about them.
     if (extent.empty()) {
         for (const MediumBoundary& boundary : scene.medium_boundaries)
             extent.add(scene.meshes[boundary.mesh], boundary.to_world);
@@ -79,7 +79,7 @@ KernelUnits kernel_units(const Scene& scene) {
     units.centre = 0.5 * (extent.low + extent.high);
     const glm::dvec3 half = 0.5 * (extent.high - extent.low);
     const double largest = std::max(half.x, std::max(half.y, half.z));
-    // Beyond that the scale itself would be no number.
+    // With a larger exponent the scale itself would overflow.
     constexpr int most = 1000;
     if (largest > 0.0) units.scale = std::ldexp(1.0, std::min(-std::ilogb(largest), most));
     return units;
@@ -93,9 +93,9 @@ std::vector<bool> used_vertices(const Mesh& mesh) {
     return used;
 }
 
-/// Places the vertices of an instance from `first` on, which there is room for. Those that no
-/// triangle uses go to the centre: wherever they are, they must not count for the scene's extent,
-/// nor become infinite in its units. So do those of an instance that is absent.
+/// Places the vertices of an instance from `first` on, where there is room for them. Those that no
+/// triangle uses go to the centre: they must not count for the scene's extent, nor become infinite
+/// in its units. So do those of an instance that is absent.
 void place_vertices(const Mesh& mesh, const Instance& instance, std::size_t first,
                     FlatScene& flat) {
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(instance.to_world)));
@@ -120,7 +120,7 @@ void place_vertices(const Mesh& mesh, const Instance& instance, std::size_t firs
 /// Writes the triangles of an instance where there is room for them.
 void place_triangles(const Mesh& mesh, const Instance& instance, std::uint32_t index,
                      FlatScene& flat) {
-    // A mirroring transform turns the winding; the outside stays outside.
+    // A mirroring transform reverses the winding; undone here, so that the outside stays outside.
     const bool mirrored = glm::determinant(glm::dmat3(instance.to_world)) < 0.0;
     const bool swap = mirrored != instance.flip_normals;
     const std::uint32_t base = flat.ranges[index].first_vertex;
@@ -143,7 +143,7 @@ void append_instance(const Scene& scene, std::uint32_t index, const Attributes& 
                           static_cast<std::uint32_t>(first_triangle),
                           static_cast<std::uint32_t>(mesh.triangles.size())};
     flat.instances[index] = {instance.material, static_cast<std::uint32_t>(first_triangle),
-                             NO_TRIANGLE, 0};
+                             INVALID_INDEX, 0};
     flat.positions.resize(first + mesh.positions.size());
     if (attributes.normals) flat.normals.resize(3 * flat.positions.size());
     flat.triangles.resize(first_triangle + mesh.triangles.size());
@@ -197,7 +197,7 @@ shared::MaterialRecord material_record(const Material& material, bool textures) 
     const glm::vec3 albedo = diffuse_albedo(material);
     record.albedo = {albedo.r, albedo.g, albedo.b, 0.0F};
     const int texture = albedo_texture(material);
-    record.texture = textures && texture >= 0 ? static_cast<std::uint32_t>(texture) : NO_TRIANGLE;
+    record.texture = textures && texture >= 0 ? static_cast<std::uint32_t>(texture) : INVALID_INDEX;
     const glm::vec4 parameters =
         std::visit([](const auto& surface) { return lobe_parameters(surface); }, material.surface);
     record.parameters = {parameters.x, parameters.y, parameters.z, parameters.w};
@@ -270,8 +270,8 @@ void grow(std::span<const shared::float4> vertices, double& extent, double& radi
     }
 }
 
-/// The largest coordinate and distance of all vertices. Where some may move these grow in steps, so
-/// that light paths and offsets, which depend on them, rarely change for that alone.
+/// Measures the largest coordinate and distance of all vertices. Where some may move these change
+/// in steps, so that light paths and offsets, which depend on them, rarely change for that alone.
 void measure_extent(FlatScene& flat) {
     double extent = flat.resting_extent;
     double radius = flat.resting_radius;
@@ -286,8 +286,8 @@ void measure_extent(FlatScene& flat) {
     flat.extent = static_cast<float>(extent > 0.0 ? extent : 1.0);
 }
 
-/// Tells lights which boundaries of media are around them: around the middle of their first
-/// triangle, where they have an area.
+/// Sets which boundaries of media are around each light: for an area light, around the middle of
+/// its first triangle.
 void put_lights_in_media(FlatScene& flat) {
     const auto vector = [](const shared::float4& v) { return glm::dvec3(v.x, v.y, v.z); };
     for (shared::LightRecord& light : flat.lights) {
@@ -299,7 +299,7 @@ void put_lights_in_media(FlatScene& flat) {
                       vector(flat.positions[t.v2])) /
                      3.0;
         }
-        light.inside = boundaries_around(flat.media, centre);
+        light.enclosing_media = boundaries_around(flat.media, centre);
     }
 }
 
@@ -347,7 +347,7 @@ FlatScene flatten(const Scene& scene) {
 void update_flat(const Scene& scene, FlatScene& flat) {
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
-        flat.instances[i].light = NO_TRIANGLE;
+        flat.instances[i].light = INVALID_INDEX;
         if (!instance.may_move) continue;
         const Mesh& mesh = scene.meshes[instance.mesh];
         place_vertices(mesh, instance, flat.ranges[i].first_vertex, flat);

@@ -14,7 +14,7 @@
 namespace weft {
 
 /// How scene units become kernel units: centred on the geometry and scaled by a power of two, so
-/// that floats near 1 are what kernels see wherever and however large the scene is.
+/// that kernels compute with floats near 1 wherever and however large the scene is.
 struct KernelUnits {
     glm::dvec3 centre{0.0};  ///< scene units
     double scale = 1.0;      ///< kernel units per scene unit, a power of two
@@ -46,13 +46,13 @@ struct FlatScene {
     std::vector<shared::LightRecord> lights;  ///< area, point and spot, directional, environment
     std::vector<shared::EmissiveTriangle> emissive;
 
-    /// By instance. What belongs to those that may move follows all else.
+    /// By instance. Vertices and triangles of those that may move follow all others.
     std::vector<InstanceRange> ranges;
     std::uint32_t first_moving_vertex = 0;    ///< positions.size() where nothing may move
     std::uint32_t first_moving_triangle = 0;  ///< likewise
 
-    /// By instance, then by light without area, then of the environment: the power with which each
-    /// first shone. Light paths choose by it, so that a light that is dimmed changes no path.
+    /// By instance, then by light without area, then of the environment: the power of each when it
+    /// first emitted. Light paths choose lights by it, so that dimming one changes no path.
     std::vector<double> first_powers;
 
     FlatMedia media;
@@ -61,15 +61,15 @@ struct FlatScene {
     std::uint32_t punctual_lights = 0;  ///< point and spot
     std::uint32_t directional_lights = 0;
     glm::vec3 environment{0.0F};
-    std::uint32_t features = 0;     ///< FEATURE_* that the scene calls for
+    std::uint32_t features = 0;     ///< FEATURE_* that the scene needs
     float extent = 1.0F;            ///< largest |coordinate| of geometry and lights, or above that
     float radius = 1.0F;            ///< of a bounding sphere about the centre
     double resting_extent = 0.0;    ///< largest |coordinate| of geometry that cannot move
     double resting_radius = 0.0;    ///< and its largest distance from the centre
     double surface_area = 0.0;      ///< of the scene as it was flattened
     double mean_reflectance = 0.0;  ///< area-weighted luminance of the albedo, [0, 1]
-    /// The same when the scene was flattened. Numbers of light paths go by it, so that a surface
-    /// that changes its colour changes no path.
+    /// The same when the scene was flattened. It decides the numbers of light paths, so that a
+    /// surface that changes its colour changes no path.
     double first_mean_reflectance = 0.0;
     std::vector<double> texture_means;  ///< by material, luminance, [0, 1]; 1 without texture
     std::vector<double> resting_areas;  ///< by material, of geometry that cannot move
@@ -79,9 +79,9 @@ struct FlatScene {
 /// Flattens a validated scene. Throws Error (exit code 2) where instances make too many triangles.
 [[nodiscard]] FlatScene flatten(const Scene& scene);
 
-/// Brings a scene that was flattened to what `scene`, the same at another time, is now: the places
-/// of instances that may move, materials and lights. Counts of vertices and triangles stay, and so
-/// do the kernel units, the surface area, textures and media.
+/// Brings a flattened scene up to date with `scene`, the same scene at another time: the places of
+/// instances that may move, materials and lights. Counts of vertices and triangles stay, and so do
+/// the kernel units, the surface area, textures and media.
 void update_flat(const Scene& scene, FlatScene& flat);
 
 /// Fills the light table from the flattened geometry; part of `flatten` and

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "scene/area_light_bounds.h"
 #include "scene/flat_scene.h"
-#include "scene/lamp_bounds.h"
 
 namespace weft {
 namespace {
@@ -43,18 +43,18 @@ struct Collector {
     std::vector<shared::LightRecord> lights{};
     std::vector<double> powers{};
 
-    /// Adds light number `source` of all that might shine. Returns its index, or NO_TRIANGLE where
+    /// Adds light number `source` of all that may emit. Returns its index, or INVALID_INDEX where
     /// it is too dark or bright to be chosen.
     std::uint32_t add(const shared::LightRecord& light, double power, std::size_t source) {
         double& at_first = flat.first_powers[source];
         if (!(at_first > 0.0) && power > 0.0 && std::isfinite(power)) at_first = power;
-        if (!(at_first > 0.0)) return NO_TRIANGLE;
+        if (!(at_first > 0.0)) return INVALID_INDEX;
         lights.push_back(light);
         powers.push_back(at_first);
         return static_cast<std::uint32_t>(lights.size() - 1);
     }
 
-    /// Whether a light has ever shone: it keeps its place in the table when it goes out.
+    /// Whether a light has ever emitted: it keeps its place in the table when it is switched off.
     [[nodiscard]] bool has_shone(std::size_t source) const {
         return flat.first_powers[source] > 0.0;
     }
@@ -79,7 +79,7 @@ struct Collector {
                                             &shared::EmissiveTriangle::probability);
         shared::LightRecord light{};
         light.kind = EMITTER_AREA;
-        const LampBounds bounds = lamp_bounds(flat, entries);
+        const AreaLightBounds bounds = area_light_bounds(flat, entries);
         light.position = bounds.ball;
         light.axis = bounds.normal;
         light.power = rgb(material.emission.radiance, 1.0);
@@ -128,8 +128,8 @@ struct Collector {
     }
 };
 
-/// Path tracing chooses one light for a surface point, half by power and half evenly: what is faint
-/// beside a sun may be all the light there is in a room.
+/// Weights with which path tracing chooses one light for a surface point, half by power and half
+/// uniformly: a light that is faint beside a sun may be the only one in a room.
 std::vector<double> choice_weights(std::span<const double> powers) {
     double total = 0.0;
     for (const double power : powers) total += power;
@@ -139,7 +139,7 @@ std::vector<double> choice_weights(std::span<const double> powers) {
     return weights;
 }
 
-/// Adds those of the lights without area that are, or are not, infinitely far away.
+/// Adds the lights without area, either those at infinity (`directional`) or the others.
 void add_punctual_lights(Collector& collector, bool directional) {
     const Scene& scene = collector.scene;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -181,7 +181,8 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
             [&](const shared::LightRecord& l) { return ((l.kind == kinds) || ...); }));
     };
     flat.area_lights = count(EMITTER_AREA);
-    // Beside a sun the lamps of a room are too faint for the table of all lights.
+    // Area lights have probabilities of their own, since beside a sun those of a room would be too
+    // faint in the table of all lights.
     normalise<Light>(std::span(flat.lights).first(flat.area_lights),
                      std::span(collector.powers).first(flat.area_lights), &Light::area_cumulative,
                      &Light::area_probability);

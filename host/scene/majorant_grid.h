@@ -20,11 +20,12 @@ struct MajorantGrid {
 };
 
 /// The edge length in voxels of the blocks of a grid: the smallest power of two from 4 on with
-/// which no axis has more than 64 blocks. Small blocks follow the density closely, few are crossed
-/// soon.
+/// which no axis has more than 64 blocks. Small blocks bound the density tightly, few blocks are
+/// crossed quickly.
 [[nodiscard]] std::uint32_t majorant_block(const GridSize& size);
 
-/// The bounds of a valid grid: the greatest of every block's own voxels and of their neighbours.
+/// The bounds of a valid grid: for every block the greatest density of its voxels and their
+/// neighbours.
 /// Trilinear interpolation up to half a voxel outside a block stays below its bound, so that the
 /// rounding of a position does not matter.
 [[nodiscard]] MajorantGrid make_majorant_grid(const DensityGrid& grid);

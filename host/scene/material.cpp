@@ -10,7 +10,8 @@ DiffuseSurface& diffuse_part(Material& material) {
                       material.surface);
 }
 
-/// By value: lobes say what of them is diffuse for changing it, which reads it as well.
+/// The diffuse part of a material's surface, from a copy, since lobes give access to it only in
+/// surfaces that may be changed.
 DiffuseSurface diffuse_part(const Material& material) {
     return std::visit([](auto surface) { return weft::diffuse_part(surface); }, material.surface);
 }

@@ -25,10 +25,10 @@ struct VariantOfOthers {
 using SurfaceParameters = VariantOfOthers<void ALL_LOBES(WEFT_SURFACE_ENTRY)>::type;
 #undef WEFT_SURFACE_ENTRY
 
-/// What a surface emits.
+/// The light that a surface emits.
 struct Emission {
     glm::vec3 radiance{0.0F};  ///< W/(m^2 sr)
-    bool both_sides = false;   ///< else only to the side of the geometric normal
+    bool both_sides = false;   ///< false: only to the side of the geometric normal
 };
 
 /// A surface that scatters light and may emit. Colours are linear Rec.709.
@@ -36,7 +36,7 @@ struct Material {
     std::string name;
     SurfaceParameters surface;
     Emission emission;
-    bool two_sided = true;  ///< scatters on both sides; else its back is black
+    bool two_sided = true;  ///< scatters on both sides; false: its back is black
 };
 
 /// The number of a material's lobe: LOBE_* of kernels/bsdf/lobe.h.
@@ -44,7 +44,7 @@ struct Material {
     return static_cast<std::uint32_t>(material.surface.index());
 }
 
-/// Whether it reflects by Lambert's law alone.
+/// Whether a material reflects by Lambert's law alone.
 [[nodiscard]] inline bool is_lambertian(const Material& material) {
     return std::holds_alternative<DiffuseSurface>(material.surface);
 }
@@ -52,7 +52,7 @@ struct Material {
 /// The factor in [0,1] with which a surface reflects diffusely, without texture and vertex colour.
 [[nodiscard]] glm::vec3 diffuse_albedo(const Material& material);
 
-/// Index into Scene::textures of what that is multiplied with, or -1.
+/// Index into Scene::textures of the texture that diffuse_albedo is multiplied with, or -1.
 [[nodiscard]] int albedo_texture(const Material& material);
 
 /// Replaces diffuse_albedo, [0,1].

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/srgb.h"
+
 namespace weft {
 namespace {
 
@@ -83,8 +85,7 @@ void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texel
 }
 
 float srgb_to_linear(std::uint8_t value) {
-    const double c = static_cast<double>(value) / 255.0;
-    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    return static_cast<float>(linear_from_srgb(static_cast<double>(value) / 255.0));
 }
 
 std::uint8_t linear_to_srgb(float value) {

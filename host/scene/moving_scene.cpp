@@ -18,7 +18,7 @@
 namespace weft {
 namespace {
 
-/// Whether a mesh lies where floats in kernel units reach, whose squares count as well.
+/// Whether coordinates of a mesh and their squares are finite floats in kernel units.
 bool is_in_reach(const Mesh& mesh, const glm::dmat4& to_world, const KernelUnits& units) {
     return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
         return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
@@ -29,7 +29,8 @@ bool is_in_reach(const Mesh& mesh, const glm::dmat4& to_world, const KernelUnits
     });
 }
 
-/// The units are those of the scene at rest, which may be much smaller than what becomes of it.
+/// Refuses meshes that are out of reach of the kernel units: these are those of the scene at rest,
+/// which may be much smaller than the scene at another time.
 void check_reach(const Scene& scene, const KernelUnits& units, const std::string& when) {
     for (const Instance& instance : scene.instances)
         if (instance.may_move && instance.present &&
@@ -38,7 +39,7 @@ void check_reach(const Scene& scene, const KernelUnits& units, const std::string
                                                 " lies too far from the scene at rest");
 }
 
-/// Edits name what they change by index: all of it has to be there still.
+/// Checks that the targets of edits, which are indices, still exist.
 void check_targets(const EditTimeline& timeline, const Scene& scene) {
     for (const SceneEdit& edit : timeline.edits) {
         const std::size_t count = edit.is_of_object() ? scene.instances.size()
@@ -55,8 +56,8 @@ bool same_attachment(const Attachment& a, const Attachment& b) {
     return a.node == b.node && a.to_node == b.to_node;
 }
 
-/// Whether update_flat can follow what instances have become: only those that may move are
-/// elsewhere. Lets the others that are move from now on.
+/// Whether update_flat can follow the changes of instances: only those that may move are elsewhere.
+/// Marks others that have moved as instances that may move from now on.
 bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& now) {
     if (before.size() != now.size()) return false;
     bool can_follow = true;
@@ -74,7 +75,7 @@ bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& 
     return can_follow;
 }
 
-/// Whether they differ by colours alone.
+/// Whether materials differ by colours alone.
 bool same_materials(const std::vector<Material>& before, const std::vector<Material>& now) {
     return std::equal(before.begin(), before.end(), now.begin(), now.end(),
                       [](const Material& a, const Material& b) {
@@ -84,7 +85,7 @@ bool same_materials(const std::vector<Material>& before, const std::vector<Mater
                       });
 }
 
-/// Whether they are as many lights of the same kinds, carried by the same nodes.
+/// Whether both have as many lights of the same kinds, carried by the same nodes.
 bool same_lights(const std::vector<PunctualLight>& before, const std::vector<PunctualLight>& now) {
     return std::equal(before.begin(), before.end(), now.begin(), now.end(),
                       [](const PunctualLight& a, const PunctualLight& b) {

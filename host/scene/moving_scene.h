@@ -13,7 +13,7 @@
 
 namespace weft {
 
-/// What of a scene can be edited without a copy of all its meshes and textures.
+/// The parts of a scene that can be edited without a copy of all its meshes and textures.
 struct SceneParts {
     std::vector<Instance>& instances;
     std::vector<Material>& materials;
@@ -21,7 +21,7 @@ struct SceneParts {
     std::optional<Environment>& environment;
 };
 
-/// A scene over the frames of its animation and of edits, flattened. What it is at a frame does not
+/// A scene over the frames of its animation and of edits, flattened. Its state at a frame does not
 /// depend on the frames before.
 class MovingScene {
   public:
@@ -38,14 +38,14 @@ class MovingScene {
     /// of a light or material unusable; the scene stays what it was.
     void set_frame(std::uint32_t frame);
 
-    /// Changes the scene at rest, and what it is in the frame it was brought to. Returns whether
-    /// the old flattened scene could be brought up to date (update_flat), as it can where only
-    /// places of instances that may move, lights and colours have changed. Else it has been
-    /// flattened anew, with all its memory; instances that were moved may move from then on. Throws
-    /// Error (exit code 2) as validate_scene, validate_pose and set_frame do, and where a frame's
-    /// edits change what is no longer there; the scene stays what it was.
+    /// Changes the scene at rest, and its state in the present frame. Returns whether the old
+    /// flattened scene could be brought up to date (update_flat), which is so where only places of
+    /// instances that may move, lights and colours have changed. Otherwise it has been flattened
+    /// anew, with all its memory; instances that were moved may move from then on. Throws Error
+    /// (exit code 2) as validate_scene, validate_pose and set_frame do, and where a frame's edits
+    /// change what is no longer there; the scene stays what it was.
     bool edit(const std::function<void(const SceneParts&)>& change);
-    /// The same for changes of anything, meshes and textures included; always flattens anew.
+    /// The same for any changes, meshes and textures included; always flattens anew.
     void rebuild(const std::function<void(Scene&)>& change);
 
     [[nodiscard]] const Scene& at_rest() const { return rest_; }
@@ -61,8 +61,8 @@ class MovingScene {
     Scene rest_, posed_;
     EditTimeline edits_;
     double frame_rate_;
-    std::uint32_t frame_ = 0;  ///< the scene was brought to this one
-    bool posed_once_ = false;  ///< else it is at rest
+    std::uint32_t frame_ = 0;  ///< the present one
+    bool posed_once_ = false;  ///< false: the scene is at rest
     bool moves_;
     FlatScene flat_;
 };

@@ -10,12 +10,12 @@
 
 namespace weft {
 
-/// Translation, rotation and scale of a node, where they are there. Throws Error (exit code 2)
-/// where the rotation is far from unit length.
+/// Reads translation, rotation and scale of a node, each where it is given. Throws Error (exit code
+/// 2) where the rotation is far from unit length.
 [[nodiscard]] Pose read_pose(const JsonValue& node);
 
-/// The `matrix` of an object, 16 numbers by columns; else the identity. Throws Error (exit code 2)
-/// where it is not affine.
+/// Reads the `matrix` of an object, 16 numbers by columns; the identity where there is none. Throws
+/// Error (exit code 2) where it is not affine.
 [[nodiscard]] glm::dmat4 read_matrix(const JsonValue& value);
 
 }  // namespace weft

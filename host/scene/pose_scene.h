@@ -10,11 +10,11 @@ namespace weft {
 /// Whether any instance is deformed, or it or a light is carried by a node that moves.
 [[nodiscard]] bool is_animated(const Scene& scene);
 
-/// Lets nothing of the scene move but cameras: all is as it is at rest.
+/// Keeps everything in the scene at rest, except cameras.
 void hold_still(Scene& scene);
 
-/// Makes `posed`, a copy of the scene `rest`, what that is at `time`, seconds: its instances, the
-/// meshes that are deformed, lights and materials, before any edits. Transforms and vertices may be
+/// Sets `posed`, a copy of the scene `rest`, to its state at `time`, seconds, before any edits: its
+/// instances, the meshes that are deformed, lights and materials. Transforms and vertices may be
 /// unusable: see validate_pose.
 void pose_scene(const Scene& rest, double time, Scene& posed);
 

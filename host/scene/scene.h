@@ -19,14 +19,14 @@ namespace weft {
 
 enum class Wrap : std::uint32_t { repeat, clamp, mirror };
 
-/// A picture for a surface. `rgba` is row-major, top row first, 4 bytes a pixel; texture
+/// An image for a surface. `rgba` is row-major, top row first, 4 bytes a pixel; texture
 /// coordinate v = 0 lies on the top edge of the first row.
 struct Texture {
     std::string name;
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint8_t> rgba;
-    bool srgb = true;  ///< colour bytes are sRGB encoded, else linear
+    bool srgb = true;  ///< colour bytes are sRGB encoded; false: linear
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
     bool nearest = false;  ///< nearest texel instead of bilinear interpolation
@@ -48,10 +48,10 @@ struct Instance {
     std::uint32_t mesh = 0;
     std::uint32_t material = 0;
     glm::dmat4 to_world{1.0};
-    bool flip_normals = false;  ///< the file asks for reversed orientation, or joints mirror it
+    bool flip_normals = false;  ///< the file reverses the orientation, or joints mirror it
     bool may_move = false;      ///< over the frames to be made; see pose_scene and SceneEdits
-    bool present = true;        ///< else its triangles are there without extent
-    Attachment motion{};        ///< what carries it over time, if anything does
+    bool present = true;        ///< false: its triangles exist, but shrink to a point
+    Attachment motion{};        ///< the node that carries it over time, if any does
     int deformation = -1;       ///< index into Scene::deformations, which makes its mesh, or -1
 };
 
@@ -66,7 +66,7 @@ struct PunctualLight {
     glm::vec3 intensity{1.0F};  ///< W/sr; for `directional` irradiance W/m^2 on a facing surface
     float cos_inner = 1.0F;     ///< spot: full intensity inside this cone
     float cos_outer = 0.0F;     ///< spot: dark outside this cone
-    Attachment motion{};  ///< what carries it over time, if anything does; it shines along -z there
+    Attachment motion{};  ///< the node that carries it, if any; the light travels along its -z
 };
 
 /// Light from infinitely far away, the same from every direction.
@@ -83,7 +83,7 @@ struct Camera {
     double fov = 0.8;          ///< radians, full angle along `fov_axis`
     FovAxis fov_axis = FovAxis::y;
     bool mirror_x = false;  ///< the file's camera space is left-handed
-    Attachment motion{};    ///< what carries it over time, if it moves
+    Attachment motion{};    ///< the node that carries it over time, if it moves
 };
 
 /// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit, times the
@@ -109,14 +109,14 @@ struct MediumBoundary {
     int exterior = -1;
 };
 
-/// The picture's size as the file asks for it.
+/// The size of the image in the file.
 struct FilmSize {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
 };
 
 /// Everything a scene file holds, validated: indices are in range, numbers finite, transforms
-/// invertible. Plain data; nothing here knows of BVHs or devices.
+/// invertible. Plain data without anything that concerns BVHs or devices.
 struct Scene {
     std::string source;  ///< path it was read from
     std::vector<Texture> textures;
@@ -128,12 +128,12 @@ struct Scene {
     std::vector<Camera> cameras;
     Animation animation;
     std::vector<Skin> skins;                ///< those that move vertices over time
-    std::vector<Deformation> deformations;  ///< of meshes, which here are as they are at rest
+    std::vector<Deformation> deformations;  ///< of meshes, which are at rest here
     std::vector<DensityGrid> grids;
     std::vector<Medium> media;
     std::vector<MediumBoundary> medium_boundaries;
-    int camera_medium = -1;  ///< the file's word on what is around the cameras, or -1: see
-                             ///< flatten_media for when it counts
+    int camera_medium = -1;  ///< medium around the cameras by the file: index into `media`, or -1;
+                             ///< see flatten_media for when it is used
     int outer_medium = -1;   ///< outside of all boundaries: index into `media`, or -1
     std::optional<FilmSize> film;
     bool light_named = false;  ///< the file names an area light, perhaps one without power

@@ -80,7 +80,7 @@ ObjectTurn read_turn(const JsonValue& value, const Json& json) {
     check_keys(value, json, {"axis", "degrees", "about"});
     turn.angle = value.at("degrees").as_number() * (std::numbers::pi / 180.0);
     if (value.find("about")) turn.about = vector_of(value, "about");
-    // By the largest part first, lest squares overflow or vanish.
+    // Divided by the largest component first, so that squares neither overflow nor underflow.
     const glm::dvec3 size = glm::abs(turn.axis);
     const double largest = std::max({size.x, size.y, size.z});
     if (!(largest > 0.0)) throw value.at("axis").error("is of length 0, expected a direction");
@@ -131,8 +131,8 @@ std::uint32_t look_up_one(const Names& names, const JsonValue& name, const char*
     return found.front();
 }
 
-/// Turns a file into a timeline and the instances that it adds, in the order of time: what is added
-/// has a name from then on, and what is removed has none.
+/// Reads a file into a timeline and the instances that it adds, in the order of time: an object has
+/// a name from when it is added until it is removed.
 class EditReader {
   public:
     explicit EditReader(const Scene& scene)
@@ -195,7 +195,7 @@ class EditReader {
         targets_ += instances.size();
         edit.targets = instances;
         const auto removed = removed_.find(name.as_string());
-        // What is gone may still be copied.
+        // A removed object may still be copied.
         if (kind != "add" && removed != removed_.end())
             throw name.error("is " + quote(name.as_string()) + ", which is removed at frame " +
                              std::to_string(removed->second));
@@ -232,7 +232,7 @@ class EditReader {
         const Instance first = instance(originals.front());
         for (const std::uint32_t index : originals) {
             Instance copy = instance(index);
-            // The parts of one node; where other nodes have that name, their copies would coincide.
+            // Only the parts of one node: where other nodes have that name, copies would coincide.
             if (copy.to_world != first.to_world || copy.motion.node != first.motion.node) continue;
             copy.name = text;
             if (material) copy.material = look_up_one(materials_, *material, "material");

@@ -23,9 +23,9 @@ struct ObjectMove {
 /// Turns an object about an axis of the world.
 struct ObjectTurn {
     glm::dvec3 axis{0.0, 1.0, 0.0};   ///< unit
-    double angle = 0.0;               ///< radians, counter-clockwise where the axis points to you
-    std::optional<glm::dvec3> about;  ///< a point of the axis; else the origin of the object's
-                                      ///< first instance as it then is
+    double angle = 0.0;               ///< radians, counter-clockwise seen against the axis
+    std::optional<glm::dvec3> about;  ///< a point of the axis; default: the present origin of the
+                                      ///< object's first instance
 };
 
 /// Scales an object about its own origin and along its own axes.
@@ -46,8 +46,8 @@ struct LightChange {
 
 /// Changes a material, wherever it is used.
 struct MaterialChange {
-    std::optional<glm::vec3> albedo;    ///< what it becomes, [0,1]
-    std::optional<glm::vec3> emission;  ///< what it becomes before `factor`, W/(m^2 sr)
+    std::optional<glm::vec3> albedo;    ///< new value, [0,1]
+    std::optional<glm::vec3> emission;  ///< new value before `emission_factor`, W/(m^2 sr)
     double emission_factor = 1.0;       ///< not negative
 };
 
@@ -56,7 +56,7 @@ struct MaterialChange {
 struct SceneEdit {
     std::string place;  ///< `file#/json/pointer`, for messages
     std::uint32_t frame = 0;
-    std::uint32_t until = 0;             ///< `frame` where it happens at once
+    std::uint32_t until = 0;             ///< equals `frame` where the change is immediate
     std::vector<std::uint32_t> targets;  ///< indices of instances, or of one light or material
     std::variant<ObjectMove, ObjectTurn, ObjectScale, ObjectPresence, LightChange, MaterialChange>
         change;
@@ -64,11 +64,11 @@ struct SceneEdit {
     /// Whether `targets` are of Scene::instances.
     [[nodiscard]] bool is_of_object() const noexcept { return change.index() < 4; }
 
-    /// How much of the change has happened at frame `at`, [0,1].
+    /// The share of the change that is applied at frame `at`, [0,1].
     [[nodiscard]] double share_at(std::uint32_t at) const noexcept;
 };
 
-/// What is to happen to a scene over the frames to be made.
+/// The edits of a scene over the frames to be made.
 struct EditTimeline {
     std::vector<SceneEdit> edits;  ///< by frame; those of one frame in the order of the file
 };
@@ -82,11 +82,11 @@ struct EditTimeline {
 /// What makes a transform to the world unusable, as `a transform that ...`, or null.
 [[nodiscard]] const char* transform_flaw(const glm::dmat4& to_world);
 
-/// Makes `scene`, as it is at `frame` without edits, what the edits make of it: all those whose
-/// frame has come, in order. It must have the instances, lights and materials of the scene that the
-/// timeline was read for. Throws Error (exit code 2) with the place of the edit that makes
-/// a transform singular, a number not finite, or puts something too far from the origin; `scene` is
-/// then neither the one nor the other and must not be used.
+/// Applies the edits up to `frame`, in order, to `scene`, which is at that frame without edits. It
+/// must have the instances, lights and materials of the scene that the timeline was read for.
+/// Throws Error (exit code 2) with the place of the edit that makes a transform singular, a number
+/// not finite, or puts something too far from the origin; `scene` is then partly edited and must
+/// not be used.
 void apply_edits(const EditTimeline& timeline, std::uint32_t frame, Scene& scene);
 
 }  // namespace weft

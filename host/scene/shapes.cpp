@@ -22,7 +22,7 @@ void add_vertex(Mesh& mesh, const glm::vec3& position, const glm::vec3& normal,
     mesh.uvs.push_back(uv);
 }
 
-/// A point of the unit circle. The last step is the first one again, bit for bit, so that closed
+/// A point of the unit circle. The last step equals the first one, bit for bit, so that closed
 /// shapes have no crack at the seam.
 glm::dvec2 on_circle(std::uint32_t step, std::uint32_t steps) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(step % steps) / steps;

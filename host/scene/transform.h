@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// Whether all numbers of a transform are.
+/// Whether all numbers of a transform are finite.
 [[nodiscard]] bool is_finite(const glm::dmat4& transform);
 
 /// Whether a finite transform flattens what it is applied to: by its determinant, compared with the

@@ -27,7 +27,7 @@ bool is_none_or_below(int index, std::size_t count) {
     return index >= -1 && (index < 0 || static_cast<std::size_t>(index) < count);
 }
 
-/// Stops at the first thing that is wrong.
+/// Throws at the first error.
 class DeformationValidator {
   public:
     explicit DeformationValidator(const Scene& scene) : scene_(scene) {}

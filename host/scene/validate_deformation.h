@@ -7,8 +7,8 @@
 
 namespace weft {
 
-/// The part of validate_scene that is about skins and deformations: that all they refer to is
-/// there, that numbers of vertices, targets, weights and joints agree, and that numbers are finite.
+/// The part of validate_scene for skins and deformations: checks that everything they refer to
+/// exists, that counts of vertices, targets, weights and joints agree, and that numbers are finite.
 /// Meshes and tracks have been validated. Throws Error (exit code 2) that names the object.
 void validate_deformations(const Scene& scene);
 

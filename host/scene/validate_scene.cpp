@@ -44,7 +44,7 @@ bool not_negative(const glm::vec3& v) {
     return all_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
 }
 
-/// Collects nothing, only stops: each check names the object in the error.
+/// Throws at the first error; each check names the object in it.
 class Validator {
   public:
     explicit Validator(const Scene& scene) : scene_(scene) {}
@@ -70,7 +70,7 @@ class Validator {
             const std::string object = "instance " + quote(instance.name) + when;
             check_transform(instance.to_world, object);
             const Mesh& mesh = scene_.meshes[instance.mesh];
-            // Comparisons, of which the box is made, pass over what is no number.
+            // The box is made by comparisons, which miss NaN.
             if (instance.deformation >= 0)
                 require(all_finite(mesh.positions), object, "has a vertex that is not finite");
             if (!mesh.positions.empty()) check_extent(box_of(mesh), instance.to_world, object);

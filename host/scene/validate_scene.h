@@ -7,14 +7,14 @@
 
 namespace weft {
 
-/// The last gate before a scene is rendered, whoever made it: indices in range, attribute arrays
+/// The last check before a scene is rendered, whoever made it: indices in range, attribute arrays
 /// of equal length, numbers finite, transforms invertible, world coordinates within
 /// `limits::max_coordinate`, all placed triangles within `limits::max_triangles`. Throws Error
 /// (exit code 2) that names the object.
 void validate_scene(const Scene& scene);
 
-/// Checks where a camera of the scene stands at some other time, which `when` names. Throws Error
-/// (exit code 2).
+/// Checks the transform of a camera of the scene at some other time, which `when` names. Throws
+/// Error (exit code 2).
 void validate_camera(const Scene& scene, const Camera& camera, const std::string& when);
 
 /// Checks what may differ from the scene at rest at some other time, which `when` names: the places

@@ -8,7 +8,7 @@
 #include "selftest/media_builder.h"
 #include "selftest/path_rendering.h"
 
-// A point light in an endless medium that scatters evenly.
+// A point light in an infinite medium that scatters isotropically.
 namespace weft::selftest {
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<Measured> measure_airlight(Executor& executor) {
                                                    "media", 0))};
 }
 
-/// Values that are not finite, negative or guarded; and no light at all, which counts as one.
+/// Number of values that are not finite, negative or guarded; 1 for an image without any light.
 double bad_fog(Executor& executor, double angle) {
     const SceneBuilder builder = foggy_space({0.0, 0.0, -1.0});
     const Rendering rendering =

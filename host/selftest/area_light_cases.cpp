@@ -6,7 +6,7 @@
 #include "selftest/closed_forms.h"
 #include "selftest/floor_light.h"
 
-// Lights with area over a floor, by the samples that previews take of them and by paths.
+// Area lights over a floor, by light samples and by path tracing.
 namespace weft::selftest {
 namespace {
 
@@ -23,7 +23,7 @@ std::string by_paths() {
 
 SceneBuilder under_square() {
     SceneBuilder builder = floor_scene();
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F), radiance));
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F), radiance));
     return builder;
 }
 
@@ -46,8 +46,8 @@ SelftestCase square_light() {
             }};
 }
 
-/// The square light as (x, 0, 0) sees it past a half plane at height 1/2 over x > 0.1, which hides
-/// what lies beyond 0.2 - x.
+/// Irradiance at (x, 0, 0) of the square light behind a half plane at height 1/2 over x > 0.1,
+/// which hides what lies beyond 0.2 - x.
 double clipped_irradiance(double x) {
     const double end = std::min(0.5, 0.2 - x);
     return polygon_irradiance(
@@ -78,7 +78,7 @@ SelftestCase clipped_light() {
         }};
 }
 
-/// A light over the floor, of a shape that its mesh comes close to.
+/// The case of a light over the floor whose mesh approximates a round shape.
 SelftestCase round_light(int number, const std::string& name, LitFloor (*make)(),
                          const std::string& mesh) {
     const LitFloor lit = make();

@@ -24,7 +24,8 @@ struct BvhMesh {
     }
 };
 
-/// The same values on every standard library, unlike the distributions of <random>.
+/// Uniform random numbers that are the same with every standard library, unlike those of the
+/// distributions of <random>.
 class Uniform {
   public:
     explicit Uniform(std::uint32_t seed) : engine_(seed) {}
@@ -69,8 +70,8 @@ inline BvhMesh flat_grid(std::uint32_t n) {
     return mesh;
 }
 
-/// Thin, nearly parallel triangles along the diagonal of the unit cube: boxes that are all but
-/// empty and overlap each other, which only spatial splits can part.
+/// Thin, nearly parallel triangles along the diagonal of the unit cube: their boxes are nearly
+/// empty and overlap each other, so that only spatial splits can separate them.
 inline BvhMesh diagonal_needles(std::size_t count, std::uint32_t seed) {
     BvhMesh mesh;
     Uniform uniform(seed);

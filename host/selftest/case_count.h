@@ -5,8 +5,8 @@
 
 namespace weft::selftest {
 
-/// Hard cases there are, numbered from 1 on. Apart from the cases themselves, so that the command
-/// line can be read without kernels.
+/// Number of hard cases, which are numbered from 1 on. It is apart from the cases themselves, so
+/// that the command line can be read without kernels.
 inline constexpr unsigned case_count = 35;
 
 }  // namespace weft::selftest

@@ -9,8 +9,8 @@
 
 namespace weft::selftest {
 
-/// All hard cases, numbered from 1 on in this order; one of which the host computes a part alone
-/// is there twice, that part first. Making them runs nothing.
+/// All hard cases, numbered from 1 on in this order. A case with a part that the host computes by
+/// itself is listed twice, that part first. Making them runs nothing.
 [[nodiscard]] const std::vector<SelftestCase>& selftest_cases();
 
 }  // namespace weft::selftest

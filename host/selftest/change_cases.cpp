@@ -14,7 +14,7 @@
 namespace weft::selftest {
 namespace {
 
-/// A renderer that follows a room; the room stays where it was made.
+/// A renderer that renders each state of a changing room, to which it refers.
 class Follower {
   public:
     Follower(Executor& executor, MovingRoom& room, const RenderSettings& settings)
@@ -22,7 +22,7 @@ class Follower {
         render_next();
     }
 
-    /// Renders the next picture, of the room as it is now.
+    /// Renders the next image, of the room as it is now.
     Image next() {
         update_flat(room_.scene, room_.flat);
         renderer_.update_scene();
@@ -43,10 +43,10 @@ class Follower {
     Renderer renderer_;
 };
 
-RenderSettings kept_records(std::uint32_t width, std::uint32_t height) {
+RenderSettings temporal_settings(std::uint32_t width, std::uint32_t height) {
     RenderSettings settings = small_settings(Algorithm::tic, width, height);
     settings.sampling.vpls_per_set = 14;
-    settings.sampling.cache_audit = true;
+    settings.sampling.validate_cache = true;
     settings.direct = false;
     return settings;
 }
@@ -67,7 +67,7 @@ Instance& thing_of(MovingRoom& room) {
     return room.scene.instances[room.things.front()];
 }
 
-/// One of every kind, each in a scene in which it changes something.
+/// One edit of every kind, in an order in which each changes something.
 constexpr std::array one_of_each{
     Edit{"move",
          [](MovingRoom& room, const Scene&) {
@@ -107,12 +107,12 @@ constexpr std::array one_of_each{
          }},
 };
 
-/// What differs from records computed anew, over all edits; no number where nothing was kept or
-/// nothing updated, since then there was nothing to compare.
+/// Number of records and VPLs that differ from those computed anew, over all edits; NaN where no
+/// record was kept or updated, since then there was nothing to compare.
 Measured after_edits(Executor& executor, unsigned which) {
     MovingRoom room = moving_room(which);
     const Scene start = room.scene;
-    Follower follower(executor, room, kept_records(40, 30));
+    Follower follower(executor, room, temporal_settings(40, 30));
     Measured measured(0.0);
     std::size_t kept = 0;
     std::size_t updated = 0;
@@ -133,18 +133,18 @@ Measured after_edits(Executor& executor, unsigned which) {
 }
 
 std::vector<Measured> measure_return(Executor& executor) {
-    MovingRoom pictured = moving_room(0);
-    Follower previews(executor, pictured, small_settings(Algorithm::igi, 40, 30));
-    const Scene start = pictured.scene;
+    MovingRoom drawn = moving_room(0);
+    Follower previews(executor, drawn, small_settings(Algorithm::igi, 40, 30));
+    const Scene start = drawn.scene;
     const Image before = previews.next();
-    pictured.move(0, {0.2, 0.05, -0.1});
+    drawn.move(0, {0.2, 0.05, -0.1});
     const Image away = previews.next();
-    pictured.scene.instances = start.instances;
+    drawn.scene.instances = start.instances;
     const Image back = previews.next();
-    // Something has to have moved, or the comparison would say nothing.
+    // Something must have moved, or the comparison would be meaningless.
     const bool moved = differing_values(before, away) > 0;
     MovingRoom recorded = moving_room(0);
-    Follower records(executor, recorded, kept_records(40, 30));
+    Follower records(executor, recorded, temporal_settings(40, 30));
     double differing = 0.0;
     for (int i = 0; i < 4; ++i) {
         recorded.scene.instances = start.instances;
@@ -167,14 +167,14 @@ std::vector<SelftestCase> change_cases() {
                        [](Executor& executor) -> std::vector<Measured> {
                            return {after_edits(executor, 1), after_edits(executor, 2)};
                        }};
-    // Of rays that graze an edge Embree's tree, made anew for what moves, may decide.
+    // Embree's tree, built anew for what moves, may decide otherwise on rays that graze an edge.
     for (Check& check : edits.checks) check.own_traversal = true;
     return {edits,
             {25,
              "something moves away and back",
              RunsOn::devices,
              {{"igi, values unlike before", 0.0, within(0.0),
-               "a picture does not depend on the frames before it"},
+               "an image does not depend on the frames before it"},
               {"tic, records unlike new ones", 0.0, within(0.0), anew}},
              measure_return}};
 }

@@ -8,11 +8,11 @@
 
 namespace weft::selftest {
 
-/// A chi-square value of `freedom` degrees as a normal variable: its cube root nearly is one
-/// (Wilson and Hilferty 1931).
+/// A chi-square value with `freedom` degrees of freedom as a standard normal variable: its cube
+/// root is nearly normal (Wilson and Hilferty 1931).
 [[nodiscard]] double normal_of(double chi_square, double freedom);
 
-/// Counts by bin, of known probabilities.
+/// Counts points by bins of known probabilities.
 class Histogram {
   public:
     static constexpr std::size_t rows = 64;
@@ -21,11 +21,11 @@ class Histogram {
     explicit Histogram(std::size_t bins) : counts_(bins) {}
     Histogram() : Histogram(rows * columns) {}
 
-    /// Counts a point of the unit square. Throws std::out_of_range where it is not in there.
+    /// Counts a point of the unit square. Throws std::out_of_range where it lies outside.
     void add(double u, double v);
     void add(std::size_t bin) { counts_.at(bin) += 1.0; }
 
-    /// The normal variable of these counts, where all bins are as probable.
+    /// The normal variable of these counts, for bins of equal probability.
     [[nodiscard]] double normal() const;
     [[nodiscard]] double normal(const std::vector<double>& probabilities) const;
 

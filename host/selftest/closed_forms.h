@@ -14,10 +14,10 @@ namespace weft::selftest {
 
 /// Form factor of two parallel unit squares at distance 1 (Howell's catalogue, C-11).
 inline constexpr double parallel_form_factor = 0.1998248957;
-/// Of two perpendicular unit squares with a common edge (Howell's catalogue, C-14).
+/// Form factor of two perpendicular unit squares with a common edge (Howell's catalogue, C-14).
 inline constexpr double perpendicular_form_factor = 0.2000437761;
 
-/// Radiance of single scattering in an endless medium (Sun et al. 2005): extinction 0.3, albedo 1,
+/// Radiance of single scattering in an infinite medium (Sun et al. 2005): extinction 0.3, albedo 1,
 /// isotropic; a point light of intensity 2 lies 1.5 away at 0.9 rad from the ray, which ends
 /// after 4.
 inline constexpr double sun_airlight = 0.03389058698;

@@ -14,7 +14,7 @@
 #include "selftest/measurements.h"
 #include "selftest/media_builder.h"
 
-// Scenes and pictures at the edge of what they can be, and values that are none.
+// Degenerate scenes and images, and values that are not finite.
 namespace weft::selftest {
 namespace {
 
@@ -22,7 +22,7 @@ Camera plain_camera() {
     return look_at({0.3, 0.2, 3.0}, {0.0, 0.0, 0.0}, 0.8);
 }
 
-/// The largest value of the picture, or NaN where any value is bad.
+/// The largest value of the image, or NaN where any value is bad.
 double brightest(const Rendering& rendering) {
     if (bad_values(rendering) > 0.0) return NAN;
     const std::vector<float>& beauty = rendering.layer("");
@@ -34,8 +34,8 @@ Rendering preview(Executor& executor, const Scene& scene, const Camera& camera,
     return render(executor, scene, camera, small_settings(Algorithm::igi, width, height));
 }
 
-/// Light that surfaces do not give off: a lamp of radiance 0, and lamps that are points and lines.
-SceneBuilder lamps_without_light() {
+/// Area lights that give no light: one of radiance 0, and some that are points and lines.
+SceneBuilder area_lights_without_light() {
     SceneBuilder builder;
     builder.add(room_mesh(), builder.material(glm::vec3(0.8F)));
     builder.add(quad_mesh({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}),
@@ -61,7 +61,7 @@ double bad_in_medium(Executor& executor) {
     builder.light(LightType::point, {0.2, 0.1, 0.0}, glm::vec3(0.3F));
     builder.scene.media.push_back(medium_of(glm::vec3(1.0F), glm::vec3(0.8F), 0.5F));
     add_boundary(builder.scene, cube_mesh(), placement(0.3, {0.0, 0.0, 0.3}), 0);
-    // Within it, and on its boundary.
+    // The camera is within it, and on its boundary.
     return bad_values(preview(executor, builder.scene, look_at({0, 0, 0.2}, {0, 0, 0}, 1.0))) +
            bad_values(preview(executor, builder.scene, look_at({0, 0, 0.6}, {0, 0, 0}, 1.0)));
 }
@@ -87,7 +87,7 @@ std::vector<Measured> measure_edges(Executor& executor) {
     const Camera inside = look_at({0.0, 0.0, 0.9}, {0.0, 0.0, 0.0}, 1.0);
     return {brightest(preview(executor, nothing.scene, plain_camera())),
             brightest(preview(executor, surroundings.scene, plain_camera())),
-            brightest(preview(executor, lamps_without_light().scene, inside)),
+            brightest(preview(executor, area_lights_without_light().scene, inside)),
             brightest(preview(executor, hidden_light().scene, plain_camera())),
             bad_in_medium(executor),
             bad_in_odd_sizes(executor)};
@@ -100,20 +100,20 @@ SelftestCase edges_of_scenes() {
             RunsOn::devices,
             {{"brightest pixel of no scene", 0.0, within(0.0), exact},
              {"brightest pixel of surroundings alone", 0.25, within(0.0), exact},
-             {"brightest pixel, lamps without power or area", 0.0, within(0.0), exact},
+             {"brightest pixel, area lights without power or area", 0.0, within(0.0), exact},
              {"brightest pixel, a light within a ball", 0.0, within(1e-6),
               "a facet sees itself at a cosine of 0, but for rounding"},
              {"bad values, camera in a medium and on its edge", 0.0, within(0.0),
-              "every stretch of a medium has a finite optical depth"},
+              "every segment of a medium has a finite optical depth"},
              {"bad values or no light, 1x1, 7x5 and 1x9 pixels", 0.0, within(0.0),
-              "windows move inwards, and lists of pixels are padded"}},
+              "footprints move inwards, and lists of pixels are padded"}},
             measure_edges};
 }
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// A floor that the camera sees all over, under a light, with coordinates and colours for textures.
+/// A floor that fills the image, under a light, with texture coordinates and vertex colours.
 SceneBuilder lit_floor() {
     SceneBuilder builder;
     Mesh floor = quad_mesh({-4, -4, 0}, {8, 0, 0}, {0, 8, 0});
@@ -123,7 +123,7 @@ SceneBuilder lit_floor() {
     return builder;
 }
 
-/// Places of a scene where a value that is none was not refused.
+/// Number of places in a scene where a value that is not finite was not refused.
 double accepted_places() {
     const std::vector<std::function<void(Scene&, float)>> places{
         [](Scene& scene, float bad) {
@@ -151,14 +151,15 @@ double accepted_places() {
     return accepted;
 }
 
-/// Radiance pictures that were not refused: values beyond floats, by what they were exposed with.
-double accepted_pictures() {
+/// Number of Radiance images that were not refused although their exposure makes values overflow
+/// floats.
+double accepted_images() {
     double accepted = 0.0;
     for (const char* const exposure : {"nan", "1e-3"}) {
-        const std::string picture =
+        const std::string image =
             std::string("#?RGBE\nEXPOSURE=") + exposure + "\n\n-Y 1 +X 1\n\xff\xff\xff\xff";
         try {
-            (void)decode_hdr(std::as_bytes(std::span(picture)), "picture");
+            (void)decode_hdr(std::as_bytes(std::span(image)), "picture");
             accepted += 1.0;
         } catch (const Error& error) {
             accepted += error.code() == ExitCode::bad_input ? 0.0 : 1.0;
@@ -167,7 +168,7 @@ double accepted_pictures() {
     return accepted;
 }
 
-/// A picture whose emission was spoilt behind the reader's back.
+/// An image whose emission was made invalid after the scene was read and checked.
 std::vector<Measured> measure_spoilt(Executor& executor) {
     FlatScene flat = flatten(lit_floor().scene);
     flat.materials[0].emission.y = not_a_number;
@@ -182,16 +183,16 @@ std::vector<Measured> measure_spoilt(Executor& executor) {
 SelftestCase values_that_are_refused() {
     return host_case(
         30, "NaN and Inf",
-        {{"of 14 in scenes and Radiance pictures, accepted", 0.0, within(0.0),
+        {{"of 14 in scenes and Radiance images, accepted", 0.0, within(0.0),
           "each is refused with its place; bytes of textures cannot hold any"}},
-        []() -> std::vector<Measured> { return {accepted_places() + accepted_pictures()}; });
+        []() -> std::vector<Measured> { return {accepted_places() + accepted_images()}; });
 }
 
 SelftestCase values_that_are_none() {
     return {30,
             "NaN and Inf",
             RunsOn::devices,
-            {{"bad values of a picture that got one anyway", 0.0, within(0.0),
+            {{"bad values of an image that got one anyway", 0.0, within(0.0),
               "what is not finite turns black before it reaches the film"},
              {"pixels in which that was counted", 192.0, within(0.0), "every pixel shows it"}},
             measure_spoilt};

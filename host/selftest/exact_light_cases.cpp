@@ -13,7 +13,7 @@
 namespace weft::selftest {
 namespace {
 
-// The closest that a light comes to the floor's plane, by the cosine.
+// Least cosine between the floor's normal and the direction to a light.
 constexpr double grazing = 1e-3;
 
 /// I cos^3 / h^2 (Lambert).
@@ -52,9 +52,9 @@ SelftestCase point_light() {
             }};
 }
 
-/// Direct light of the smooth ball: pixels that are brighter than their neighbour on the side of
-/// the light; what differs most from doubles; and the cosine of the smooth normal in the brightest
-/// place that is dark all the same, as the picture's own normals have it.
+/// Measures direct light of the smooth ball: number of pixels that are brighter than their
+/// neighbour on the side of the light; largest difference from the image in doubles; and largest
+/// cosine of the smooth normal, by the image's own normals, at a pixel that is dark all the same.
 std::vector<Measured> measure_ball(Executor& executor) {
     const SmoothBall ball = smooth_ball();
     RenderSettings settings = small_settings(Algorithm::ir, ball_width, ball_height);
@@ -79,7 +79,7 @@ std::vector<Measured> measure_ball(Executor& executor) {
                                     rendering.at("normal", x, y, 2));
             block = std::max(block, glm::dot(normal, light));
         }
-    // Where nothing is lit nothing is brighter than anything.
+    // In a black image no pixel would be brighter than another.
     if (!(mean_of(rendering.layer("direct")) > 0.0)) brighter = NAN;
     return {brighter, farthest, block};
 }

@@ -45,7 +45,7 @@ Estimate traced_irradiance(Executor& executor, const FlatScene& flat, const glm:
 }
 
 Tolerance sampled_tolerance(double bias) {
-    return by_chance(3e-3, bias + 2e-6, picture_seeds);
+    return by_chance(3e-3, bias + 2e-6, image_seeds);
 }
 
 Tolerance traced_tolerance(double bias) {

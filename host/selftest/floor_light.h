@@ -13,23 +13,23 @@
 // Irradiance by direct light at a point of a floor scene, in the first channel.
 namespace weft::selftest {
 
-/// A tiny picture of a point of a floor scene, seen from beside it.
+/// A camera beside a point of a floor scene that sees little more than that point.
 [[nodiscard]] Camera camera_on(const glm::dvec3& point);
 
-/// As pictures of one pixel, one a seed, by samples of lights.
+/// Estimates the irradiance with samples of lights, by images of one pixel, one for each seed.
 [[nodiscard]] Estimate sampled_irradiance(Executor& executor, const FlatScene& flat,
                                           const glm::dvec3& point);
 
-/// As a single picture of one pixel: for lights that are not sampled.
+/// The irradiance of lights that are not sampled, by a single image of one pixel.
 [[nodiscard]] double exact_irradiance(Executor& executor, const FlatScene& flat,
                                       const glm::dvec3& point);
 
-/// By path tracing; pixels are independent.
+/// Estimates the irradiance by path tracing; pixels are independent.
 [[nodiscard]] Estimate traced_irradiance(Executor& executor, const FlatScene& flat,
                                          const glm::dvec3& point);
 
-/// What sampled_irradiance and traced_irradiance may be off, where `bias` is what the model itself
-/// is off by, relative.
+/// Tolerance of sampled_irradiance and traced_irradiance, where `bias` is the relative error of the
+/// scene's model of the light.
 [[nodiscard]] Tolerance sampled_tolerance(double bias = 0.0);
 [[nodiscard]] Tolerance traced_tolerance(double bias = 0.0);
 

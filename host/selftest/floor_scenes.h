@@ -19,7 +19,8 @@ namespace weft::selftest {
 inline const glm::vec3 receiver_albedo{0.8F, 0.5F, 0.25F};
 inline const glm::vec3 radiance{1.0F, 2.0F, 0.5F};  ///< of the lights
 
-/// Where a floor point is looked at from, relative to it: near enough to stay below the lights.
+/// Position of the camera relative to the floor point that it sees: near enough to stay below the
+/// lights.
 inline const glm::dvec3 eye_offset{0.05, -0.1, 0.2};
 
 /// A floor z = 0 of edge 6.
@@ -35,7 +36,7 @@ inline std::vector<glm::dvec3> corners_of(const Mesh& quad) {
 }
 
 /// The unit square at height 1 that shines down.
-inline Mesh lamp_mesh() {
+inline Mesh area_light_mesh() {
     return quad_mesh({-0.5F, -0.5F, 1.0F}, {0.0F, 1.0F, 0.0F}, {1.0F, 0.0F, 0.0F});
 }
 
@@ -49,7 +50,7 @@ inline std::vector<Mesh> tilted_parallelograms() {
 struct LitFloor {
     Scene scene;
     glm::dvec3 irradiance;
-    double bias;  ///< what the mesh differs from that shape, relative
+    double bias;  ///< relative error of the irradiance by the mesh instead of that shape
 };
 
 /// A disk that faces the origin from above.

@@ -11,7 +11,7 @@
 #include "selftest/scene_builder.h"
 
 // Form factors of unit squares: a square of radiance 1 lights another one, of albedo 1, that fills
-// the picture, so that the mean of the picture is the form factor.
+// the image, so that the mean of the image is the form factor.
 namespace weft::selftest {
 namespace {
 
@@ -21,10 +21,10 @@ Camera above() {
     return look_at({0.5, 0.5, 0.5}, {0.5, 0.5, 0.0}, std::numbers::pi / 2.0);
 }
 
-FlatScene squares(const Mesh& lamp) {
+FlatScene squares(const Mesh& area_light) {
     SceneBuilder builder;
     builder.add(quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), builder.material(glm::vec3(1.0F)));
-    builder.add(lamp, builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
+    builder.add(area_light, builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
     return flatten(builder.scene);
 }
 
@@ -36,8 +36,8 @@ FlatScene perpendicular_squares() {
     return squares(quad_mesh({0, 0, 0}, {0, 1, 0}, {0, 0, 1}));
 }
 
-/// The same lamp in more pieces than a lamp may have to be known in closed form nearby
-/// (near_lamp_limit.h), so that the bound on samples stands.
+/// The same area light in more triangles than an area light may have to be computed in closed form
+/// nearby (analytic_area_light_limit.h), so that the bound on samples applies.
 FlatScene perpendicular_squares_in_pieces() {
     return squares(quad_mesh({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 3));
 }
@@ -59,11 +59,11 @@ Estimate by_paths(Executor& executor, const FlatScene& flat) {
 }
 
 constexpr std::uint32_t bounded_pixels = 48;
-constexpr double bound = 6.0;  // on the geometry term, over the lamp's area
+constexpr double bound = 6.0;  // on the geometry term, divided by the area light's area
 
-/// The perpendicular squares' form factor where the geometry term, which has no bound at their
-/// common edge, is cut off: a mean over the centres of pixels and, by the midpoint rule, over the
-/// lamp, whose height is the square of a variable. With 128 steps instead of 64 it is 1e-5 less.
+/// The perpendicular squares' form factor with a bound on the geometry term, which is infinite at
+/// their common edge: a mean over the centres of pixels and, by the midpoint rule, over the area
+/// light, whose height is the square of a variable. With 128 steps instead of 64 it is 1e-5 less.
 double bounded_form_factor() {
     constexpr int steps = 64;
     constexpr auto rows = static_cast<int>(bounded_pixels);
@@ -85,7 +85,8 @@ double bounded_form_factor() {
     return sum / (0.5 * rows * rows * steps * steps * std::numbers::pi);
 }
 
-/// By light samples whose geometry terms have that bound, with or without the residual.
+/// The form factor by light samples with that bound on their geometry terms, with or without the
+/// residual.
 Estimate under_bound(Executor& executor, const FlatScene& flat, bool compensation) {
     return over_seeds([&](std::uint32_t seed) {
         RenderSettings settings = small_settings(Algorithm::ir, bounded_pixels, bounded_pixels);
@@ -111,7 +112,7 @@ std::string path_reason() {
 }  // namespace
 
 std::vector<SelftestCase> form_factor_cases() {
-    const Tolerance of_grid = by_chance(0.01, 1e-3, picture_seeds);
+    const Tolerance of_grid = by_chance(0.01, 1e-3, image_seeds);
     return {
         {4,
          "parallel unit squares",
@@ -130,13 +131,13 @@ std::vector<SelftestCase> form_factor_cases() {
           {"five sides of a cube together", 1.0, by_chance(0.02, 1e-5),
            "the sum of two estimates by paths"},
           {"light samples and the closed form nearby", perpendicular_form_factor,
-           by_chance(5e-3, 2e-4, picture_seeds),
+           by_chance(5e-3, 2e-4, image_seeds),
            "samples differ by seed; the grid of pixel centres is off by 1e-4 of it"},
           {"light samples under a bound of 6", bounded_form_factor(),
-           by_chance(5e-3, 5e-5, picture_seeds),
+           by_chance(5e-3, 5e-5, image_seeds),
            "samples differ by seed; the sum that is expected is off by 2e-5 of it"},
           {"the same with the residual", perpendicular_form_factor,
-           by_chance(0.01, 2e-4, picture_seeds),
+           by_chance(0.01, 2e-4, image_seeds),
            "one path a pixel brings what is left out; the grid is off by 1e-4 of it"}},
          [](Executor& executor) -> std::vector<Measured> {
              const FlatScene flat = perpendicular_squares();

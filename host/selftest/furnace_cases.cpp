@@ -8,7 +8,7 @@
 #include "selftest/path_rendering.h"
 #include "selftest/scene_builder.h"
 
-// Surroundings where radiance is known everywhere.
+// White furnaces: surroundings in which radiance is known everywhere.
 namespace weft::selftest {
 namespace {
 
@@ -69,11 +69,11 @@ SelftestCase grey_furnace() {
             RunsOn::devices,
             {{"path tracing, albedo 1/2", 2.0, by_chance(0.02, 1e-5), paths},
              {"path tracing, albedo 9/10", 10.0, by_chance(0.02, 1e-5), paths},
-             {"ir, five bounces", furnace_of_five, by_chance(2e-3, 5e-6, picture_seeds),
+             {"ir, five bounces", furnace_of_five, by_chance(2e-3, 5e-6, image_seeds),
               "samples differ by seed; light is cut off after five bounces, as is the formula"},
-             {"ic, five bounces", furnace_of_five, by_chance(2e-3, 0.005, picture_seeds),
+             {"ic, five bounces", furnace_of_five, by_chance(2e-3, 0.005, image_seeds),
               "as ir, and records may be off by 2 % in indirect light, a quarter of all"},
-             {"irradiance-cache, all bounces", 2.0, by_chance(3e-3, 1e-5, picture_seeds),
+             {"irradiance-cache, all bounces", 2.0, by_chance(3e-3, 1e-5, image_seeds),
               "rays of records go on as random paths; every pixel is a record"}},
             [](Executor& executor) -> std::vector<Measured> {
                 SceneBuilder room;
@@ -91,7 +91,7 @@ SelftestCase grey_furnace() {
             }};
 }
 
-/// Indirect irradiance by records whose light is what rays above them find.
+/// Indirect irradiance by irradiance-cache, whose records trace rays into their hemispheres.
 Estimate by_hemispheres(Executor& executor, const FlatScene& flat) {
     return over_seeds([&](std::uint32_t seed) {
         RenderSettings settings = small_settings(Algorithm::irradiance_cache, 16, 12);
@@ -130,7 +130,7 @@ SelftestCase integrating_sphere() {
           "2 % are what the settings let records be off by"},
          {"path tracing, all bounces", 1.0, by_chance(0.01, 2e-3),
           facets + ", which every bounce sees; paths are random"},
-         {"irradiance-cache, irradiance by all", pi, by_chance(0.01, 2e-3, picture_seeds),
+         {"irradiance-cache, irradiance by all", pi, by_chance(0.01, 2e-3, image_seeds),
           facets + ", which every bounce sees; rays of records are random"}},
         measure_sphere};
 }

@@ -24,7 +24,7 @@ std::size_t random_index(Uniform& uniform, std::size_t count) {
                     static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
 }
 
-/// From around the unit cube; every second one ends at a random distance.
+/// Adds rays from around the unit cube; every second one ends at a random distance.
 void add_random(RayBatch& rays, std::size_t count, std::uint32_t seed) {
     Uniform uniform(seed);
     for (std::size_t i = 0; i < count; ++i) {
@@ -36,12 +36,12 @@ void add_random(RayBatch& rays, std::size_t count, std::uint32_t seed) {
     }
 }
 
-/// Along axes, the other components of the direction zero, negative zero or denormal, the origin
-/// level with vertices.
+/// Adds rays along axes: the other components of the direction are zero, negative zero or denormal,
+/// and the origin is level with vertices.
 void add_axis_aligned(RayBatch& rays, const RayGeometry& geometry, std::size_t count,
                       std::uint32_t seed) {
-    // In the plane of a triangle nothing but -0 and 0 is exact: there slopes stay above what
-    // underflows when edge functions multiply it.
+    // In the plane of a triangle only -0 and 0 are exact: there slopes must not be so small that
+    // the products of edge functions underflow.
     constexpr std::array small{
         0.0F,    -0.0F,  1e-19F,  -1e-30F, std::numeric_limits<float>::denorm_min(),
         -1e-45F, 1e-40F, -1e-39F, 2e-38F};
@@ -64,7 +64,7 @@ void add_axis_aligned(RayBatch& rays, const RayGeometry& geometry, std::size_t c
     }
 }
 
-/// Origins on planes and corners of the boxes of the tree and rays through their corners.
+/// Adds rays from planes and corners of the boxes of the tree, and rays through their corners.
 void add_box_rays(RayBatch& rays, const RayGeometry& geometry, std::size_t count,
                   std::uint32_t seed) {
     BvhSettings settings;
@@ -112,7 +112,7 @@ RayBatch all_rays(const RayGeometry& geometry, std::size_t count, std::uint32_t 
 }
 
 BvhMesh thin_needles() {
-    // Beside coordinate 0, the only place where floats are fine enough.
+    // Needles lie beside coordinate 0, the only place where floats are fine enough.
     BvhMesh mesh = random_soup(100, 0.2F, 5);
     Uniform uniform(6);
     for (std::size_t i = 0; i < 300; ++i) {
@@ -154,7 +154,7 @@ RayGeometry huge_and_tiny(float size) {
     };
     for (int i = 0; i < 200; ++i) add(random_point(uniform, -3.0F * size, 3.0F * size), size);
     for (int i = 0; i < 50; ++i) add(random_point(uniform, -5e8F, 5e8F), 4e8F);
-    // Two far corners make the middle of the tiny triangles that of the scene.
+    // Two far corners make the scene's centre that of the tiny triangles.
     for (const float end : {-1e9F, 1e9F}) {
         add(glm::vec3(0.5F * end), 1e7F);
         mesh.positions.back() = glm::vec3(end);

@@ -9,26 +9,28 @@
 #include "selftest/bvh_meshes.h"
 #include "selftest/ray_batch.h"
 
-// Triangles and rays on which traversals go wrong.
+// Triangles and rays with which traversals go wrong.
 namespace weft::selftest {
 
-/// `count` rays each of three kinds about the unit cube: anywhere; along axes, with directions that
-/// hold 0, -0 and denormals; from, through and in the planes and corners of the tree's boxes.
+/// `count` rays of each of three kinds about the unit cube: random ones; along axes, with
+/// directions that have components 0, -0 and denormals; from, through and in the planes and corners
+/// of the tree's boxes.
 [[nodiscard]] RayBatch all_rays(const RayGeometry& geometry, std::size_t count, std::uint32_t seed);
 
 /// Triangles of width 1e-20 in a loose soup.
 [[nodiscard]] BvhMesh thin_needles();
 
-/// Adds rays in the planes of such needles, where only they can be met.
+/// Adds rays in the planes of such needles, which only those rays can hit.
 void add_rays_in_planes(RayBatch& rays, std::size_t count, std::uint32_t seed);
 
 /// 200 triangles of about `size` in the middle of 50 whose coordinates reach 10^9.
 [[nodiscard]] RayGeometry huge_and_tiny(float size);
 
-/// Two thirds from among the tiny triangles, the others from among the huge ones.
+/// Rays for huge_and_tiny: two thirds start among the tiny triangles, the others among the huge
+/// ones.
 [[nodiscard]] RayBatch rays_huge_and_tiny(float size);
 
-/// A triangle, number 0, and 300 that are points or lines.
+/// A triangle with area, number 0, and 300 that are points or lines.
 [[nodiscard]] BvhMesh triangles_without_area();
 
 /// Adds rays at corners and middles of all triangles but the first.

@@ -33,7 +33,7 @@ inline std::vector<float> luminance_map(std::uint32_t width, std::uint32_t heigh
     return map;
 }
 
-/// What the original program of 2005 computes, with luminances as they are.
+/// Settings that reproduce the original program of 2005, with luminances as they are.
 inline HdrVdpSettings parity_settings() {
     HdrVdpSettings settings;
     settings.pixels_per_degree = stimulus_ppd;
@@ -59,14 +59,14 @@ inline double wave(std::uint32_t x, double frequency) {
     return std::cos(2.0 * std::numbers::pi * frequency * (x - 128.0) / stimulus_ppd);
 }
 
-/// Gaussian window around the middle with a deviation of half a degree.
+/// Gaussian envelope around the middle with a standard deviation of half a degree.
 inline double window(std::uint32_t x, std::uint32_t y) {
     const double horizontal = (x - 128.0) / stimulus_ppd;
     const double vertical = (y - 128.0) / stimulus_ppd;
     return std::exp(-(horizontal * horizontal + vertical * vertical) / 0.5);
 }
 
-/// A Gabor patch of `contrast` on uniform `luminance`, and what the original program answers:
+/// A Gabor patch of `contrast` on uniform `luminance`, and the original program's results:
 /// probability in the middle, mean probability, percent of pixels of at least 0.75 and 0.95.
 struct GaborPatch {
     double luminance;

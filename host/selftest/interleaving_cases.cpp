@@ -10,7 +10,7 @@
 #include "selftest/measurements.h"
 #include "selftest/room_scenes.h"
 
-// What interleaved and adaptive sampling must equal.
+// Algorithms that interleaved and adaptive sampling must agree with.
 namespace weft::selftest {
 namespace {
 
@@ -41,7 +41,7 @@ RenderSettings settings_of(Algorithm algorithm, double threshold = 4.0) {
     return settings;
 }
 
-/// The picture without what only ais tells of itself.
+/// The image without the layers that only ais has.
 Image without_levels(Image image) {
     std::erase_if(image.layers, [](const Layer& layer) { return is_overlay_layer(layer.name); });
     return image;
@@ -55,8 +55,8 @@ double unlike_amax(Executor& executor, const FlatScene& flat, const RenderSettin
     return static_cast<double>(differing_values(amax.image, without_levels(other.image)));
 }
 
-/// Direct light of a floor under a lamp so far above that every pixel gets the same from every
-/// point of it: cosines and distances differ by less than (1/2000)^2.
+/// Direct light of a floor under an area light so far above that every pixel gets the same light
+/// from each of its points: cosines and distances differ by less than (1/2000)^2.
 std::vector<float> constant_light(Executor& executor, Algorithm algorithm, double threshold) {
     SceneBuilder builder;
     builder.add(quad_mesh({-0.5F, 0, -0.5F}, {0, 0, 1}, {1, 0, 0}),
@@ -104,7 +104,7 @@ std::vector<SelftestCase> interleaving_cases() {
              "interleaving of constant light",
              RunsOn::devices,
              {{"ir, all sets at every pixel", 0.5 / std::numbers::pi, within(1e-6),
-               "light varies by (1/2000)^2 over floor and lamp"},
+               "light varies by (1/2000)^2 over floor and area light"},
               {"amax over ir, worst pixel", 1.0, within(1e-6), sums},
               {"ais over ir, worst pixel", 1.0, within(1e-6), sums}},
              measure_constant}};

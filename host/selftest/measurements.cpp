@@ -8,7 +8,7 @@ namespace weft::selftest {
 
 Estimate over_seeds(const std::function<double(std::uint32_t)>& measure) {
     std::vector<double> values;
-    for (std::uint32_t seed = 0; seed < picture_seeds; ++seed) values.push_back(measure(seed));
+    for (std::uint32_t seed = 0; seed < image_seeds; ++seed) values.push_back(measure(seed));
     return estimate(values);
 }
 

@@ -12,30 +12,30 @@
 #include "selftest/rendering.h"
 #include "selftest/statistics.h"
 
-// What cases make of pictures.
+// Measurements that several cases take of images.
 namespace weft::selftest {
 
-/// Seeds of what is estimated from the scatter of whole pictures.
-inline constexpr std::size_t picture_seeds = 12;
+/// Number of seeds where a value is estimated from the scatter of whole images.
+inline constexpr std::size_t image_seeds = 12;
 
-/// The mean of `measure(seed)` over picture_seeds seeds, with its standard error.
+/// The mean of `measure(seed)` over image_seeds seeds, with its standard error.
 [[nodiscard]] Estimate over_seeds(const std::function<double(std::uint32_t seed)>& measure);
 
-/// An estimate of `factor` times what `estimate` is one of.
+/// The estimate of `factor` times the quantity that `estimate` estimates.
 [[nodiscard]] Estimate scaled(const Estimate& estimate, double factor);
 
-/// Of several values the one that is farthest from what all of them should be; the first that is
-/// not finite, if there is any.
+/// The value that is farthest from `expected`, which all of them should be; the first that is not
+/// finite, if there is any.
 [[nodiscard]] double farthest_from(double expected, const std::vector<double>& values);
 
-/// Irradiance of all pixels by a light layer, albedo taken out.
+/// Irradiance of all pixels by a light layer, without the albedo.
 [[nodiscard]] std::vector<double> irradiances(const Rendering& rendering, std::string_view layer,
                                               std::uint32_t channel = 0);
 
-/// Mean over the picture of the irradiance by a light layer.
+/// Mean over the image of the irradiance by a light layer.
 [[nodiscard]] double mean_irradiance(const Rendering& rendering, std::string_view layer);
 
-/// Values of a rendering that are Inf, NaN or negative, and those that were guarded.
+/// Number of values of a rendering that are Inf, NaN or negative, or that were guarded.
 [[nodiscard]] double bad_values(const Rendering& rendering);
 
 }  // namespace weft::selftest

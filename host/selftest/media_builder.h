@@ -41,8 +41,8 @@ inline Mesh cube_mesh() {
     return cube;
 }
 
-/// Adds two boundaries of clear air that cut each other, far from everything: their stretches do
-/// not follow from planes, so that kernels walk through all boundaries hit by hit.
+/// Adds two boundaries of clear air that intersect each other, far from everything. Segments of
+/// rays then do not follow from planes, so that kernels walk through all boundaries hit by hit.
 inline void add_far_overlap(Scene& scene) {
     for (const double shift : {0.0, 0.5}) {
         glm::dmat4 far(1.0);

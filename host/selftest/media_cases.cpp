@@ -10,7 +10,7 @@
 #include "selftest/media_builder.h"
 #include "selftest/path_rendering.h"
 
-// Slabs of media between z = -1 and 1, seen along z: what they leave of light, and what they emit.
+// Slabs of media between z = -1 and 1, seen along z: their transmittance and emission.
 namespace weft::selftest {
 namespace {
 
@@ -21,7 +21,7 @@ Camera along_axis() {
     return look_at({0, 0, 3}, {0, 0, -9}, 1e-4);
 }
 
-/// A slab that absorbs, and emits as much per length.
+/// A slab that absorbs with the coefficient `sigma` and emits `emission` per length.
 SceneBuilder slab(const glm::vec3& sigma, float emission) {
     SceneBuilder builder;
     builder.scene.media.push_back(medium_of(sigma, glm::vec3(0.0F)));
@@ -30,7 +30,7 @@ SceneBuilder slab(const glm::vec3& sigma, float emission) {
     return builder;
 }
 
-SceneBuilder glowing_slab(const glm::vec3& sigma) {
+SceneBuilder emissive_slab(const glm::vec3& sigma) {
     return slab(sigma, 1.0F);
 }
 
@@ -40,12 +40,12 @@ void add_wall(SceneBuilder& builder) {
 }
 
 /// (q / sigma) (1 - exp(-sigma d)) with q = 1.
-double glow(double sigma) {
+double slab_emission(double sigma) {
     return -std::expm1(-sigma * thickness) / sigma;
 }
 
 double wall_through(double sigma) {
-    return wall_radiance * std::exp(-sigma * thickness) + glow(sigma);
+    return wall_radiance * std::exp(-sigma * thickness) + slab_emission(sigma);
 }
 
 double traced(Executor& executor, const Scene& scene, std::uint32_t channel, double expected) {
@@ -68,13 +68,13 @@ float sigma_of(double depth) {
 constexpr std::array<std::array<std::pair<double, const char*>, 3>, 2> dark_depths{
     {{{{1e-8, "1e-8"}, {1e-2, "1e-2"}, {1.0, "1"}}}, {{{6.0, "6"}, {12.0, "12"}, {1e3, "1e3"}}}}};
 
-/// What a slab alone leaves of light; at a depth of 1000 nothing, in doubles as well.
+/// Transmittance of a slab without scattering; at a depth of 1000 it is 0 even in doubles.
 double transmittance(double depth) {
     return std::exp(-static_cast<double>(sigma_of(depth)) * thickness);
 }
 
 void add_transmittance_checks(std::vector<Check>& checks) {
-    const std::string alone = "the slab does not glow, so that this is an exponential in floats";
+    const std::string alone = "the slab does not emit, so that this is an exponential in floats";
     for (const auto& depths : dark_depths)
         for (const auto& [depth, name] : depths)
             for (const char* const algorithm : {"paths", "igi"})
@@ -101,8 +101,9 @@ SelftestCase homogeneous_slab() {
     const std::string exact = "what reaches the camera unscattered is computed, not sampled";
     SelftestCase made{12, "homogeneous slab", RunsOn::devices, {}, {}};
     for (const auto& [depth, name] : {std::pair{1e-8, "1e-8"}, {1e-2, "1e-2"}, {1e3, "1e3"}})
-        made.checks.push_back({std::string("glow at optical depth ") + name,
-                               glow(static_cast<double>(sigma_of(depth))), share(1e-6), exact});
+        made.checks.push_back({std::string("emission at optical depth ") + name,
+                               slab_emission(static_cast<double>(sigma_of(depth))), share(1e-6),
+                               exact});
     made.checks.push_back({"wall behind optical depth 1, paths", wall_through(0.5), share(3e-6),
                            exact + "; two terms add up"});
     made.checks.push_back({"wall behind optical depth 6, paths", wall_through(3.0), share(3e-6),
@@ -114,10 +115,10 @@ SelftestCase homogeneous_slab() {
         std::vector<Measured> measured;
         for (const double depth : {1e-8, 1e-2, 1e3}) {
             const float sigma = sigma_of(depth);
-            measured.emplace_back(traced(executor, glowing_slab(glm::vec3(sigma)).scene, 0,
-                                         glow(static_cast<double>(sigma))));
+            measured.emplace_back(traced(executor, emissive_slab(glm::vec3(sigma)).scene, 0,
+                                         slab_emission(static_cast<double>(sigma))));
         }
-        SceneBuilder builder = glowing_slab({0.5F, 3.0F, 1.0F});
+        SceneBuilder builder = emissive_slab({0.5F, 3.0F, 1.0F});
         add_wall(builder);
         measured.emplace_back(traced(executor, builder.scene, 0, wall_through(0.5)));
         measured.emplace_back(traced(executor, builder.scene, 1, wall_through(3.0)));
@@ -139,7 +140,7 @@ DensityGrid linear_grid() {
     return grid;
 }
 
-/// What is left of the wall: exp(-(s0 d + s1 d^2 / 2)) for the linear part, and its ends.
+/// Transmittance to the wall: exp(-(s0 d + s1 d^2 / 2)) for the linear part, and its constant ends.
 double linear_transmittance(double sigma) {
     constexpr double edge = 1.0 / voxels;
     constexpr double far = thickness - edge;

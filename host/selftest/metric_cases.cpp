@@ -6,7 +6,7 @@
 #include "selftest/case_groups.h"
 #include "selftest/hdr_vdp_stimuli.h"
 
-// Metrics against what the original programs answer, and against their definition.
+// Metrics against results of the original programs, and against their definition.
 namespace weft::selftest {
 namespace {
 
@@ -48,9 +48,9 @@ std::vector<SelftestCase> metric_cases() {
     const std::string decimals = "matrices of ten digits, and floats between stages";
     return {host_case(32, "HDR-VDP and FLIP",
                       {{"P of 4 cpd at 1 cd/m2, contrast .05", 0.997109, within(0.002), knots},
-                       {"mean P of the picture at 1 cd/m2", 0.008050, share(0.005), mean},
+                       {"mean P of the image at 1 cd/m2", 0.008050, share(0.005), mean},
                        {"P of 4 cpd at 100 cd/m2, contrast .01", 0.347521, within(0.002), knots},
-                       {"mean P of the picture at 100 cd/m2", 0.001079, share(0.005), mean},
+                       {"mean P of the image at 100 cd/m2", 0.001079, share(0.005), mean},
                        {"FLIP of green and blue, the largest", 1.0, within(1e-4), decimals},
                        {"FLIP of grey and red", 0.6247364, within(1e-4), decimals}},
                       measure_metrics)};

@@ -13,7 +13,7 @@
 
 namespace weft::selftest {
 
-/// A scene with things that may move, flattened.
+/// A scene with objects that may move, and its flattened form.
 struct MovingRoom {
     Scene scene;
     FlatScene flat;
@@ -24,7 +24,7 @@ struct MovingRoom {
         to_world[3] += glm::dvec4(by, 0.0);
     }
 
-    /// Some edit of any kind; says which.
+    /// Makes a random edit of any kind; returns its name.
     std::string edit(std::mt19937& random) {
         std::uniform_real_distribution<double> uniform(-1.0, 1.0);
         const auto pick = [&](std::size_t count) { return random() % count; };
@@ -43,7 +43,7 @@ struct MovingRoom {
                 return "move";
             }
             case 8:
-                // Half of it is in the floor, where records are.
+                // Half of the object lies in the floor, where records are.
                 thing.to_world[3].y = -1.0;
                 return "touch the floor";
             case 1:
@@ -91,13 +91,13 @@ inline Camera room_camera() {
     return look_at({0.0, 0.0, 3.4}, {0.0, 0.0, 0.0}, 0.75);
 }
 
-/// Rooms open to the camera: a block and a lamp; a ball, which is smooth, and a point light;
-/// blocks, balls and a lamp that moves.
+/// Three rooms that are open to the camera, with a screen and an area light (0), a smooth ball and
+/// a point light (1), or a screen, a ball and an area light that moves (2).
 inline MovingRoom moving_room(unsigned which) {
     SceneBuilder builder;
     const std::uint32_t white = builder.material({0.7F, 0.7F, 0.7F});
     const std::uint32_t red = builder.material({0.7F, 0.1F, 0.1F});
-    const std::uint32_t lamp = builder.material({0.0F, 0.0F, 0.0F}, {9.0F, 9.0F, 9.0F});
+    const std::uint32_t area_light = builder.material({0.0F, 0.0F, 0.0F}, {9.0F, 9.0F, 9.0F});
     builder.add(quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), white);
     builder.add(quad_mesh({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), white);
     builder.add(quad_mesh({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}), red);
@@ -113,14 +113,16 @@ inline MovingRoom moving_room(unsigned which) {
     const Mesh screen = quad_mesh({-0.5F, -0.5F, 0.0F}, {1, 0, 0}, {0, 1, 0});
     Mesh ball = icosphere(1, false);
     ball.normals = ball.positions;
-    if (which != 1) builder.add(quad_mesh({-0.3F, 0.99F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}), lamp);
+    if (which != 1)
+        builder.add(quad_mesh({-0.3F, 0.99F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}), area_light);
     if (which != 0) add_moving(ball, white, 0.3, {-0.4, -0.6, 0.1});
     if (which != 1) add_moving(screen, white, 0.7, {0.3, -0.5, 0.2});
     if (which == 1) builder.light(LightType::point, {0.2, 0.6, 0.3}, glm::vec3(1.0F));
     if (which == 2)
-        add_moving(quad_mesh({0, 0, 0}, {0, 0, 0.5F}, {0.5F, 0, 0}), lamp, 0.6, {-0.8, 0.8, 0.0});
+        add_moving(quad_mesh({0, 0, 0}, {0, 0, 0.5F}, {0.5F, 0, 0}), area_light, 0.6,
+                   {-0.8, 0.8, 0.0});
     room.scene = builder.scene;
-    room.scene.materials[lamp].emission.both_sides = which == 2;
+    room.scene.materials[area_light].emission.both_sides = which == 2;
     room.flat = flatten(room.scene);
     return room;
 }

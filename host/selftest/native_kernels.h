@@ -7,8 +7,8 @@
 //   #define NATIVE_KERNELS "kernels/media/medium.h"
 //   #include "selftest/native_kernels.h"
 //
-// NATIVE_KERNELS_TOO may name a second file. A source file can do this once, after everything that
-// the host includes: macros of the kernels stay.
+// NATIVE_KERNELS_TOO may name a second file. A source file can include this once, after all headers
+// of the host, because macros of the kernels stay defined.
 #ifndef WEFT_SELFTEST_NATIVE_KERNELS_H
 #define WEFT_SELFTEST_NATIVE_KERNELS_H
 
@@ -25,7 +25,7 @@
 #define LANES 1
 #undef WEFT_KERNELS_CORE_TYPES_H  // the host's structs are those of another namespace
 #pragma GCC diagnostic push
-// A check uses a part of what it includes.
+// A check uses only some of the functions that it includes.
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wunused-variable"

@@ -11,8 +11,9 @@
 #include "selftest/placed_scene.h"
 #include "selftest/ray_packets.h"
 
-// Devices against the native build that traces with Weft's own traversal, one lane at a time: the
-// same seed, the same light. So the native backend is not compared with itself.
+// Compares devices with the native build that traces with Weft's own traversal, at another packet
+// width so that the native backend is not compared with itself: the same seed must give the same
+// light.
 namespace weft::selftest {
 namespace {
 
@@ -28,7 +29,7 @@ std::unique_ptr<Executor> at_other_lanes(const Executor& executor) {
     return make_native_executor(NativeTraversal::own_bvh, 0, executor.lanes() == 1 ? 4 : 1);
 }
 
-/// Hits of another triangle, at a distance that is not the same within 4 ulp.
+/// Number of hits of another triangle, at a distance that differs by more than 4 ulp.
 double other_hits(const std::vector<RayHit>& expected, const std::vector<RayHit>& found) {
     double others = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -39,8 +40,8 @@ double other_hits(const std::vector<RayHit>& expected, const std::vector<RayHit>
     return others;
 }
 
-/// Rays alone, in packets against rays alone, and shadow rays in packets, that are answered
-/// otherwise.
+/// Numbers of differing answers: to single rays, to rays in packets (compared with single rays),
+/// and to shadow rays in packets.
 std::vector<Measured> measure_rays(Executor& executor, Executor& reference) {
     const BvhMesh soup = random_soup(400, 0.3F, 5);
     const RayGeometry geometry{soup.positions, soup.triangles};
@@ -89,7 +90,7 @@ std::vector<SelftestCase> parity_cases() {
          {"relMSE of indirect light", 0.0, within(0.0), bits, of_embree},
          {"relMSE of albedo", 0.0, within(0.0), bits, of_embree}},
         measure_parity};
-    // What grazes a triangle is in a packet's hands alone.
+    // Rays that graze a triangle are decided by the packet test of Weft's own traversal.
     made.checks[2].own_traversal = true;
     return {made};
 }

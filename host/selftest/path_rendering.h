@@ -12,19 +12,19 @@
 
 namespace weft::selftest {
 
-/// Settings of a path-traced picture of samples [0, `samples`).
+/// Settings of a path-traced image of samples [0, `samples`).
 [[nodiscard]] PathSettings path_settings(std::uint32_t width, std::uint32_t height,
                                          std::uint32_t samples, std::uint32_t seed = 0);
 
-/// A path-traced picture with the variance of its pixels.
+/// A path-traced image with the variance of its pixels.
 [[nodiscard]] Rendering trace_flat(Executor& executor, const FlatScene& flat, const Camera& camera,
                                    const PathSettings& settings);
 
-/// Validates, flattens and traces.
+/// Validates, flattens and path traces a scene.
 [[nodiscard]] Rendering trace_paths(Executor& executor, const Scene& scene, const Camera& camera,
                                     const PathSettings& settings);
 
-/// Mean of the picture's pixels and its standard error from the variance of each pixel, as the
+/// Mean of the image's pixels and its standard error from the variance of each pixel, as the
 /// renderer estimates it.
 [[nodiscard]] Estimate beauty_of(const Rendering& rendering, std::uint32_t channel);
 

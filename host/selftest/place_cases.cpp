@@ -6,7 +6,7 @@
 #include "selftest/measurements.h"
 #include "selftest/placed_scene.h"
 
-// One scene of any size at any place: the picture stays.
+// One scene at several scales and places, which must not change its image.
 namespace weft::selftest {
 namespace {
 

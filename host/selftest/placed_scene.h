@@ -20,7 +20,7 @@ struct Placed {
 
 [[nodiscard]] Placed placed_scene(double scale, const glm::dvec3& move);
 
-/// Pixels that went dark alone: below half of their reference while all neighbours keep theirs.
+/// Number of isolated dark pixels: below half of their reference while all neighbours are not.
 [[nodiscard]] std::size_t isolated_dark_pixels(const Rendering& reference, const Rendering& test);
 
 }  // namespace weft::selftest

@@ -19,7 +19,7 @@
 
 namespace weft::selftest {
 
-/// The t_max of rays without an end, as the kernels have it.
+/// The t_max of infinite rays, as in the kernels.
 constexpr float ray_infinity = 3.0e38F;
 
 /// Triangles to trace, in kernel units.
@@ -61,10 +61,10 @@ struct RayBatch {
 
 /// A closest hit as query_closest writes it.
 struct RayHit {
-    std::uint32_t triangle;  // NO_TRIANGLE for a miss
+    std::uint32_t triangle;  // INVALID_INDEX for a miss
     float t, u, v;
 
-    /// All bits alike.
+    /// Whether all bits are equal.
     [[nodiscard]] bool operator==(const RayHit& other) const {
         return std::memcmp(this, &other, sizeof(RayHit)) == 0;
     }
@@ -75,7 +75,7 @@ struct PacketBatch {
     std::vector<shared::float4> origins;  // by block
     std::array<std::vector<float>, 4> planes;
 
-    /// Starts a block; the next PACKET_BLOCK rays are its own.
+    /// Starts a block, to which the next PACKET_BLOCK rays belong.
     void start_block(const glm::vec3& origin) {
         origins.push_back({origin.x, origin.y, origin.z, 0.0F});
     }
@@ -86,11 +86,11 @@ struct PacketBatch {
     [[nodiscard]] std::size_t slots() const { return planes[0].size(); }
 };
 
-/// A scene on an executor, and the kernels that query rays.
+/// Traces rays in a scene on an executor, by the kernels that query rays.
 class RayQueries {
   public:
-    /// Executor and geometry must outlive this object. Boxes grow by `padding` of the extent; the
-    /// renderer's share is the standard. Triangles from `first_moving` on may move.
+    /// Executor and geometry must outlive this object. Boxes grow by `padding` times the extent, by
+    /// default as in the renderer. Triangles from `first_moving` on may move.
     RayQueries(Executor& executor, const RayGeometry& geometry, float padding = 0x1p-22F,
                std::size_t first_moving = std::numeric_limits<std::size_t>::max())
         : executor_(executor),
@@ -103,14 +103,14 @@ class RayQueries {
         executor_.build(kernels, 0);
     }
 
-    /// After the geometry's moving triangles have changed.
+    /// To be called after the geometry's moving triangles have changed.
     void update() { executor_.update_scene(*scene_, traced()); }
 
     [[nodiscard]] std::vector<RayHit> closest(const RayBatch& rays) const {
         return run_rays<kernels::query_closest, kinds::RayHits, RayHit>(rays, rays.size());
     }
     /// The same in packets of consecutive rays, which start at one point; their number is a
-    /// multiple of PACKET_BLOCK. Rays with t_max 0 are left out, the others have no end.
+    /// multiple of PACKET_BLOCK. Rays with t_max 0 are left out, the others are infinite.
     [[nodiscard]] std::vector<RayHit> closest_packets(const RayBatch& rays) const {
         return run_rays<kernels::query_closest_packet, kinds::RayHits, RayHit>(
             rays, rays.size() / executor_.lanes());
@@ -146,7 +146,7 @@ class RayQueries {
         return {geometry_.positions, geometry_.triangles, geometry_.extent() * padding_,
                 first_moving_};
     }
-    /// Runs a kernel that answers single rays, of scene, origins, directions and answers.
+    /// Runs a kernel that answers single rays, with arguments scene, origins, directions, answers.
     template <class Kernel, class Answers, class Answer>
     [[nodiscard]] std::vector<Answer> run_rays(const RayBatch& rays, std::size_t items) const {
         const auto origins = upload<kinds::RayOrigins>(executor_, rays.origins, "ray origins");

@@ -9,10 +9,11 @@
 
 #include "selftest/ray_batch.h"
 
-// Closest hits by testing every triangle, in the arithmetic of kernels/bvh/triangle.h written anew.
+// Reference implementation of closest hits: tests every triangle, in the same arithmetic as
+// kernels/bvh/triangle.h but written independently.
 namespace weft::selftest {
 
-/// What the builder of trees takes in.
+/// Whether a triangle has area: the builder of trees leaves the others out.
 inline bool has_area(const RayGeometry& geometry, std::uint32_t i) {
     const glm::dvec3 a = geometry.corner(i, 0);
     return glm::cross(geometry.corner(i, 1) - a, geometry.corner(i, 2) - a) != glm::dvec3(0.0);
@@ -32,7 +33,7 @@ class ShearedRay {
         shear_ = {d[x_] / d[z_], d[y_] / d[z_], 1.0F / d[z_]};
     }
 
-    /// Whether the triangle is met within (0, t_max]; then fills all of `hit` but the number.
+    /// Whether the ray hits the triangle within (0, t_max]; then fills all of `hit` but its number.
     bool meets(const std::array<glm::vec3, 3>& corners, float t_max, RayHit& hit) const {
         const glm::vec3 a = sheared(corners[0]);
         const glm::vec3 b = sheared(corners[1]);
@@ -64,8 +65,8 @@ class ShearedRay {
 };
 
 /// Whether a hit lies in the box of its triangle. Seen from afar, the corners of a tiny triangle
-/// are one point but for rounding, so that rays anywhere may seem to meet it; the boxes of a tree
-/// keep them away.
+/// differ by rounding alone, so that rays anywhere may seem to hit it; the boxes of a tree rule
+/// such hits out.
 inline bool in_box(const std::array<glm::vec3, 3>& corners, const RayBatch& rays, std::size_t ray,
                    float t, float extent) {
     const glm::vec3 p(rays.origin(ray) + static_cast<double>(t) * rays.direction(ray));
@@ -90,7 +91,7 @@ inline std::vector<RayHit> test_all(const RayGeometry& geometry, const RayBatch&
     std::vector<RayHit> hits;
     for (std::size_t r = 0; r < rays.size(); ++r) {
         const ShearedRay ray(rays.origins[r], rays.directions[r]);
-        RayHit best{NO_TRIANGLE, rays.origins[r].w, 0.0F, 0.0F};
+        RayHit best{INVALID_INDEX, rays.origins[r].w, 0.0F, 0.0F};
         for (std::size_t i = 0; i < ids.size(); ++i) {
             RayHit hit{ids[i], 0.0F, 0.0F, 0.0F};
             if (ray.meets(corners[i], best.t, hit) &&

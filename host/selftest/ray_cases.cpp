@@ -10,7 +10,7 @@
 #include "selftest/ray_packets.h"
 #include "selftest/watertight.h"
 
-// Rays and triangles, by the kernels that answer ray queries.
+// Intersections of rays and triangles, by the kernels that answer ray queries.
 namespace weft::selftest {
 namespace {
 
@@ -18,19 +18,20 @@ constexpr std::size_t inside_rays = 4000;  // of each mesh at each place
 constexpr std::size_t inside_blocks = 64;  // likewise, of PACKET_BLOCK rays each
 constexpr std::size_t packet_rays = 768;   // of each kind: blocks of 16 of each of twelve kinds
 
-/// Runs `look` in each of the five closed meshes at the first three places of five: in place, far
+/// Runs `test` in each of the five closed meshes at the first three places of five: in place, far
 /// away, and small.
-template <class Look>
-void in_closed_meshes(const Look& look) {
+template <class Test>
+void in_closed_meshes(const Test& test) {
     std::uint32_t seed = 100;
     for (const ClosedMesh& mesh : closed_meshes()) {
         const std::vector<Placement> everywhere = placements();
         for (std::size_t i = 0; i < 3; ++i)
-            look(mesh, place(mesh.mesh, everywhere[i]), seed += 1000);
+            test(mesh, place(mesh.mesh, everywhere[i]), seed += 1000);
     }
 }
 
-/// Answers of either kind of query that let a ray out of a closed mesh, or hit what is elsewhere.
+/// Number of answers of either kind of query that let a ray out of a closed mesh, or that report a
+/// hit in the wrong place.
 double leaking_rays(Executor& executor) {
     double leaks = 0.0;
     in_closed_meshes([&](const ClosedMesh& mesh, const Room& room, std::uint32_t seed) {
@@ -73,23 +74,23 @@ RayGeometry geometry_of(const BvhMesh& mesh) {
     return {mesh.positions, mesh.triangles};
 }
 
-/// Answers that contradict what double precision is certain of.
+/// Number of answers that contradict those which are certain in double precision.
 double against_oracle(Executor& executor, const RayGeometry& geometry, const RayBatch& rays) {
     const RayQueries queries(executor, geometry);
     return static_cast<double>(
         compare_with_oracle(geometry, rays, queries.closest(rays), queries.any(rays)).wrong);
 }
 
-/// The same of closest hits in packets. Rays have no end, so that any of them is blocked that hits.
+/// The same for closest hits in packets. Rays are infinite, so every one that hits is blocked.
 double packets_against_oracle(Executor& executor, const RayGeometry& geometry,
                               const RayBatch& packets) {
     const std::vector<RayHit> hits = RayQueries(executor, geometry).closest_packets(packets);
     std::vector<int> any;
-    for (const RayHit& hit : hits) any.push_back(hit.triangle != NO_TRIANGLE ? 1 : 0);
+    for (const RayHit& hit : hits) any.push_back(hit.triangle != INVALID_INDEX ? 1 : 0);
     return static_cast<double>(compare_with_oracle(geometry, packets, hits, any).wrong);
 }
 
-/// Hits of triangles without area, by rays alone and in packets.
+/// Numbers of hits of triangles without area, by single rays and in packets.
 std::vector<Measured> hits_without_area(Executor& executor) {
     const RayGeometry geometry = geometry_of(triangles_without_area());
     RayBatch rays;
@@ -97,20 +98,20 @@ std::vector<Measured> hits_without_area(Executor& executor) {
     const RayQueries queries(executor, geometry);
     const auto wrong = [](const std::vector<RayHit>& hits) {
         return static_cast<double>(std::ranges::count_if(hits, [](const RayHit& hit) {
-            return hit.triangle != NO_TRIANGLE && hit.triangle != 0;
+            return hit.triangle != INVALID_INDEX && hit.triangle != 0;
         }));
     };
     return {wrong(queries.closest(rays)), wrong(queries.closest_packets(in_packets(rays)))};
 }
 
-/// Hits that are not finite, or of triangles off the ray's line: where products of three lengths
-/// underflow, distances have no digits left, but nothing false may be met.
+/// Number of hits that are not finite, or of triangles off the ray's line. Where products of three
+/// lengths underflow, distances lose all precision, but there must be no false hit.
 double false_hits(const RayGeometry& geometry, const RayBatch& rays,
                   const std::vector<RayHit>& hits) {
     double wrong = 0.0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const RayHit& hit = hits[i];
-        if (hit.triangle == NO_TRIANGLE) continue;
+        if (hit.triangle == INVALID_INDEX) continue;
         const Verdict verdict =
             judge(rays.origin(i), rays.direction(i), INFINITY, geometry, hit.triangle);
         const bool finite = std::isfinite(hit.t) && std::isfinite(hit.u) && std::isfinite(hit.v);
@@ -149,7 +150,7 @@ SelftestCase degenerate_triangles() {
     const std::string exact = "where no rounding can change an answer there is one right answer";
     const std::string on_line = "a hit is finite and of a triangle on the ray's line";
     const std::string left_out = "they are left out";
-    // Embree's own arithmetic finds some hits that are none, right at origins: up to one of 300.
+    // Embree's own arithmetic reports some false hits right at ray origins: up to one of 300.
     return {17,
             "degenerate triangles",
             RunsOn::devices,
@@ -164,7 +165,7 @@ SelftestCase degenerate_triangles() {
             measure_degenerate};
 }
 
-/// Hits that differ in any bit from a test of all triangles.
+/// Number of hits that differ in any bit from those of a test of all triangles.
 double differing_hits(const RayGeometry& geometry, const RayBatch& rays,
                       const std::vector<RayHit>& hits) {
     const std::vector<RayHit> all = test_all(geometry, rays);
@@ -173,7 +174,7 @@ double differing_hits(const RayGeometry& geometry, const RayBatch& rays,
     return different;
 }
 
-/// The same of rays alone and in packets.
+/// The same for single rays and for rays in packets.
 std::vector<Measured> unlike_brute_force(Executor& executor, const RayGeometry& geometry,
                                          std::uint32_t seed) {
     const RayQueries queries(executor, geometry);
@@ -183,9 +184,10 @@ std::vector<Measured> unlike_brute_force(Executor& executor, const RayGeometry& 
             differing_hits(geometry, packets, queries.closest_packets(packets))};
 }
 
-/// Shadow rays in packets that contradict what double precision is certain of. From corners of
-/// boxes they are not asked: packets take for inside what is outside of a triangle by less than
-/// some millionths of its farthest corner's distance, which next to its nearest is not little.
+/// Number of answers to shadow rays in packets that contradict those which are certain in double
+/// precision. Rays from corners of boxes are left out: packets count as inside what is outside of a
+/// triangle by less than some millionths of its farthest corner's distance, which is not small near
+/// its nearest corner.
 double wrong_shadows(Executor& executor, const RayGeometry& geometry) {
     RayBatch rays = all_rays(geometry, packet_rays, 210);
     rays.origins.resize(2 * packet_rays);

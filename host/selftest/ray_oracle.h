@@ -9,11 +9,11 @@
 
 #include "selftest/ray_batch.h"
 
-// What a ray meets, in double precision, with what float arithmetic can make of it: an answer is
-// given only where no rounding of the kernels can change it.
+// Tells in double precision what a ray hits, with bounds on the errors of float arithmetic: it
+// answers only where no rounding in the kernels can change the answer.
 namespace weft::selftest {
 
-/// One triangle and one ray. The distance is certain within [low, high].
+/// Whether a ray hits a triangle, and at what distance, which is certain within [low, high].
 struct Verdict {
     bool may_hit = false;
     bool must_hit = false;
@@ -23,7 +23,7 @@ struct Verdict {
     double inside = -INFINITY;
 };
 
-/// Relative to the product of lengths, what an edge function may be off by in floats: three
+/// Bound on the error of an edge function in floats, relative to the product of lengths: three
 /// differences, two products with a shear or a cross product, and sums, each rounded by 2^-24.
 constexpr double oracle_rounding = 0x1p-19;
 
@@ -72,9 +72,9 @@ inline Verdict judge(const glm::dvec3& origin, const glm::dvec3& direction, doub
     return verdict;
 }
 
-/// What a ray meets first.
+/// The first hit of a ray.
 struct ClosestVerdict {
-    std::optional<std::uint32_t> triangle;  // NO_TRIANGLE for a certain miss; none where unclear
+    std::optional<std::uint32_t> triangle;  // INVALID_INDEX for a certain miss; none where unclear
     double low = 0.0;
     double high = INFINITY;
     bool may_hit_any = false;
@@ -84,15 +84,15 @@ struct ClosestVerdict {
 inline ClosestVerdict judge_closest(const RayGeometry& geometry, const glm::dvec3& origin,
                                     const glm::dvec3& direction, double t_max) {
     ClosestVerdict closest;
-    std::uint32_t first = NO_TRIANGLE;
-    double runner_up = INFINITY;  // the nearest that any other triangle may be
+    std::uint32_t first = INVALID_INDEX;
+    double runner_up = INFINITY;  // least possible distance of any other triangle
     for (std::uint32_t i = 0; i < geometry.triangles.size(); ++i) {
         const Verdict v = judge(origin, direction, t_max, geometry, i);
         if (!v.may_hit) continue;
         closest.may_hit_any = true;
         closest.must_hit_any = closest.must_hit_any || v.must_hit;
         if (v.must_hit && v.high < closest.high) {
-            if (first != NO_TRIANGLE) runner_up = std::min(runner_up, closest.low);
+            if (first != INVALID_INDEX) runner_up = std::min(runner_up, closest.low);
             first = i;
             closest.low = v.low;
             closest.high = v.high;
@@ -100,12 +100,12 @@ inline ClosestVerdict judge_closest(const RayGeometry& geometry, const glm::dvec
             runner_up = std::min(runner_up, v.low);
         }
     }
-    if (!closest.may_hit_any) closest.triangle = NO_TRIANGLE;
-    if (first != NO_TRIANGLE && closest.high < runner_up) closest.triangle = first;
+    if (!closest.may_hit_any) closest.triangle = INVALID_INDEX;
+    if (first != INVALID_INDEX && closest.high < runner_up) closest.triangle = first;
     return closest;
 }
 
-/// What compare_with_oracle found.
+/// Numbers of rays: those with a certain answer, wrong answers, and certain hits.
 struct OracleCount {
     std::size_t clear = 0;
     std::size_t wrong = 0;
@@ -124,8 +124,8 @@ inline OracleCount compare_with_oracle(const RayGeometry& geometry, const RayBat
         if (!v.may_hit_any) count.wrong += any[i] == 0 ? 0 : 1;
         if (!v.triangle) continue;
         ++count.clear;
-        if (*v.triangle == NO_TRIANGLE) {
-            count.wrong += hits[i].triangle == NO_TRIANGLE ? 0 : 1;
+        if (*v.triangle == INVALID_INDEX) {
+            count.wrong += hits[i].triangle == INVALID_INDEX ? 0 : 1;
             continue;
         }
         ++count.hits;

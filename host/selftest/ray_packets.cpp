@@ -22,7 +22,7 @@ std::size_t random_index(Uniform& uniform, std::size_t count) {
                     static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
 }
 
-/// In the unit ball.
+/// A random point in the unit ball.
 glm::dvec3 random_place(Uniform& uniform) {
     for (;;) {
         const float x = uniform(-1.0F, 1.0F);
@@ -53,7 +53,7 @@ RayBatch in_packets(const RayBatch& rays) {
 }
 
 RayBatch packets_inside(const Room& room, std::size_t blocks, std::uint32_t seed) {
-    // No two points of a closed mesh are as far apart as that.
+    // Farther than any two points of a closed mesh are apart.
     const double beyond = 10.0 * room.scale;
     Uniform uniform(seed);
     RayBatch packets;
@@ -70,7 +70,7 @@ RayBatch packets_inside(const Room& room, std::size_t blocks, std::uint32_t seed
                                         glm::vec3(random_place(uniform))};
             glm::vec3 direction = directions.at(k % directions.size());
             if (direction == glm::vec3(0.0F)) direction.z = 1.0F;
-            // A power of two leaves the line what it is.
+            // Scaling by a power of two does not change the line.
             const double length = glm::length(glm::dvec3(direction));
             packets.add(origin, direction * static_cast<float>(
                                                 std::exp2(std::ceil(std::log2(beyond / length)))));

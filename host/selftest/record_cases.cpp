@@ -7,11 +7,11 @@
 #include "selftest/measurements.h"
 #include "selftest/scene_builder.h"
 
-// Irradiance records where light changes within little space.
+// Irradiance records where light changes over short distances.
 namespace weft::selftest {
 namespace {
 
-/// All virtual lights are traced, so that records and pixels of `ir` gather the same.
+/// Settings without roulette, so that records and pixels of `ir` gather the same virtual lights.
 RenderSettings settings_of(Algorithm algorithm, std::uint32_t width, std::uint32_t height) {
     RenderSettings settings = small_settings(algorithm, width, height);
     settings.sampling.roulette = 0.0;
@@ -35,8 +35,8 @@ Camera in_front() {
     return look_at({0, 0, 3.4}, {0, 0, 0}, 0.75);
 }
 
-/// The brightest pixel of the dark half of a box that a wall of 1/1000 of its width parts, over the
-/// mean of the lit half.
+/// The brightest pixel in the dark half of a box, divided by the mean of the lit half. A wall of
+/// 1/1000 of the box's width separates the halves.
 double leaked_share(Executor& executor, Algorithm algorithm, std::uint32_t width) {
     const std::uint32_t height = 3 * width / 4;
     SceneBuilder builder = open_box();
@@ -44,7 +44,7 @@ double leaked_share(Executor& executor, Algorithm algorithm, std::uint32_t width
         builder.add(quad_mesh({x, -1, -1}, {0, 2, 0}, {0, 0, 2}), 0);
     builder.light(LightType::point, {-0.5, 0.0, 0.3}, glm::vec3(1.0F));
     RenderSettings settings = settings_of(algorithm, width, height);
-    settings.sampling.cache_rays = 64;  // of irradiance-cache, where they are paths
+    settings.sampling.cache_rays = 64;  // of irradiance-cache, where each is a path
     const Rendering cached = render(executor, builder.scene, in_front(), settings);
     double bright = 0.0;
     double leaked = 0.0;
@@ -70,10 +70,10 @@ SceneBuilder bright_patch() {
     return builder;
 }
 
-/// The error of the pixel that is farthest off, relative to itself or to `least` of the mean, where
-/// all light comes from the patch: where virtual lights lie beside each other in creases,
-/// each has a bright spot of its own on the other wall that is smaller than a pixel, and says
-/// nothing about the patch.
+/// The largest error of a pixel, relative to its value or at least to `least` of the mean, with one
+/// bounce, so that all light comes from the patch: with more, virtual lights close to a crease
+/// would each cast a bright spot smaller than a pixel on the other wall, which has nothing to do
+/// with the patch.
 double worst_pixel(Executor& executor, const FlatScene& flat, double error, double least) {
     const auto light_of = [&](Algorithm algorithm) {
         RenderSettings settings = settings_of(algorithm, 64, 48);
@@ -84,7 +84,7 @@ double worst_pixel(Executor& executor, const FlatScene& flat, double error, doub
     const std::vector<float> expected = light_of(Algorithm::ir);
     const std::vector<float> found = light_of(Algorithm::ic);
     const double dim = least * mean_of(expected);
-    if (!(dim > 0.0)) return NAN;  // a picture without light would have no error
+    if (!(dim > 0.0)) return NAN;  // an image without light would have no error
     std::vector<double> errors;
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const auto light = static_cast<double>(expected[i]);

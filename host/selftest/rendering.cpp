@@ -35,8 +35,8 @@ RenderSettings small_settings(Algorithm algorithm, std::uint32_t width, std::uin
     settings.algorithm = algorithm;
     settings.width = width;
     settings.height = height;
-    // What whole pictures do where lights are many is to be seen with a few of them.
-    settings.sampling.first_look_samples = 0;
+    // Probes, which images normally use only with many lights, are tested with a few.
+    settings.sampling.min_probed_samples = 0;
     return settings;
 }
 

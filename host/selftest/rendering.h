@@ -12,7 +12,7 @@
 #include "scene/flat_scene.h"
 #include "scene/scene.h"
 
-// Small pictures of scenes whose light is known, and what is measured of them.
+// Renders small images of scenes whose light is known, and measures them.
 namespace weft::selftest {
 
 /// A finished rendering.
@@ -25,23 +25,23 @@ struct Rendering {
     [[nodiscard]] const std::vector<float>& layer(std::string_view name) const;
     [[nodiscard]] float at(std::string_view name, std::uint32_t x, std::uint32_t y,
                            std::uint32_t channel = 0) const;
-    /// Irradiance of a pixel by a light layer, its albedo taken out.
+    /// Irradiance of a pixel by a light layer, without its albedo.
     [[nodiscard]] double irradiance(std::string_view name, std::uint32_t x, std::uint32_t y,
                                     std::uint32_t channel = 0) const;
 };
 
-/// Settings for a small picture, in which direct light adapts however few lights there are.
+/// Settings for a small image, in which direct light adapts however few lights there are.
 [[nodiscard]] RenderSettings small_settings(Algorithm algorithm, std::uint32_t width,
                                             std::uint32_t height);
 
-/// Settings whose bound on the geometry term never bites, so that means are unbiased.
+/// Settings whose bound on the geometry term has no effect, so that means are unbiased.
 [[nodiscard]] RenderSettings unbounded(RenderSettings settings);
 
 /// Renders a flattened scene.
 [[nodiscard]] Rendering render_flat(Executor& executor, const FlatScene& flat, const Camera& camera,
                                     const RenderSettings& settings, std::uint32_t frames = 1);
 
-/// Validates, flattens and renders.
+/// Validates, flattens and renders a scene.
 [[nodiscard]] Rendering render(Executor& executor, const Scene& scene, const Camera& camera,
                                const RenderSettings& settings, std::uint32_t frames = 1);
 
@@ -56,13 +56,13 @@ struct Rendering {
 [[nodiscard]] double relative_mse(const std::vector<float>& reference,
                                   const std::vector<float>& test);
 
-/// Values that differ in any bit, over all layers.
+/// Number of values that differ in any bit, over all layers.
 [[nodiscard]] std::size_t differing_values(const Image& a, const Image& b);
 
-/// Values anywhere that are Inf, NaN or, but for normals, negative.
+/// Number of values in all layers that are Inf, NaN or, except for normals, negative.
 [[nodiscard]] std::size_t unclean_values(const Image& image);
 
-/// Values that were guarded on their way to the film, over all frames and components.
+/// Number of values that were guarded on their way to the film, over all frames and components.
 [[nodiscard]] std::size_t guarded_values(const std::vector<FrameStats>& stats);
 
 }  // namespace weft::selftest

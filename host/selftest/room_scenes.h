@@ -10,7 +10,7 @@
 
 namespace weft::selftest {
 
-/// The room [-1,1]^3 with a lamp below its ceiling and a ball on the left.
+/// The room [-1,1]^3 with an area light below its ceiling and a ball on the left.
 inline const FlatScene& room_with_ball() {
     static const FlatScene flat = [] {
         SceneBuilder builder;
@@ -34,7 +34,7 @@ inline void add_open_room(SceneBuilder& builder) {
                 builder.material({0.6F, 0.1F, 0.1F}));
 }
 
-/// Adds a screen that stands askew on the right of the open room's floor.
+/// Adds a screen that stands obliquely on the right of the open room's floor.
 inline void add_screen(SceneBuilder& builder) {
     builder.add(quad_mesh({0.2F, -1.0F, -0.3F}, {0.5F, 0, 0.3F}, {0, 0.8F, 0.1F}),
                 builder.material({0.5F, 0.5F, 0.9F}));

@@ -12,7 +12,7 @@
 #define NATIVE_KERNELS "kernels/path/path.cl"
 #include "selftest/native_kernels.h"
 
-// Russian roulette: whatever the probability of survival, the mean stays.
+// Russian roulette, which must keep the mean whatever the probability of survival.
 namespace weft::selftest {
 namespace {
 
@@ -40,7 +40,7 @@ Estimate mean_weight(float throughput) {
     return {mean, std::sqrt(std::max(0.0, squares / paths - mean * mean) / paths)};
 }
 
-/// Radiance of a closed sphere all of which emits 1.
+/// Radiance in a closed sphere whose whole surface emits 1.
 Estimate furnace(Executor& executor, float albedo, std::uint32_t samples) {
     SceneBuilder builder;
     builder.add(icosphere(2, true), builder.material(glm::vec3(albedo), glm::vec3(1.0F)));

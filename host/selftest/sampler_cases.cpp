@@ -14,7 +14,8 @@
 #define NATIVE_KERNELS_TOO "kernels/media/medium.h"
 #include "selftest/native_kernels.h"
 
-// Functions of the kernels by themselves, natively: what samplers promise, and what counters hold.
+// Single functions of the kernels, run natively: the distributions of samplers, and the range of
+// counters.
 namespace weft::selftest {
 namespace {
 
@@ -28,7 +29,8 @@ double clamped(double value) {
     return std::clamp(value, 0.0, 1.0);
 }
 
-/// The normal variable of a sampler whose points, mapped by `place`, should fill the unit square.
+/// The normal variable of a sampler whose points, mapped by `place`, should be uniform in the unit
+/// square.
 double normal_of_sampler(const std::function<void(float u, float v, Histogram&)>& place) {
     Histogram histogram;
     native::Random random = native::make_random(1, 2, 3);
@@ -43,7 +45,7 @@ double normal_of_sampler(const std::function<void(float u, float v, Histogram&)>
 double cosine_sampler() {
     return normal_of_sampler([](float u, float v, Histogram& histogram) {
         const native::float3 d = native::cosine_direction(u, v);
-        // Density cos / pi: the cosine's square is uniform.
+        // With the pdf cos / pi, the cosine's square is uniform.
         histogram.add(clamped(wide(d.z) * wide(d.z)), turn(wide(d.x), wide(d.y)));
     });
 }
@@ -60,8 +62,8 @@ double cone_sampler() {
 double phase_sampler(float g) {
     const native::float3 along = native::f3(0.0F, 0.0F, 1.0F);
     return normal_of_sampler([&](float u, float v, Histogram& histogram) {
-        float density = 0.0F;
-        const native::float3 d = native::scatter_direction(g, along, u, v, &density);
+        float pdf = 0.0F;
+        const native::float3 d = native::scatter_direction(g, along, u, v, &pdf);
         // The distribution function of Henyey and Greenstein (1941), of the cosine.
         const double k = wide(g);
         const double t = (1.0 - k * k) / std::sqrt(1.0 + k * k - 2.0 * k * wide(d.z));
@@ -69,7 +71,7 @@ double phase_sampler(float g) {
     });
 }
 
-/// Points of a triangle, in 64 x 64 equal ones.
+/// Tests points in a triangle, by bins that are 64 x 64 equal triangles.
 double triangle_sampler() {
     constexpr std::size_t cuts = 64;
     const native::float4 positions[] = {native::f4(0, 0, 1, 0), native::f4(2, 0, 1, 0),
@@ -108,7 +110,7 @@ SelftestCase samplers() {
     const Tolerance tolerance = within(4.75);
     const std::string reason =
         "chi-square of 10^6 samples as a normal variable, which is farther off once in 500,000";
-    return host_case(15, "samplers keep to their densities",
+    return host_case(15, "samplers keep to their pdfs",
                      {{"cosine-weighted directions", 0.0, tolerance, reason},
                       {"directions of a cone", 0.0, tolerance, reason},
                       {"points of a triangle", 0.0, tolerance, reason},
@@ -120,7 +122,7 @@ SelftestCase samplers() {
                      });
 }
 
-/// Rays counted by a million work-items of 2^13 rays each.
+/// Number of rays that counters hold after a million work-items of 2^13 rays each.
 double counted_rays() {
     native::RayCounter counter{};
     for (std::uint32_t i = 0; i < 1U << 20; ++i) native::count_rays(&counter, 1U << 13);

@@ -131,14 +131,14 @@ inline Mesh room_mesh() {
     return room;
 }
 
-/// Puts a scene together; every mesh comes with its own instance.
+/// Builds a scene; every mesh has its own instance.
 class SceneBuilder {
   public:
     Scene scene;
 
     SceneBuilder() { scene.source = "test scene"; }
 
-    /// Index of a new material.
+    /// Adds a material; returns its index.
     std::uint32_t material(const glm::vec3& albedo, const glm::vec3& emission = glm::vec3(0.0F)) {
         Material made;
         made.surface = DiffuseSurface{albedo};
@@ -157,7 +157,8 @@ class SceneBuilder {
         scene.instances.push_back(instance);
     }
 
-    /// A light without area; spots and directional lights travel along `direction`.
+    /// Adds a light without area; the light of spots and directional lights travels along
+    /// `direction`.
     PunctualLight& light(LightType type, const glm::dvec3& position, const glm::vec3& intensity,
                          const glm::dvec3& direction = {0.0, 0.0, -1.0}) {
         PunctualLight made;

@@ -20,17 +20,17 @@ struct Check {
     std::string what;  ///< a few words beside the case's name
     double expected = 0.0;
     Tolerance tolerance;
-    std::string reason;  ///< why it may be off by so much, one sentence
-    /// Where Embree traces, if that is another one.
+    std::string reason;  ///< why the tolerance is what it is, one sentence
+    /// Tolerance where Embree traces, if it differs.
     std::optional<Tolerance> with_embree{};
-    bool own_traversal = false;  ///< not asked of Embree, which promises nothing there
+    bool own_traversal = false;  ///< not checked with Embree, which promises nothing there
 };
 
-/// What a device has made of a check.
+/// The value that a device has measured for a check.
 struct Measured {
     double value = 0.0;
     double error = 0.0;  ///< standard error, of estimates
-    /// Shown where the check fails, such as what was being done.
+    /// Shown where the check fails, such as the step at which it did.
     std::string note{};
 
     Measured() = default;
@@ -40,14 +40,14 @@ struct Measured {
     Measured(const Estimate& estimate) : value(estimate.mean), error(estimate.error) {}
 };
 
-/// What a case runs on.
+/// Where a case runs.
 enum class RunsOn : std::uint8_t {
     devices,  ///< every backend: it runs kernels
     host      ///< once: it runs none
 };
 
 /// One of the hard cases, or the part of it that runs on devices or on the host: a situation in
-/// which renderers go wrong, and numbers that tell.
+/// which renderers go wrong, and numbers that show it.
 struct SelftestCase {
     int number = 0;
     std::string name;

@@ -12,7 +12,7 @@
 
 namespace weft::selftest {
 
-/// Columns of what a check is called, `name: what`; no case has a longer one.
+/// Columns for the title of a check, `name: what`; no case has a longer one.
 inline constexpr std::size_t title_columns = 74;
 
 /// `name: what`.
@@ -31,7 +31,7 @@ inline constexpr std::size_t title_columns = 74;
 /// `N passed, M failed` and a line end.
 [[nodiscard]] std::string report_totals(const SelftestTotals& totals);
 
-/// The same for programs; values that are no numbers are null.
+/// The same results as JSON; values that are no numbers are null.
 [[nodiscard]] nlohmann::json report_json(std::span<const CheckResult> results,
                                          const SelftestTotals& totals);
 

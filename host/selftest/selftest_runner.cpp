@@ -14,7 +14,7 @@
 namespace weft::selftest {
 namespace {
 
-/// The values of a case, or as many that are none and what went wrong.
+/// The values of a case, or, where it throws, as many NaN with the error as their note.
 std::vector<Measured> measure(const SelftestCase& tested, Executor& executor) {
     std::string trouble;
     try {
@@ -30,7 +30,7 @@ std::vector<Measured> measure(const SelftestCase& tested, Executor& executor) {
     return std::vector<Measured>(tested.checks.size(), none);
 }
 
-/// Compiles what will be used; cases tell what does not compile.
+/// Compiles kernels that will be used. Those that do not compile fail in their cases.
 void compile_quietly(Executor& executor,
                      const std::map<std::pair<KernelId, std::uint32_t>, KernelUse>& used) {
     std::vector<KernelUse> uses;

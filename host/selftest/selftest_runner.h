@@ -12,15 +12,15 @@
 
 namespace weft::selftest {
 
-/// What came of one check on one backend.
+/// The result of one check on one backend.
 struct CheckResult {
     int number = 0;       ///< of the case
     std::string name;     ///< of the case
     std::string what;     ///< of the check
-    std::string backend;  ///< as DeviceInfo::backend; "host" for what runs no kernels
+    std::string backend;  ///< as DeviceInfo::backend; "host" for cases that run no kernels
     double expected = 0.0;
     double measured = 0.0;   ///< NaN where the case threw
-    double error = 0.0;      ///< standard error of what was measured; 0 where it is no estimate
+    double error = 0.0;      ///< standard error of the measured value; 0 where it is no estimate
     double tolerance = 0.0;  ///< allowed distance
     bool passed = false;
     std::string reason;  ///< of the tolerance
@@ -33,9 +33,10 @@ struct SelftestTotals {
 };
 
 /// Runs every case on one executor after the other, or on the first alone where it needs no device,
-/// and hands each result on as soon as it is there. What the first ones have used, later ones may
-/// compile at once beforehand: those that compile nothing are best first. An exception fails all
-/// checks of the case on that executor, and nothing else. There is at least one executor.
+/// and reports each result as soon as it is there. Kernels that the first executors have used are
+/// compiled in advance for later ones, so executors that compile nothing should come first. An
+/// exception fails all checks of the case on that executor, and nothing else. There is at least one
+/// executor.
 SelftestTotals run_selftest(std::span<const SelftestCase> cases,
                             std::span<Executor* const> executors,
                             const std::function<void(const CheckResult&)>& report);

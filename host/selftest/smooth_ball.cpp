@@ -18,7 +18,7 @@ constexpr double fov = 0.9;
 const glm::dvec3 eye(0.0, 0.0, 3.0);
 const glm::dvec3 travels(1.0, 0.1, 0.2);
 
-// Far above what floats make of barycentric coordinates and cosines, far below a pixel.
+// Far above the float error of barycentric coordinates and cosines, far below a pixel.
 constexpr double rounding = 1e-5;
 
 Mesh ball_mesh() {

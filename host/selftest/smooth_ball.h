@@ -9,7 +9,7 @@
 #include "scene/scene.h"
 
 // A ball of 80 facets with smooth normals under a directional light from the left, and what its
-// picture should show.
+// image should show.
 namespace weft::selftest {
 
 inline constexpr std::uint32_t ball_width = 48;
@@ -23,7 +23,7 @@ struct SmoothBall {
 [[nodiscard]] SmoothBall smooth_ball();
 
 /// What a pixel's centre sees of the ball, by brute force in double precision. A convex body does
-/// not shadow itself, so that light ends where facets turn away from it and nowhere else.
+/// not shadow itself, so light ends only where facets turn away from it.
 struct BallPixel {
     bool on_ball = false;
     bool facet_lit = false;  ///< the facet's plane faces the light
@@ -35,8 +35,8 @@ struct BallPixel {
 /// All pixels, row by row from the top.
 [[nodiscard]] const std::vector<BallPixel>& ball_pixels();
 
-/// The largest cosine at which a facet's plane ends the light: the height of the blocks along the
-/// terminator.
+/// The largest cosine of the smooth normal at which a facet's plane faces away from the light: how
+/// bright the blocks along the terminator would be.
 [[nodiscard]] double largest_block();
 
 }  // namespace weft::selftest

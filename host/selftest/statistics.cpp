@@ -9,7 +9,7 @@
 namespace weft::selftest {
 namespace {
 
-/// Where a falling function of [0, high] meets `value`.
+/// Where a falling function on [0, high] has the value `value`.
 template <class Falling>
 double where_falls_to(double value, double high, const Falling& function) {
     double low = 0.0;
@@ -20,7 +20,7 @@ double where_falls_to(double value, double high, const Falling& function) {
     return high;
 }
 
-/// Probability of one failure, where `comparisons` together have that of `failure`.
+/// Probability of failure of each of `comparisons` that together fail with probability `failure`.
 double share_of(double failure, std::size_t comparisons) {
     return -std::expm1(std::log1p(-failure) / static_cast<double>(comparisons));
 }
@@ -43,7 +43,7 @@ double sidak_limit(std::size_t comparisons, double failure) {
 }
 
 double student_tail(double t, double freedom) {
-    // With t = sqrt(n) tan a, T has the density cos^(n - 1) a of angles: Simpson's rule.
+    // With t = sqrt(n) tan a, T has the pdf cos^(n - 1) a over angles: Simpson's rule.
     constexpr int steps = 4000;
     const auto integral = [&](double from) {
         const double h = (std::numbers::pi / 2.0 - from) / steps;

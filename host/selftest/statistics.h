@@ -14,7 +14,7 @@ struct Estimate {
     double error = 0.0;
 };
 
-/// From at least two values.
+/// Estimates the mean from at least two values.
 [[nodiscard]] Estimate estimate(const std::vector<double>& values);
 
 /// How many standard errors a normal variable may be off (either way), so that `comparisons`

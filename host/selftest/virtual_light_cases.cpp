@@ -7,15 +7,15 @@
 #include "selftest/measurements.h"
 #include "selftest/scene_builder.h"
 
-// Virtual lights that touch what they light: what the bound on them leaves out, and the residual.
+// Virtual lights close to what they light: the light that their bound leaves out, and the residual.
 namespace weft::selftest {
 namespace {
 
 constexpr double rho = 0.5;
 constexpr double bound_share = 0.3;
 
-/// Irradiance by four bounces in a sphere of radius 1 around a light of intensity 1, where the
-/// geometry term is 1/4 between any two points: a bound of a share of that leaves this share.
+/// Irradiance by four bounces in a sphere of radius 1 around a light of intensity 1. The geometry
+/// term is 1/4 between any two points, so a bound of a share of that keeps this share of the light.
 constexpr double bounded =
     bound_share * (rho + rho * rho + rho * rho * rho + rho * rho * rho * rho);
 
@@ -24,15 +24,15 @@ std::vector<double> sphere_irradiance(Executor& executor, const FlatScene& flat,
     RenderSettings settings = small_settings(Algorithm::ir, 64, 48);
     settings.sampling.interleave = 1;
     settings.sampling.compensation = compensation;
-    // pi n / (c^2 4 pi R^2) is the bound.
+    // The bound is pi n / (c^2 4 pi R^2).
     settings.sampling.bound_spacing =
         std::sqrt(plan_for(flat, settings).vpls_per_set / bound_share);
     const Camera camera = look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2);
     return irradiances(render_flat(executor, flat, camera, settings), "indirect");
 }
 
-/// A lamp of 5e-5 that faces a corner of a room from 5e-4, so that virtual lights lie as close to
-/// each other and to the walls that the camera sees from 2e-4.
+/// An area light of 5e-5 that faces a corner of a room from 5e-4, so that virtual lights lie as
+/// close to each other and to the walls that the camera sees from 2e-4.
 double bad_corner(Executor& executor) {
     constexpr float edge = 5e-5F;
     const glm::vec3 corner(-1.0F);

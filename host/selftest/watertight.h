@@ -19,9 +19,9 @@
 // Rays from inside of closed meshes, none of which may get out.
 namespace weft::selftest {
 
-// Farthest that a hit may be from its triangle, in sizes of the mesh: a coordinate of a centred
-// mesh is rounded by 2^-24 of it, and origin, shear and quotient add some of that each; rays that
-// meet a triangle at a small angle turn it into a longer way along the ray.
+// Largest distance of a hit from its triangle, in sizes of the mesh: a coordinate of a centred mesh
+// is rounded by 2^-24 of it, and origin, shear and quotient each add about as much; where a ray
+// hits a triangle at a small angle, the error along the ray is larger.
 constexpr double hit_tolerance = 4e-6;
 
 /// A closed mesh around the origin, of size about 2.
@@ -31,7 +31,8 @@ struct ClosedMesh {
     double cube = 0.0;  // half the edge where the mesh is a cube, else 0
 };
 
-/// Latitudes and longitudes whose inner vertices are moved at random, poles and seam shared.
+/// A sphere of latitudes and longitudes whose inner vertices are moved at random; vertices at poles
+/// and seam are shared.
 inline Mesh rough_sphere(std::uint32_t rings, std::uint32_t sectors, std::uint32_t seed) {
     Uniform uniform(seed);
     Mesh mesh;
@@ -93,7 +94,7 @@ inline Mesh shared_cube(std::uint32_t n) {
     return mesh;
 }
 
-/// A ragged star: an icosphere whose vertices are moved along their rays.
+/// A ragged star: an icosphere whose vertices are moved along their radii.
 inline Mesh ragged_blob(std::uint32_t level, std::uint32_t seed) {
     Uniform uniform(seed);
     Mesh mesh = icosphere(level, false);
@@ -113,12 +114,12 @@ inline std::vector<ClosedMesh> closed_meshes() {
     return meshes;
 }
 
-/// Where a mesh is put before rays meet it.
+/// How a mesh is placed before rays are traced.
 struct Placement {
     const char* name;
     double scale;
     glm::dvec3 move;
-    bool units = true;  // through flatten, which centres and scales; else the floats as they are
+    bool units = true;  // flattened, which centres and scales; false: floats as they are
 };
 
 inline std::vector<Placement> placements() {
@@ -130,11 +131,11 @@ inline std::vector<Placement> placements() {
             {"far away and not centred", 1.0, far, false}};
 }
 
-/// A placed mesh and the point and distance that its inside is measured from.
+/// A placed mesh with a ball inside of it.
 struct Room {
     RayGeometry geometry;
     glm::dvec3 centre{0.0};
-    double radius = 0.0;  // of a ball about the centre that the mesh does not touch
+    double radius = 0.0;  // of the ball about the centre, which the mesh does not touch
     double scale = 1.0;   // of the mesh
 };
 
@@ -222,7 +223,7 @@ inline RayBatch rays_inside(const Room& room, std::size_t count, std::uint32_t s
                 direction[k] = uniform(-1.0F, 1.0F);
                 break;
             default:
-                // A coordinate of the vertex, where the origin stays inside.
+                // The origin gets a coordinate of the vertex, where it stays inside then.
                 if (std::abs(static_cast<double>(a[k]) - room.centre[k]) < 0.3 * room.radius)
                     origin[k] = a[k];
                 direction = a - origin;
@@ -234,11 +235,11 @@ inline RayBatch rays_inside(const Room& room, std::size_t count, std::uint32_t s
     return rays;
 }
 
-/// What became of the rays from inside of one room.
+/// Wrong answers for rays from inside of rooms.
 struct Leaks {
     std::size_t closest = 0;  // rays without a hit
-    std::size_t any = 0;      // rays that nothing blocked
-    std::size_t apart = 0;    // hits off the triangle they name, or of a cube off its faces
+    std::size_t any = 0;      // rays that are not blocked
+    std::size_t apart = 0;    // hits that are off their triangle, or off the faces of a cube
     std::size_t rays = 0;
     double worst = 0.0;  // distance of a hit from its triangle, in extents of the mesh
 };

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// An image as a display takes it.
+/// An image as a display gets it.
 struct DisplayFrame {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -23,9 +23,10 @@ class DisplayDriver {
   public:
     virtual ~DisplayDriver() = default;
 
-    /// Takes a frame, which is gone afterwards. Called by the thread that renders.
+    /// Takes a frame, whose colours are valid during the call only. Called by the thread that
+    /// renders.
     virtual void show(const DisplayFrame& frame) = 0;
-    /// Stops by which the next frame is exposed.
+    /// Exposure of the next frame, in stops.
     [[nodiscard]] virtual double exposure_ev() const { return 0.0; }
 };
 

@@ -14,7 +14,7 @@
 namespace weft {
 
 /// Turns films into 8-bit images on the device: the mean of the samples, exposed, sRGB encoded and
-/// dithered as PNG files are. Builds nothing and holds no memory before the first one.
+/// dithered as PNG files are. Builds no kernel and holds no memory before the first one.
 class DisplayResolve {
   public:
     /// `executor` must outlive it.
@@ -24,11 +24,11 @@ class DisplayResolve {
     void show(const FilmView& film, DisplayDriver& display);
 
   private:
-    /// Fills colours_; returns whether that was not cancelled.
+    /// Fills colours_; returns false where that was cancelled.
     bool resolve(const FilmView& film, float exposure, std::uint32_t pixels);
 
     Executor& executor_;
-    std::set<std::pair<KernelId, std::uint32_t>> built_;  ///< with features
+    std::set<std::pair<KernelId, std::uint32_t>> built_;  ///< kernels with their features
     DeviceBuffer<kinds::DisplayColours> colours_;
 };
 

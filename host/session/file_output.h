@@ -12,7 +12,7 @@
 
 namespace weft {
 
-/// Which files an image becomes.
+/// Which files an image is written to.
 struct FileOutputSettings {
     std::filesystem::path file;         ///< a PNG file where it ends in .png, in any case, else EXR
     std::optional<double> exposure_ev;  ///< stops, for PNG; empty means automatic
@@ -22,7 +22,7 @@ struct FileOutputSettings {
     std::string scene;                          ///< its name, for the metadata
 };
 
-/// Writes files.
+/// Writes each image, and the sums of path tracing, to files.
 class FileOutput : public OutputDriver {
   public:
     explicit FileOutput(FileOutputSettings settings, Diagnostics& diagnostics)

@@ -12,28 +12,28 @@
 
 namespace weft {
 
-/// What a session has rendered.
+/// An image that a session has rendered.
 struct SessionImage {
     Image image;                   ///< all layers
     std::optional<FilmSums> sums;  ///< of path tracing
     Algorithm algorithm{};
     std::uint64_t samples = 0;  ///< of every pixel
     std::uint32_t seed = 0;
-    bool complete = true;  ///< else the user has ended it early
+    bool complete = true;  ///< false where the user has ended it early
 };
 
-/// Receives what a session has rendered: files, a test.
+/// Receives the images that a session has rendered, such as to write files or in a test.
 class OutputDriver {
   public:
     virtual ~OutputDriver() = default;
 
-    /// Takes the image that RenderSession::render has come to.
+    /// Takes the image that a call of RenderSession::render has finished.
     virtual void write(SessionImage image) = 0;
 
     /// Milliseconds after which `save` is called again while path tracing goes on; empty: never,
     /// not even at its end.
     [[nodiscard]] virtual std::optional<double> save_interval_ms() const { return {}; }
-    /// Takes the sums of path tracing, from which a later run can go on, and their image.
+    /// Takes the sums of path tracing, which a later run can continue, and their image.
     virtual void save(const FilmSums& sums, const Image& image) {
         (void)sums;
         (void)image;

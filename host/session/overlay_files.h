@@ -12,7 +12,7 @@
 
 namespace weft {
 
-/// The file of an overlay of a layer: of `out.exr` and `direct.level` it is `out.direct.level.png`.
+/// The file for the overlay of a layer: `out.direct.level.png` for `out.exr` and `direct.level`.
 [[nodiscard]] std::filesystem::path overlay_output(const std::filesystem::path& output,
                                                    const std::string& layer);
 

@@ -11,7 +11,7 @@
 namespace weft {
 namespace {
 
-/// How far a frame is, from what its stages cost as a rule.
+/// Share of a frame that is done, by the time that its stages usually take.
 double share_of_frame(Stage stage, double done) {
     constexpr double before_gather = 0.1;
     constexpr double direct = 0.15;
@@ -24,18 +24,18 @@ double share_of_frame(Stage stage, double done) {
     return before_gather * done * 0.5;
 }
 
-/// Stages that read no light, but that every later one builds on: the first frame has them whole.
+/// Whether all later stages need this one, which reads no light: the first frame finishes it.
 bool is_needed_by_all(Stage stage) {
     return stage == Stage::primary_rays || stage == Stage::receivers;
 }
 
-/// The time that a call has taken so far, of its budget.
+/// Measures how much of the budget's time a call has used so far.
 class Clock {
   public:
     explicit Clock(const RenderBudget& budget) : budget_(budget) {}
 
     [[nodiscard]] double ms() const { return budget_.spent_ms + watch_.total(); }
-    /// Of all the time there is, at most 1.
+    /// Share of the budget's time, at most 1.
     [[nodiscard]] double share() const { return std::min(1.0, ms() / *budget_.time_ms); }
 
   private:
@@ -47,21 +47,21 @@ bool is_ended(const RenderBudget& budget) {
     return budget.end_early != nullptr && *budget.end_early;
 }
 
-/// Whether an image's error is small enough. Looked at after 16, 32, 64 ... samples: reading it
-/// costs as much as some samples do, and looking often would end by luck.
+/// Checks whether an image's error is small enough, after 16, 32, 64 ... samples: reading it costs
+/// as much as some samples do, and with frequent checks rendering would end by chance.
 class ErrorTarget {
   public:
     explicit ErrorTarget(const std::optional<double>& target) : target_(target) {}
 
     bool reached(PathRenderer& renderer, const Executor& executor) {
-        if (!target_ || renderer.has_open_frame() || renderer.samples() < next_look_) return false;
-        next_look_ = 2 * renderer.samples();
+        if (!target_ || renderer.has_open_frame() || renderer.samples() < next_check_) return false;
+        next_check_ = 2 * renderer.samples();
         return relative_error(renderer.sums(), [&] { return !executor.cancelled(); }) <= *target_;
     }
 
   private:
     std::optional<double> target_;
-    std::uint64_t next_look_ = 16;
+    std::uint64_t next_check_ = 16;
 };
 
 }  // namespace
@@ -73,7 +73,7 @@ SessionEnd RenderSession::render(const RenderBudget& budget) {
         end = path_ != nullptr ? render_path(budget) : render_preview(budget);
     }
     if (executor_.take_request()) return SessionEnd::cancelled;
-    hand_over(end == SessionEnd::complete);
+    deliver(end == SessionEnd::complete);
     return end;
 }
 
@@ -98,7 +98,7 @@ SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
         if (timed) fraction = std::max(fraction, clock.share());
         shown = std::max(shown, fraction);
         if (budget.progress) budget.progress({shown, stage});
-        // A first frame is finished even when the time is up: less than an image helps nobody.
+        // A first frame is finished even when the time is up, so that there is an image.
         if (frame == 0 && is_needed_by_all(stage)) return true;
         const bool out_of_time = timed && frame > 0 && clock.ms() > *budget.time_ms;
         return !is_ended(budget) && !out_of_time;
@@ -140,7 +140,7 @@ SessionEnd RenderSession::render_path(const RenderBudget& budget) {
     return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
 }
 
-void RenderSession::hand_over(bool complete) {
+void RenderSession::deliver(bool complete) {
     if (output_ == nullptr) return;
     SessionImage result = image();
     result.complete = complete;

@@ -29,7 +29,7 @@ void RenderSession::upload() {
 }
 
 void RenderSession::make_renderer(FilmSums sums) {
-    // Two at once would need the memory of both.
+    // The old renderer goes first, because two at once would need the memory of both.
     path_ = nullptr;
     renderer_.reset();
     stats_.begin_renderer();

@@ -21,24 +21,24 @@
 
 namespace weft {
 
-/// What image to make: a preview, or a path-traced one.
+/// Settings of an image, which is a preview or path traced.
 using ImageSettings = std::variant<RenderSettings, PathSettings>;
 
 /// How far RenderSession::render has come.
 struct SessionProgress {
-    double fraction = 0.0;  ///< of the call, never falling
+    double fraction = 0.0;  ///< of the call that is done; never falls
     Stage stage{};
 };
 
-/// Until when to render. What is empty sets no limit; with no limit at all a preview gets one
+/// Limits that end rendering. What is empty sets no limit; with no limit at all a preview gets one
 /// sample more, and path tracing all of its samples.
 struct RenderBudget {
-    std::optional<std::uint32_t> samples;  ///< of every pixel of a preview, those before included
+    std::optional<std::uint32_t> samples;  ///< of every pixel of a preview, earlier ones included
     std::optional<double> time_ms;
-    double spent_ms = 0.0;               ///< of that time, before the call
+    double spent_ms = 0.0;               ///< part of time_ms that was spent before the call
     std::optional<double> target_error;  ///< of path tracing: see relative_error
-    /// Ends rendering early once it is set, but with an image: the first sample goes as far as it
-    /// has to for that, and is shown with the light that it has. May be null.
+    /// Ends rendering early once it is set, but with an image: the stages that the first sample
+    /// needs for one are finished, and it is shown with the light that it has. May be null.
     const std::atomic<bool>* end_early = nullptr;
     /// Called often, by the thread that renders. May be empty.
     std::function<void(const SessionProgress&)> progress;
@@ -50,55 +50,56 @@ enum class SessionEnd : std::uint8_t {
     cancelled,    ///< RenderSession::cancel
 };
 
-/// Renders one scene on one device for as long as anyone is interested: image after image, while
-/// the camera, the scene, the size or the algorithm change. The scene is uploaded once. All but
-/// cancel() belongs to one thread at a time. Failures are Errors, as those of Executor.
+/// Renders one scene on one device interactively: image after image, while the camera, the scene,
+/// the size or the algorithm change. The scene is uploaded once. All but cancel() belongs to one
+/// thread at a time. Throws Error where Executor does.
 class RenderSession {
   public:
     static constexpr std::size_t default_kept_frames = 4096;
 
-    /// Uploads the scene and prepares the first image. `kept_frames`: of which the statistics
-    /// remember each one.
+    /// Uploads the scene and prepares the first image. `kept_frames`: number of last frames whose
+    /// statistics are kept one by one.
     RenderSession(std::unique_ptr<Executor> executor, MovingScene scene, const Camera& camera,
                   const ImageSettings& settings, std::size_t kept_frames = default_kept_frames);
-    /// The same, where path tracing goes on from `sums`; see PathRenderer.
+    /// The same, where path tracing continues `sums`; see PathRenderer.
     RenderSession(std::unique_ptr<Executor> executor, MovingScene scene, const Camera& camera,
                   const ImageSettings& settings, std::size_t kept_frames, FilmSums sums);
     RenderSession(const RenderSession&) = delete;
     RenderSession& operator=(const RenderSession&) = delete;
 
-    /// Receives each image that `render` comes to; may be null. Must outlive its use.
+    /// Sets what receives the image of each call of `render`; may be null. Must outlive its use.
     void set_output(OutputDriver* output) { output_ = output; }
-    /// Receives 8-bit images meanwhile; may be null, which costs nothing. Must outlive its use.
+    /// Sets what receives 8-bit images after each frame; may be null, which costs nothing. Must
+    /// outlive its use.
     void set_display(DisplayDriver* display) { display_ = display; }
 
-    /// Adds samples to the image until the budget is spent, shows it after each frame, and hands
-    /// it to the output. A cancelled call hands over nothing: the image is the mean of the frames
-    /// that were complete, and the next call goes on from there.
+    /// Adds samples to the image until the budget is spent, shows it after each frame, and writes
+    /// it to the output in the end. A cancelled call writes nothing: the image is the mean of the
+    /// frames that were complete, and the next call continues it.
     SessionEnd render(const RenderBudget& budget);
     /// Ends the call of `render` that is under way, or else the next one, as soon as the launches
     /// that have begun are done. From any thread.
     void cancel() noexcept { executor_.request_cancel(); }
 
-    /// Begins another image, seen from elsewhere; knows nothing of those before.
+    /// Begins another image from another camera, without any state of those before.
     void set_camera(const Camera& camera);
-    /// Begins the next image of a sequence, which may go on from what those before told.
+    /// Begins the next image of a sequence, which may use what those before it have found.
     void move_camera(const Camera& camera);
     /// Begins the next image of a sequence: the scene in another frame of its animation. Throws as
     /// MovingScene::set_frame does.
     void set_frame(std::uint32_t frame, const Camera& camera);
-    /// Begins an image by other settings, without another upload of the scene.
+    /// Begins an image with other settings, without another upload of the scene.
     void set_settings(const ImageSettings& settings);
-    /// The same of another size, in pixels.
+    /// Begins an image of another size, in pixels, likewise.
     void resize(std::uint32_t width, std::uint32_t height);
     /// Changes instances, materials and lights, and begins the next image of the sequence; uploads
-    /// what has to be. Throws as MovingScene::edit does, and nothing has changed.
+    /// what has to be. Throws as MovingScene::edit does; then nothing has changed.
     void edit(const std::function<void(const SceneParts&)>& change);
     /// Changes anything in the scene and begins another image; uploads all of the scene. Throws as
-    /// MovingScene::rebuild does, and nothing has changed.
+    /// MovingScene::rebuild does; then nothing has changed.
     void rebuild(const std::function<void(Scene&)>& change);
 
-    /// What has been rendered so far, of at least one sample; a path-traced frame that was
+    /// The image rendered so far, which has at least one sample; a path-traced frame that was
     /// cancelled is finished first.
     [[nodiscard]] SessionImage image();
     [[nodiscard]] std::uint64_t samples() const { return renderer_->samples(); }
@@ -112,13 +113,13 @@ class RenderSession {
   private:
     void upload();
     void make_renderer(FilmSums sums);
-    /// Where the scene has changed in place.
+    /// Brings buffers and renderer up to date where the scene has changed in place.
     void follow_scene();
     SessionEnd render_preview(const RenderBudget& budget);
     SessionEnd render_path(const RenderBudget& budget);
-    /// One frame; returns what the renderer does.
+    /// Renders and shows one frame; returns what FrameRenderer::render_frame does.
     bool render_frame(const KeepGoing& keep_going);
-    void hand_over(bool complete);
+    void deliver(bool complete);
 
     CancellableExecutor executor_;
     MovingScene scene_;
@@ -126,7 +127,7 @@ class RenderSession {
     ImageSettings settings_;
     std::shared_ptr<SceneBuffers> buffers_;
     std::unique_ptr<FrameRenderer> renderer_;
-    PathRenderer* path_ = nullptr;  ///< the same, where it is one
+    PathRenderer* path_ = nullptr;  ///< renderer_, where it is a PathRenderer
     SessionStats stats_;
     DisplayResolve resolve_;
     OutputDriver* output_ = nullptr;

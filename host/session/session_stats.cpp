@@ -15,9 +15,9 @@ const char* film_component_name(std::size_t component) {
 
 void SessionStats::add(std::vector<FrameStats> frames) {
     for (FrameStats& frame : frames) {
-        frame.picture += first_picture_;
-        sample_ = frame.picture == picture_ ? sample_ : 0;
-        picture_ = frame.picture;
+        frame.image += first_image_;
+        sample_ = frame.image == image_ ? sample_ : 0;
+        image_ = frame.image;
         add_nonfinite(frame);
         ++sample_;
         ++count_;
@@ -34,7 +34,7 @@ void SessionStats::add_nonfinite(const FrameStats& frame) {
         NonfiniteSummary& sum = nonfinite_[c];
         if (sum.count == 0 && found.count > 0) {
             sum.component = film_component_name(c);
-            sum.first_picture = frame.picture;
+            sum.first_image = frame.image;
             sum.first_sample = sample_;
             sum.first_pixel = found.first_pixel;
         }
@@ -43,7 +43,7 @@ void SessionStats::add_nonfinite(const FrameStats& frame) {
 }
 
 void SessionStats::begin_renderer() {
-    first_picture_ = count_ > 0 ? picture_ + 1 : 0;
+    first_image_ = count_ > 0 ? image_ + 1 : 0;
 }
 
 std::vector<NonfiniteSummary> SessionStats::nonfinite() const {

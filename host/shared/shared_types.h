@@ -15,7 +15,7 @@ struct alignas(16) float4 {
 };
 
 #include "kernels/core/types.h"
-// It uses nothing but uint.
+// This one needs no type but uint.
 #include "kernels/adaptive/shadow_layout.h"
 
 static_assert(sizeof(BvhNode) == 256);

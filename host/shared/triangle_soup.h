@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// Triangles, by their vertices.
+/// Triangles with their vertices, which other objects own.
 struct TriangleSoup {
     std::span<const shared::float4> positions;
     std::span<const shared::Triangle> triangles;

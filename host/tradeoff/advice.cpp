@@ -16,18 +16,20 @@ const Interval& error_of(const TradeoffPoint& point, ErrorMeasure measure) {
     return point.errors.at(static_cast<std::size_t>(measure));
 }
 
-/// Chooses among points by time and one error.
+/// Chooses among points by their time and one kind of error.
 class Choice {
   public:
     Choice(std::span<const TradeoffPoint> points, ErrorMeasure measure)
         : points_(points), measure_(measure) {}
 
-    /// The index of the fastest point that `keeps`; of equally fast ones, of least error.
+    /// The index of the fastest point for which `keeps` is true; of equally fast ones, that of
+    /// least error.
     template <class Keeps>
     [[nodiscard]] std::optional<std::size_t> fastest(const Keeps& keeps) const {
         return best([&](std::size_t i) { return std::pair(time(i), error(i)); }, keeps);
     }
-    /// The index of the point of least error that `keeps`; of equally good ones, the fastest.
+    /// The index of the point of least error for which `keeps` is true; of equally good ones, that
+    /// of the fastest.
     template <class Keeps>
     [[nodiscard]] std::optional<std::size_t> nearest(const Keeps& keeps) const {
         return best([&](std::size_t i) { return std::pair(error(i), time(i)); }, keeps);
@@ -39,7 +41,8 @@ class Choice {
         return error_of(points_[i], measure_).median;
     }
 
-    /// What is no number is no answer, and would spoil every comparison.
+    /// The index of the point with the least key for which `keeps` is true. Points whose time or
+    /// error is not finite are left out, since these have no order.
     template <class Key, class Keeps>
     [[nodiscard]] std::optional<std::size_t> best(const Key& key, const Keeps& keeps) const {
         std::optional<std::size_t> best;
@@ -88,7 +91,7 @@ double two_digits(double value) {
 }  // namespace
 
 std::string time_text(double ms) {
-    // Rounded to three digits, none of these becomes a power of ten.
+    // Smaller ones do not become 1000 when they are rounded to three digits.
     constexpr double thousand = 999.5;
     if (ms < thousand) return fmt::format("{:.3g} ms", ms);
     const double seconds = ms / 1000.0;
@@ -165,7 +168,7 @@ std::vector<double> sensible_errors(std::span<const TradeoffPoint> points, Error
     double most = 0.0;
     for (const TradeoffPoint& point : points) {
         const double error = error_of(point, measure).median;
-        // What is 0 has no place on a logarithmic scale.
+        // 0 has no place on a logarithmic scale.
         if (!point.on_front || !(error > 0.0) || !std::isfinite(error)) continue;
         least = least > 0.0 ? std::min(least, error) : error;
         most = std::max(most, error);

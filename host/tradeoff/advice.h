@@ -11,31 +11,32 @@
 
 namespace weft {
 
-/// What the upper end of an interval may be, in budgets.
+/// Largest upper end of a time interval that keeps to a budget, as a factor on the budget.
 inline constexpr double most_over_budget = 1.2;
 
 /// The point of least error whose time keeps to a budget in milliseconds: its median is at most
-/// that, and the upper end of its interval at most a fifth more. A name for people is in the
-/// sentence; where no point keeps to it, the sentence says which is the fastest, and where there
-/// is no point at all, that. Points of times or errors that are not finite count as not there.
+/// that, and the upper end of its interval at most a fifth more. The sentence names the point;
+/// where none keeps to the budget it names the fastest, and where there is no point at all it says
+/// so. Points whose time or error is not finite are ignored.
 [[nodiscard]] TradeoffAdvice advice_for_budget(std::span<const TradeoffPoint> points,
                                                ErrorMeasure measure, double budget_ms);
 
-/// The fastest point whose median error is at most that, above 0; the same of points that are none.
+/// The fastest point whose median error is at most `error`, which is above 0; otherwise as
+/// advice_for_budget.
 [[nodiscard]] TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points,
                                               ErrorMeasure measure, double error);
 
-/// Up to three errors, of two digits and apart, that divide the range of the front's evenly on a
-/// logarithmic scale; none where it has no range.
+/// Up to three errors to give advice for: distinct numbers of two digits that divide the range of
+/// the front's errors evenly on a logarithmic scale; none where the front has no range.
 [[nodiscard]] std::vector<double> sensible_errors(std::span<const TradeoffPoint> points,
                                                   ErrorMeasure measure);
 
-/// The file of settings for an answer: "preset-300ms.json", "preset-2.5s.json".
+/// Name of the preset for a budget, such as "preset-300ms.json" or "preset-2.5s.json".
 [[nodiscard]] std::string preset_file_for_budget(double budget_ms);
-/// "preset-error-0.05.json".
+/// Name of the preset for an error, such as "preset-error-0.05.json".
 [[nodiscard]] std::string preset_file_for_error(double error);
 
-/// "300 ms", "2.5 s".
+/// A time with its unit, such as "300 ms" or "2.5 s".
 [[nodiscard]] std::string time_text(double ms);
 
 }  // namespace weft

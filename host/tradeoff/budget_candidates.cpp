@@ -10,8 +10,8 @@
 namespace weft {
 namespace {
 
-// An answer's interval may end at 1.2 times the budget: these leave room for times that scatter by
-// factors of 2.2 and 1.46.
+// Shares of a budget that candidates use. An interval may end at 1.2 times the budget, so these
+// leave room for times that scatter by factors of 2.2 and 1.46.
 constexpr std::array shares = {0.55, 0.82};
 
 }  // namespace

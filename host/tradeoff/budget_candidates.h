@@ -11,16 +11,16 @@
 
 namespace weft {
 
-/// Time of a picture that users ask about, and how many samples may be spent on it.
+/// The times of images for which advice is wanted, and the limit on samples.
 struct BudgetWish {
     std::span<const double> budgets_ms;
     std::uint32_t most_samples = 1;  ///< per pixel
 };
 
-/// The settings of `base` with as many samples as use budgets up: about half of each, and about
-/// four fifths, as on a machine whose times scatter the latter cannot be promised to keep to it.
-/// `sample_ms`: time of one sample of every pixel. By rising samples, each number once, without
-/// that of `base`; none where there is no time for two samples, or `sample_ms` is no such time.
+/// The settings of `base` with as many samples as use budgets up: about half of each budget, and
+/// about four fifths, which may exceed the budget on a machine whose times scatter. `sample_ms`:
+/// time of one sample of every pixel. By rising samples, each number once, without that of `base`;
+/// none where there is no time for two samples, or `sample_ms` is not a positive time.
 [[nodiscard]] std::vector<Candidate> budget_candidates(const Candidate& base, double sample_ms,
                                                        const BudgetWish& wish);
 

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "metrics/flip.h"
 #include "metrics/rgb_view.h"
-#include "tradeoff/picture_errors.h"
+#include "tradeoff/image_errors.h"
 
 namespace weft {
 namespace {
@@ -24,14 +24,14 @@ double value_of(const std::optional<double>& value) {
 RgbView beauty(const Image& image) {
     const Layer* const layer = image.find("");
     if (layer == nullptr || layer->channels != "RGB")
-        throw Error(ExitCode::bad_input, "a picture lacks its beauty, expected channels RGB");
+        throw Error(ExitCode::bad_input, "an image lacks its beauty, expected channels RGB");
     return {layer->values, image.width, image.height};
 }
 
 }  // namespace
 
-std::vector<double> error_values(const Image& reference, const Image& picture) {
-    const PictureErrors errors = picture_errors(reference, picture, "", {});
+std::vector<double> error_values(const Image& reference, const Image& image) {
+    const ImageErrors errors = image_errors(reference, image, "", {});
     return {value_of(errors.hdrflip),
             errors.published->p75,
             errors.published->p95,
@@ -41,15 +41,15 @@ std::vector<double> error_values(const Image& reference, const Image& picture) {
             std::abs(value_of(errors.bias))};
 }
 
-std::vector<float> error_map(const Image& reference, const Image& picture) {
+std::vector<float> error_map(const Image& reference, const Image& image) {
     const RgbView expected = beauty(reference);
-    return hdr_flip(expected, beauty(picture), flip_exposures(expected)).map;
+    return hdr_flip(expected, beauty(image), flip_exposures(expected)).map;
 }
 
 Image layer_as_beauty(const Image& image, const char* name) {
     const Layer* const found = image.find(name);
     if (found == nullptr || found->channels != "RGB")
-        throw Error(ExitCode::bad_input, "a picture lacks the layer '" + std::string(name) +
+        throw Error(ExitCode::bad_input, "an image lacks the layer '" + std::string(name) +
                                              "', expected one of the channels RGB");
     Layer layer = *found;
     layer.name.clear();

@@ -10,16 +10,16 @@
 
 namespace weft {
 
-/// How far the beauty of a picture is from that of the reference, by ErrorMeasure. Throws Error
-/// (exit code 2) where one lacks it, the sizes differ, or the reference is black all over, which
-/// leaves nothing to compare with.
-[[nodiscard]] std::vector<double> error_values(const Image& reference, const Image& picture);
+/// Errors of the beauty layer of an image against that of the reference, by ErrorMeasure. Throws
+/// Error (exit code 2) where one lacks the layer, the sizes differ, or the reference is black all
+/// over, so that relative errors have no value.
+[[nodiscard]] std::vector<double> error_values(const Image& reference, const Image& image);
 
 /// HDR-FLIP by pixel, row-major. Throws as error_values.
-[[nodiscard]] std::vector<float> error_map(const Image& reference, const Image& picture);
+[[nodiscard]] std::vector<float> error_map(const Image& reference, const Image& image);
 
-/// The same layer as a picture of its own, named as beauty is. Throws Error (exit code 2) where it
-/// is missing.
+/// The layer `name` as an image of its own, as its beauty layer. Throws Error (exit code 2) where
+/// it is missing.
 [[nodiscard]] Image layer_as_beauty(const Image& image, const char* name);
 
 }  // namespace weft

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-/// The bytes of the character that `text` starts with; 0 where it does not start with one of
-/// UTF-8 that XML knows (RFC 3629, XML 1.0 2.2).
+/// Number of bytes of the character that `text` starts with; 0 where it does not start with one of
+/// UTF-8 that XML allows (RFC 3629, XML 1.0 2.2).
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? std::uint32_t{static_cast<unsigned char>(text[i])} : 0U;
@@ -37,7 +37,7 @@ std::size_t character_length(std::string_view text) {
     return overlong || surrogate || unknown ? 0 : length;
 }
 
-/// Calls `take` with every character, or with the replacement of what is none.
+/// Calls `take` with every character, and with the replacement character for invalid bytes.
 template <typename Take>
 void for_each_character(std::string_view text, const Take& take) {
     while (!text.empty()) {

@@ -10,8 +10,8 @@
 
 namespace weft {
 
-/// Text fit for elements and quoted attributes of HTML and XML: `&`, `<`, `>` and both quotes as
-/// references; bytes that are not UTF-8, and characters that XML does not know, as U+FFFD.
+/// Escapes text for elements and quoted attributes of HTML and XML: `&`, `<`, `>` and both quotes
+/// become references; bytes that are not UTF-8, and characters that XML does not allow, U+FFFD.
 [[nodiscard]] std::string escape_markup(std::string_view text);
 
 /// An element of text: escapes it. `attributes` are markup.

@@ -7,13 +7,13 @@
 
 #include "tradeoff/pareto_front.h"
 #include "tradeoff/prediction_interval.h"
-#include "tradeoff/reference_pictures.h"
+#include "tradeoff/reference_images.h"
 #include "tradeoff/time_spread.h"
 
 namespace weft {
 namespace {
 
-// Frames that say how long one takes when it is not the first.
+// Number of frames by which the time of a frame that is not the first is measured.
 constexpr std::uint32_t probe_frames = 4;
 
 struct Entrant {
@@ -21,13 +21,13 @@ struct Entrant {
     double expected_ms;
 };
 
-/// Milliseconds that a picture takes, by its first frame. Compiling is not to count: a frame that
-/// seems slow is made again.
+/// Milliseconds that an image takes, by its first frame. A frame that seems slow is made again, so
+/// that compiling does not count.
 double expected_ms(const Candidate& candidate, const MeasurePlan& plan, const Measuring& measuring,
                    double& frame_ms) {
     double expected = 0.0;
     for (int attempt = 0; attempt < 2; ++attempt) {
-        const MeasuredPicture first = measuring.make(candidate.preset, plan.seed, true);
+        const MeasuredImage first = measuring.make(candidate.preset, plan.seed, true);
         frame_ms = first.ms / std::max(1U, first.frames);
         expected = frame_ms * candidate.preset.samples;
         if (expected <= plan.slow_ms) break;
@@ -53,7 +53,7 @@ std::vector<Entrant> warm_up(std::span<const Candidate> candidates, const Measur
     return entrants;
 }
 
-/// Adds entrants that use budgets up.
+/// Adds the budget_candidates of those entrants that fill budgets.
 void fill_budgets(std::vector<Entrant>& entrants, const MeasurePlan& plan,
                   const Measuring& measuring) {
     double longest = 0.0;
@@ -67,7 +67,7 @@ void fill_budgets(std::vector<Entrant>& entrants, const MeasurePlan& plan,
         if (!base.candidate.fills_budgets || probe_frames * frame_ms > longest) continue;
         measuring.report(0.0, "frames of " + base.candidate.name);
         const Candidate probe = with_samples(base.candidate, probe_frames);
-        const MeasuredPicture made = measuring.make(probe.preset, plan.seed, false);
+        const MeasuredImage made = measuring.make(probe.preset, plan.seed, false);
         const double sample_ms = made.ms / std::max(1U, made.frames);
         for (Candidate& candidate : budget_candidates(base.candidate, sample_ms, plan.wish)) {
             const double expected = sample_ms * candidate.preset.samples;
@@ -80,7 +80,7 @@ void fill_budgets(std::vector<Entrant>& entrants, const MeasurePlan& plan,
 Interval interval_of(const std::vector<std::vector<double>>& runs, std::size_t measure) {
     std::vector<double> values;
     for (const std::vector<double>& run : runs) values.push_back(run.at(measure));
-    // A magnitude near 0 has a logarithm anywhere.
+    // The bias may be near 0, where logarithms would scatter without limit.
     return prediction_interval(values, 0.95,
                                measure == static_cast<std::size_t>(ErrorMeasure::bias)
                                    ? IntervalScale::linear
@@ -99,9 +99,9 @@ bool within(const Interval& interval, double value) {
 
 }  // namespace
 
-std::uint32_t picture_seed(std::uint32_t first, std::uint32_t index) {
+std::uint32_t image_seed(std::uint32_t first, std::uint32_t index) {
     const std::uint32_t seed = first + index;
-    // Numbers of 32 bits begin again after the last.
+    // Seeds wrap around at 32 bits, so the distances from `first` are compared.
     const bool passed = reference_seed - first <= index;
     return passed ? seed + 1 : seed;
 }
@@ -126,8 +126,8 @@ std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,
         for (std::size_t i = 0; i < points.size(); ++i) {
             TradeoffPoint& point = points[i];
             measuring.report(all_ms > 0.0 ? done_ms / all_ms : 0.0, point.name);
-            const MeasuredPicture made =
-                measuring.make(point.preset, picture_seed(plan.seed, round), false);
+            const MeasuredImage made =
+                measuring.make(point.preset, image_seed(plan.seed, round), false);
             point.runs_ms.push_back(made.ms);
             point.runs_errors.push_back(measuring.judge(made.image));
             if (round == 0) point.rays = made.rays;
@@ -160,12 +160,12 @@ FrontCheck check_front(std::span<const TradeoffPoint> points, ErrorMeasure measu
     for (std::uint32_t round = 0; round < rounds; ++round)
         for (FrontCheck::Point& checked : check.points) {
             const TradeoffPoint& point = points[checked.point];
-            measuring.report(check.pictures / all, "again: " + point.name);
-            const MeasuredPicture made = measuring.make(
-                point.preset, picture_seed(plan.seed, plan.repetitions + round), false);
+            measuring.report(check.images / all, "again: " + point.name);
+            const MeasuredImage made = measuring.make(
+                point.preset, image_seed(plan.seed, plan.repetitions + round), false);
             checked.ms.push_back(made.ms);
             checked.errors.push_back(measuring.judge(made.image).at(kind));
-            ++check.pictures;
+            ++check.images;
             if (within(point.ms, made.ms)) ++check.times_within;
             if (within(point.errors.at(kind), checked.errors.back())) ++check.errors_within;
         }

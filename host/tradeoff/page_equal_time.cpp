@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "tradeoff/html_text.h"
-#include "tradeoff/page_pictures.h"
+#include "tradeoff/page_images.h"
 #include "tradeoff/page_values.h"
 
 namespace weft {
 namespace {
 
-/// One line of a table: another renderer, or Weft's best.
+/// One row of a table: another renderer, or Weft's best setting.
 struct Row {
     std::string name = {};
     double seconds = 0.0;
@@ -25,7 +25,7 @@ struct Row {
     bool denoised = false;
     bool weft = false;
     std::vector<double> errors = {};
-    std::string picture = {};  ///< markup
+    std::string image = {};  ///< markup
 };
 
 Row weft_row(const TradeoffResult& result, const TradeoffPoint& best) {
@@ -35,26 +35,26 @@ Row weft_row(const TradeoffResult& result, const TradeoffPoint& best) {
     Row row{.name = "Weft: " + best.name, .seconds = 1e-3 * best.ms.median, .weft = true};
     for (const ErrorMeasure measure : all_measures())
         row.errors.push_back(error_of(best, measure).median);
-    row.picture = front_picture_again(result, place, "Picture of " + best.name);
+    row.image = front_image_again(result, place, "Image of " + best.name);
     return row;
 }
 
-/// Those of one budget, the lowest error first and those without one last.
+/// The rows of one budget, the lowest error first and those without one last.
 std::vector<Row> rows_of(const TradeoffResult& result, double budget_s) {
     std::vector<Row> rows;
     if (const TradeoffPoint* best = best_within(result, 1000.0 * budget_s))
         rows.push_back(weft_row(result, *best));
-    for (std::size_t i = 0; i < result.peers.size(); ++i) {
-        const PeerPoint& peer = result.peers[i];
-        if (peer.budget_s != budget_s) continue;
-        rows.push_back({.name = peer.name,
-                        .seconds = peer.seconds,
-                        .samples = peer.samples,
-                        .denoised = peer.denoised,
-                        .errors = peer.errors,
-                        .picture = shown_picture(peer.picture, result.exposure_ev,
-                                                 fmt::format("peer-picture-{}", i + 1),
-                                                 "Picture of " + peer.name)});
+    for (std::size_t i = 0; i < result.others.size(); ++i) {
+        const OtherRendererPoint& other = result.others[i];
+        if (other.budget_s != budget_s) continue;
+        rows.push_back(
+            {.name = other.name,
+             .seconds = other.seconds,
+             .samples = other.samples,
+             .denoised = other.denoised,
+             .errors = other.errors,
+             .image = shown_image(other.image, result.exposure_ev,
+                                  fmt::format("other-image-{}", i + 1), "Image of " + other.name)});
     }
     std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
         const double left = error_of(a.errors, result.measure);
@@ -99,8 +99,8 @@ bool any_as_fast(const TradeoffResult& result, double ms) {
 std::string thumbnails(const TradeoffResult& result, const std::vector<Row>& rows) {
     std::string shown;
     for (const Row& row : rows)
-        if (!row.picture.empty())
-            shown += "<div>" + row.picture +
+        if (!row.image.empty())
+            shown += "<div>" + row.image +
                      text_element("span", row.name + (row.denoised ? ", denoised" : "")) +
                      "</div>\n";
     if (shown.empty()) return {};
@@ -112,18 +112,18 @@ std::string thumbnails(const TradeoffResult& result, const std::vector<Row>& row
 }  // namespace
 
 std::string equal_time_section(const TradeoffResult& result) {
-    if (result.peers.empty() && result.peer_notes.empty()) return {};
+    if (result.others.empty() && result.other_notes.empty()) return {};
     std::string text = "<section>\n<h2>In the same time</h2>\n";
     std::set<double> budgets;
-    for (const PeerPoint& peer : result.peers)
-        if (std::isfinite(peer.budget_s)) budgets.insert(peer.budget_s);
+    for (const OtherRendererPoint& other : result.others)
+        if (std::isfinite(other.budget_s)) budgets.insert(other.budget_s);
     if (!budgets.empty())
         text += fmt::format(
-            "<p>Other renderers' pictures of this view, as the file that names them says, beside "
+            "<p>Other renderers' images of this view, as the file that names them says, beside "
             "the setting of the front with the lowest {} whose median time is within the budget, "
             "and the end of its interval within 1.2 of it. Each table has the lowest error first. "
             "Set-up is outside of the time for all alike. "
-            "Denoised pictures are marked; they are no estimate of the light any more.</p>\n",
+            "Denoised images are marked; they are no estimate of the light any more.</p>\n",
             escape_markup(label(result.measure)));
     for (const double budget_s : budgets) {
         const std::vector<Row> rows = rows_of(result, budget_s);
@@ -134,9 +134,9 @@ std::string equal_time_section(const TradeoffResult& result) {
                         : "<p>No setting of the front is that fast.</p>\n";
         text += thumbnails(result, rows);
     }
-    if (!result.peer_notes.empty()) {
+    if (!result.other_notes.empty()) {
         text += "<ul>\n";
-        for (const std::string& note : result.peer_notes) text += text_element("li", note) + "\n";
+        for (const std::string& note : result.other_notes) text += text_element("li", note) + "\n";
         text += "</ul>\n";
     }
     return text + "</section>\n";

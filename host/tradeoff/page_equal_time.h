@@ -9,9 +9,9 @@
 
 namespace weft {
 
-/// The section that sets other renderers beside Weft's best setting for the same time, a table and
-/// thumbnails for each of their budgets; empty where there are no others and nothing to say of
-/// them.
+/// The section that compares other renderers with Weft's best setting for the same time, by a table
+/// and thumbnails for each of their budgets; empty where there are no other renderers and no notes
+/// on them.
 [[nodiscard]] std::string equal_time_section(const TradeoffResult& result);
 
 }  // namespace weft

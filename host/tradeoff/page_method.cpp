@@ -37,7 +37,7 @@ std::string machine_table(const nlohmann::json& machine) {
 
 std::string intervals_paragraph(const TimeSpread& spread) {
     std::string text =
-        "<p>Figures are medians. An interval holds one further picture's measurement with a "
+        "<p>Figures are medians. An interval holds one further image's measurement with a "
         "confidence of 95 %. ";
     if (spread.deviations > 0)
         text += fmt::format(
@@ -49,18 +49,18 @@ std::string intervals_paragraph(const TimeSpread& spread) {
     return text +
            "That of an error is by Student's distribution of its logarithms; of biases, and where "
            "one of them is 0, of the values themselves. All errors are those of the beauty layer "
-           "against the reference; 0 is a perfect picture.</p>\n";
+           "against the reference; 0 is a perfect image.</p>\n";
 }
 
 constexpr const char* meanings =
     "<dl>\n"
-    "<dt>HDR-FLIP</dt><dd>What a person sees when flipping between picture and reference, over "
+    "<dt>HDR-FLIP</dt><dd>What a person sees when flipping between image and reference, over "
     "all exposures that show something; the mean over the pixels, from 0 to 1.</dd>\n"
     "<dt>HDR-VDP</dt><dd>Percent of the pixels that a person sees to differ with a probability of "
     "at least 75 or 95 %: with radiance taken as cd/m² (published protocol), and on a display "
     "with 100 cd/m² at the value 1.</dd>\n"
     "<dt>relMSE</dt><dd>Mean of the squared error over the squared reference.</dd>\n"
-    "<dt>bias</dt><dd>Magnitude of the relative error of the picture's mean.</dd>\n"
+    "<dt>bias</dt><dd>Magnitude of the relative error of the image's mean.</dd>\n"
     "</dl>\n";
 
 }  // namespace
@@ -68,9 +68,9 @@ constexpr const char* meanings =
 std::string method_section(const TradeoffResult& result) {
     std::string text = "<section>\n<h2>How it was measured</h2>\n";
     text += fmt::format(
-        "<p>Every setting rendered {} pictures, each with a seed of its own. The settings took "
+        "<p>Every setting rendered {} images, each with a seed of its own. The settings took "
         "turns, so that whatever else the machine did met all alike. Time is wall time of the "
-        "frames of a picture; loading the scene, building the acceleration structure and the "
+        "frames of an image; loading the scene, building the acceleration structure and the "
         "kernels, and writing files are not part of it, for any renderer.</p>\n",
         result.repetitions);
     text += intervals_paragraph(result.time_spread);

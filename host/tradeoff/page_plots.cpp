@@ -24,14 +24,14 @@ PlotPoint plot_point(const TradeoffPoint& point, ErrorMeasure measure) {
             .marked = point.on_front};
 }
 
-PlotPoint plot_point(const PeerPoint& peer, ErrorMeasure measure) {
-    const double ms = 1000.0 * peer.seconds;
-    const double error = error_of(peer.errors, measure);
+PlotPoint plot_point(const OtherRendererPoint& other, ErrorMeasure measure) {
+    const double ms = 1000.0 * other.seconds;
+    const double error = error_of(other.errors, measure);
     return {
         .x = ms,
         .y = error,
-        .tooltip = fmt::format("{}: {}, {} {}{}", peer.name, duration_text(ms), label(measure),
-                               error_figure(measure, error), peer.denoised ? ", denoised" : "")};
+        .tooltip = fmt::format("{}: {}, {} {}{}", other.name, duration_text(ms), label(measure),
+                               error_figure(measure, error), other.denoised ? ", denoised" : "")};
 }
 
 PlotSeries front_line(const TradeoffResult& result) {
@@ -46,14 +46,14 @@ PlotSeries front_line(const TradeoffResult& result) {
     return line;
 }
 
-/// By name, so that a family looks the same in the plots of several pages.
+/// All series, with styles by name, so that a family looks the same in the plots of several pages.
 std::vector<PlotSeries> all_series(const TradeoffResult& result, ErrorMeasure measure) {
     std::map<std::string, std::vector<PlotPoint>> families;
     for (const TradeoffPoint& point : result.points)
         families[point.family].push_back(plot_point(point, measure));
-    std::map<std::string, std::vector<PlotPoint>> peers;
-    for (const PeerPoint& peer : result.peers)
-        peers[peer.name].push_back(plot_point(peer, measure));
+    std::map<std::string, std::vector<PlotPoint>> others;
+    for (const OtherRendererPoint& other : result.others)
+        others[other.name].push_back(plot_point(other, measure));
     std::vector<PlotSeries> series;
     const auto take = [&series](std::map<std::string, std::vector<PlotPoint>>& groups,
                                 bool hollow) {
@@ -64,7 +64,7 @@ std::vector<PlotSeries> all_series(const TradeoffResult& result, ErrorMeasure me
                               .hollow = hollow});
     };
     take(families, false);
-    take(peers, true);
+    take(others, true);
     return series;
 }
 
@@ -74,7 +74,7 @@ Plot tradeoff_plot(const TradeoffResult& result, ErrorMeasure measure) {
     Plot plot;
     plot.title = fmt::format("{} over time", label(measure));
     plot.description = "All values are in the tables of this page.";
-    plot.x = {.label = "time of a picture", .unit = "ms"};
+    plot.x = {.label = "time of an image", .unit = "ms"};
     plot.y = {.label = label(measure), .unit = unit_of(measure)};
     plot.series = all_series(result, measure);
     if (measure == result.measure) plot.series.insert(plot.series.begin(), front_line(result));

@@ -12,7 +12,7 @@ namespace weft {
 
 /// Error over time by a measure, both logarithmic: a series for each family of settings and for
 /// each other renderer, points of the front ringed, the noise floor of the reference as a level.
-/// By the measure that the front goes by, a line joins the front.
+/// In the plot of the measure that defines the front, a line joins the front.
 [[nodiscard]] Plot tradeoff_plot(const TradeoffResult& result, ErrorMeasure measure);
 
 /// The section of the page with a large plot of the chosen measure and small ones of the others.

@@ -49,7 +49,7 @@ summary { cursor: pointer; color: var(--accent); }
 .row span, figcaption { display: block; font-size: 0.82rem; }
 .row span { color: var(--muted); overflow-wrap: anywhere; }
 figcaption { font-weight: 600; margin: 0 0 0.25rem; max-width: 37rem; overflow-wrap: anywhere; }
-.picture { display: block; max-width: 100%; height: auto; }
+.image { display: block; max-width: 100%; height: auto; }
 .none { width: 192px; padding: 2rem 0; text-align: center; background: var(--panel); }
 .scale { display: flex; align-items: center; gap: 0.6rem; font-size: 0.85rem; }
 .scale .bar { width: 16rem; height: 0.9rem; print-color-adjust: exact; }

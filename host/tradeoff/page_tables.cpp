@@ -46,9 +46,9 @@ std::string floor_row(const TradeoffResult& result) {
 std::string check_paragraph(const FrontCheck& check) {
     return fmt::format(
         "<p>After everything else was decided, the front was rendered again with new seeds: of {} "
-        "pictures {} kept to the interval of their setting's time, and {} to that of its "
+        "images {} kept to the interval of their setting's time, and {} to that of its "
         "error.</p>\n",
-        check.pictures, check.times_within, check.errors_within);
+        check.images, check.times_within, check.errors_within);
 }
 
 std::string skipped_paragraph(const std::vector<std::string>& skipped) {
@@ -71,7 +71,7 @@ std::string front_section(const TradeoffResult& result) {
     text += "<div class=\"wide\"><table>\n<caption>Pareto front by rising time</caption>\n";
     text += "<thead><tr><th scope=\"col\">setting</th><th scope=\"col\">time</th>" +
             measure_headings(result.measure) +
-            "<th scope=\"col\">rays of a picture</th></tr></thead>\n<tbody>\n";
+            "<th scope=\"col\">rays of an image</th></tr></thead>\n<tbody>\n";
     for (const TradeoffPoint* point : front_of(result))
         text += "<tr>" + text_element("th", point->name, R"(scope="row")") + "<td>" +
                 time_cell(point->ms) + "</td>" + error_cells(*point, result.measure) + "<td>" +
@@ -88,7 +88,7 @@ std::string points_section(const TradeoffResult& result) {
         "<thead><tr><th scope=\"col\">setting</th><th scope=\"col\">family</th>"
         "<th scope=\"col\">on the front</th><th scope=\"col\">time</th>" +
         measure_headings(result.measure) +
-        "<th scope=\"col\">rays of a picture</th></tr></thead>\n<tbody>\n";
+        "<th scope=\"col\">rays of an image</th></tr></thead>\n<tbody>\n";
     for (const TradeoffPoint& point : result.points)
         text += "<tr>" + text_element("th", point.name, R"(scope="row")") +
                 text_element("td", point.family, R"(class="word")") + "<td class=\"word\">" +

@@ -12,16 +12,16 @@
 
 namespace weft {
 
-/// All of them, in their order.
+/// All measures, in the order of the enumeration.
 [[nodiscard]] std::array<ErrorMeasure, error_measures> all_measures();
 
-/// What its numbers count, for the axis of a plot; empty for plain numbers.
+/// Unit of a measure, for the axis of a plot; empty for plain numbers.
 [[nodiscard]] const char* unit_of(ErrorMeasure measure);
 
-/// That error of a point; of numbers that are not finite where there is none.
+/// The error of a point by that measure; its numbers are not finite where there is none.
 [[nodiscard]] Interval error_of(const TradeoffPoint& point, ErrorMeasure measure);
 
-/// That of a list by ErrorMeasure; not finite where there is none.
+/// The error by that measure in a list by ErrorMeasure; not finite where there is none.
 [[nodiscard]] double error_of(std::span<const double> errors, ErrorMeasure measure);
 
 /// The points of the front by rising time.
@@ -35,7 +35,7 @@ namespace weft {
 /// Milliseconds with their unit, seconds from 1000 on.
 [[nodiscard]] std::string duration_text(double ms);
 
-/// With a percent sign where the measure counts percent.
+/// An error as text, with a percent sign where the measure counts percent.
 [[nodiscard]] std::string error_figure(ErrorMeasure measure, double value);
 
 /// Median and interval in words, plain text.

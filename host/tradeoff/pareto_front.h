@@ -8,15 +8,15 @@
 
 namespace weft {
 
-/// Something that costs time and errs.
+/// The time and the error of a setting.
 struct CostAndError {
     double cost = 0.0;
     double error = 0.0;
 };
 
-/// For each point, whether no other is at most as costly and at most as wrong, and better in one of
-/// both. Of equal points all are on the front or none. A point with a value that is not finite is
-/// not on it, and beats none.
+/// For each point, whether it is on the Pareto front: no other point is at most as costly and at
+/// most as wrong, and better in one of both. Of equal points all are on the front or none. A point
+/// with a value that is not finite is not on it, and beats none.
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const CostAndError> points);
 
 }  // namespace weft

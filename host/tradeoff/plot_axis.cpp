@@ -11,7 +11,7 @@
 namespace weft {
 namespace {
 
-constexpr double room = 0.04;  ///< on each side, as a share of the stretch
+constexpr double room = 0.04;  ///< on each side, as a share of the range
 
 /// A round number as short as a label has to be.
 std::string tick_text(double value) {
@@ -22,7 +22,7 @@ std::string tick_text(double value) {
     return fmt::format("{:.3g}e{:.0f}", value / std::pow(10.0, power), power);
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is not below.
+/// The smallest number of 1, 2 or 5 times a power of ten that is not below `least`.
 double round_step(double least) {
     const double power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -44,7 +44,7 @@ std::vector<AxisTick> linear_ticks(double low, double high) {
     return ticks;
 }
 
-/// Powers of ten between two logarithms, and what lies between them where these are few.
+/// Powers of ten between two logarithms, with ticks between them where these are few.
 std::vector<AxisTick> logarithmic_ticks(double start, double end) {
     std::vector<AxisTick> ticks;
     const double decades = end - start;

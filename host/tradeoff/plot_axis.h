@@ -22,7 +22,7 @@ struct AxisTick {
     std::string text;  ///< empty where only a line is drawn
 };
 
-/// The stretch of numbers that an axis shows, and its ticks.
+/// The range of numbers that an axis shows, and its ticks.
 class PlotAxis {
   public:
     /// Covers those values that have a place, with a little room on both sides, or 1 to 10 (0 to 1

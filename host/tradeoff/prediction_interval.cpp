@@ -65,7 +65,7 @@ Interval prediction_interval(std::span<const double> values, double coverage, In
                               ? Interval{0.0, std::exp(mean - reach), std::exp(mean + reach)}
                               : Interval{0.0, std::max(0.0, mean - reach), mean + reach};
     const double middle = median(values);
-    // Rounding must not put what was measured outside, and no end may overflow.
+    // Rounding must not exclude the median, and no end may overflow.
     return {middle, std::min(ends.low, middle),
             std::min(std::max(ends.high, middle), std::numeric_limits<double>::max())};
 }

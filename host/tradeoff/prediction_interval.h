@@ -14,19 +14,20 @@ namespace weft {
 /// degrees of freedom, 1 and up (Abramowitz and Stegun 26.7.3 and 26.7.4).
 [[nodiscard]] double student_t_coverage(double t, std::uint32_t degrees);
 
-/// The t for which that is `coverage`, in (0, 1).
+/// The t for which student_t_coverage is `coverage`, in (0, 1).
 [[nodiscard]] double student_t_quantile(double coverage, std::uint32_t degrees);
 
 /// The middle value of at least one, or the mean of the two in the middle.
 [[nodiscard]] double median(std::span<const double> values);
 
-/// What scatters normally: values of one sign, or those whose sign chance decides, such as the
-/// magnitude of a bias.
+/// The scale on which measurements are taken as normal: logarithmic for values of one sign, linear
+/// for values whose sign is random, such as the magnitude of a bias.
 enum class IntervalScale : std::uint8_t { logarithmic, linear };
 
-/// Where one further measurement lies with a confidence of `coverage`, after these independent
-/// ones, at least two, none negative: mean +- t s sqrt(1 + 1/n) of their logarithms. Where one of
-/// them is 0, and on a linear scale, it is that of the values themselves, cut off at 0.
+/// The interval in which one further measurement lies with a confidence of `coverage`, after these
+/// independent ones, at least two, none negative: mean +- t s sqrt(1 + 1/n) of their logarithms.
+/// Where one of them is 0, and on a linear scale, it is that of the values themselves, cut off at
+/// 0.
 [[nodiscard]] Interval prediction_interval(std::span<const double> values, double coverage = 0.95,
                                            IntervalScale scale = IntervalScale::logarithmic);
 

@@ -50,7 +50,7 @@ class Sweep {
             candidates.push_back(candidate);
     }
 
-    /// The first of these settings that is there is worth all the time of a budget.
+    /// Lets the first candidate of this variant and algorithm, if there is one, fill budgets.
     void fill_budgets(const std::string& variant, Algorithm algorithm) {
         const auto found =
             std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
@@ -106,7 +106,7 @@ class Sweep {
         add("filter 2", ais, wide);
         wide.interleave = 5;
         add("interleave 5 filter 2", ais, wide);
-        if (scene_.media) return;  // of which the residual knows nothing
+        if (scene_.media) return;  // the residual does not support media
         SamplingSettings whole;
         whole.compensation = true;
         for (const std::uint32_t samples : {4U, 16U}) add("compensation", ais, whole, samples);
@@ -133,7 +133,7 @@ class Sweep {
         for (const std::uint32_t samples : {4U, 16U}) add("", igi, {}, samples);
     }
 
-    /// Every pixel uses what all sets hold.
+    /// Adds settings in which every pixel gathers all sets.
     void add_gathered() {
         if (!full_ || !samples_light()) return;
         add("", Algorithm::ir, {});
@@ -147,7 +147,7 @@ class Sweep {
         vary("error", Algorithm::ic, &SamplingSettings::cache_error, {0.05, 0.2});
         vary("vpls", Algorithm::ic, &SamplingSettings::vpls_per_set, {256U});
         add("", Algorithm::ic, {}, 4);
-        if (scene_.media) return;  // whose light hemispheres do not gather
+        if (scene_.media) return;  // hemispheres do not support media
         constexpr Algorithm hemispheres = Algorithm::irradiance_cache;
         add("", hemispheres, {});
         vary("rays", hemispheres, &SamplingSettings::cache_rays, {64U, 1024U});

@@ -18,7 +18,8 @@ using Json = nlohmann::json;
 
 constexpr std::size_t max_preset_bytes = std::size_t{1} << 20;
 
-/// Whether advice on that question has a file of that name: no file may lead a run elsewhere.
+/// Whether `name` is the one that advice gives its preset: tradeoff.json must not make a run remove
+/// any other file.
 bool is_its_name(const JsonValue& advice, const std::string& name) {
     if (const auto budget = advice.find("budget_ms"))
         return name == preset_file_for_budget(budget->as_number());
@@ -47,7 +48,7 @@ std::vector<WrittenPreset> presets_in(const Json& report, const std::string& pla
     return found;
 }
 
-/// Whether that is a file, and nobody has changed it.
+/// Whether the file exists and still has these settings.
 bool is_unchanged(const fs::path& file, const Json& settings) {
     std::error_code error;
     if (fs::symlink_status(file, error).type() != fs::file_type::regular) return false;
@@ -65,7 +66,7 @@ std::vector<WrittenPreset> written_presets(const fs::path& folder) {
     try {
         return presets_in(read_json_file(file, limits::max_text_file_bytes), file.string() + "#");
     } catch (const Error&) {
-        return {};  // as if there were none
+        return {};  // a damaged file counts as absent
     } catch (const Json::exception&) {
         return {};
     }

@@ -18,12 +18,12 @@ struct WrittenPreset {
     nlohmann::json settings;  ///< what the run wrote into it
 };
 
-/// Those of the run whose tradeoff.json lies in a folder; none where there is no such file or it is
-/// damaged. Names other than those that advice gives are left out.
+/// The presets that the run wrote whose tradeoff.json lies in a folder; none where there is no such
+/// file or it is damaged. Names other than those that advice gives are left out.
 [[nodiscard]] std::vector<WrittenPreset> written_presets(const std::filesystem::path& folder);
 
-/// Removes those of the files that are still what the run wrote, but not the ones named in `kept`.
-/// Throws Error (exit code 5) where one cannot be removed.
+/// Removes those of the files that have not changed since the run wrote them, except the ones named
+/// in `kept`. Throws Error (exit code 5) where one cannot be removed.
 void remove_presets(const std::filesystem::path& folder, std::span<const WrittenPreset> written,
                     const std::set<std::string>& kept);
 

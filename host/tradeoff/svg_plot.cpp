@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t colours = 8;
 constexpr std::size_t longest_name = 30;  ///< characters of a legend entry
-constexpr double character_width = 6.9;   ///< at the most usual letters of the plot's font
+constexpr double character_width = 6.9;   ///< of most letters in the plot's font
 constexpr double legend_row = 19.0;
 
-// Around the origin, and of about the same area.
+// Markers around the origin, of about the same area.
 constexpr std::array<std::string_view, 8> shapes = {
     R"(<circle r="4.2"/>)",
     R"(<rect x="-3.8" y="-3.8" width="7.6" height="7.6"/>)",
@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 8> shapes = {
     R"-(<path d="M-1.8 -5H1.8V-1.8H5V1.8H1.8V5H-1.8V1.8H-5V-1.8H-1.8Z" transform="rotate(45)"/>)-",
     R"(<path d="M-5 0L-2.5 -4.4H2.5L5 0L2.5 4.4H-2.5Z"/>)"};
 
-/// Once all colours are taken, the next round has them with other shapes.
+/// The marker of a series: once all colours are used, they begin again with other shapes.
 std::string_view shape_of(const PlotSeries& series) {
     return shapes[(series.style + series.style / colours) % shapes.size()];
 }
@@ -149,7 +149,7 @@ class PlotWriter {
             if (!fits(point)) continue;
             const double x = across(point.x);
             const double y = down(point.y);
-            // A bar that goes on beyond an axis has no end to mark.
+            // An end of a bar beyond the axis gets no mark.
             if (whole(point.x_bar, plot_.x.scale)) {
                 const auto& [low, high] = *point.x_bar;
                 if (low >= x_.low()) path += fmt::format("M{:.2f} {:.2f}v6", across(low), y - 3.0);
@@ -209,8 +209,8 @@ class PlotWriter {
             missing == 1 ? "point has" : "points have");
     }
 
-    /// How many series have room in the legend from `y` down; where it is not all, less a row to
-    /// say so.
+    /// How many series have room in the legend from `y` down; where not all have, one row is kept
+    /// to say so.
     [[nodiscard]] std::size_t legend_entries(double y) const {
         const double room = std::max(0.0, (plot_.height - y) / legend_row);
         const std::size_t rows = static_cast<std::size_t>(room);
@@ -251,8 +251,8 @@ class PlotWriter {
     std::string svg_;
 };
 
-/// Covers what is drawn of one coordinate, and `levels`; of the ends of bars those that do not
-/// stretch the axis far.
+/// An axis that covers `values`, one coordinate of the points that are drawn, and the ends of their
+/// bars as far as these do not widen the axis much.
 PlotAxis covering_axis(const Plot& plot, AxisScale scale, double PlotPoint::*coordinate,
                        std::optional<PlotBar> PlotPoint::*bar, std::vector<double> values) {
     std::vector<double> ends;

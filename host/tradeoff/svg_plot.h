@@ -19,7 +19,7 @@ struct PlotBar {
     double high = 0.0;
 };
 
-/// A point, left out of the plot where its axes have no place for it; then the plot says so.
+/// A point. One that has no place on the axes is left out of the plot, which then says so.
 struct PlotPoint {
     double x = 0.0;
     double y = 0.0;
@@ -36,7 +36,7 @@ struct PlotSeries {
     std::size_t style = 0;
     std::vector<PlotPoint> points = {};
     bool line = false;     ///< joins the points in their order
-    bool markers = true;   ///< else nothing but the line
+    bool markers = true;   ///< false: only the line
     bool hollow = false;   ///< markers are outlines
     bool neutral = false;  ///< in the colour of text instead of its own
 };
@@ -47,7 +47,7 @@ struct PlotLevel {
     double y = 0.0;
 };
 
-/// What an axis says and how it divides.
+/// Label, unit and scale of an axis.
 struct PlotScale {
     std::string label = {};
     std::string unit = {};  ///< in brackets behind the label; empty for none
@@ -57,15 +57,15 @@ struct PlotScale {
 /// One plot.
 struct Plot {
     std::string title;
-    std::string description;  ///< for those who cannot see it
-    double width = 860.0;     ///< units of the drawing, which scales to the room it gets
+    std::string description;  ///< text alternative for those who cannot see the plot
+    double width = 860.0;     ///< units of the drawing, which scales to the space it gets
     double height = 480.0;
     PlotScale x;
     PlotScale y;
     std::vector<PlotSeries> series;
     std::vector<PlotLevel> levels;
     bool legend = true;
-    std::string marked;  ///< what the legend says of marked points; empty for nothing
+    std::string marked;  ///< legend text for marked points; empty for none
 };
 
 /// The rectangle that the axes span, in units of the drawing.

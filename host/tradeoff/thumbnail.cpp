@@ -10,15 +10,16 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "base/srgb.h"
 #include "image/png.h"
-#include "image/srgb.h"
 #include "metrics/heat_map.h"
 #include "tradeoff/html_text.h"
 
 namespace weft {
 namespace {
 
-/// What a pixel of a smaller picture covers of a row of a larger one, both ends cut.
+/// The part of a row of a larger image that a pixel of a smaller one covers, with fractions of the
+/// pixels at both ends.
 struct Cover {
     std::size_t first = 0;
     std::vector<double> weights;  ///< that sum up to 1
@@ -104,17 +105,17 @@ Image map_colours(const Image& map, double high) {
     const Layer* layer = map.find("");
     const std::size_t pixels = std::size_t{map.width} * map.height;
     if (layer == nullptr || layer->values.size() != pixels || !(high > 0.0)) return {};
-    Image picture;
-    picture.width = map.width;
-    picture.height = map.height;
+    Image image;
+    image.width = map.width;
+    image.height = map.height;
     std::vector<float> values(3 * pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         const std::array<std::uint8_t, 3> colour = viridis(double{layer->values[i]} / high);
         for (std::size_t c = 0; c < 3; ++c)
             values[c * pixels + i] = linear_from_srgb(static_cast<float>(colour[c]) / 255.0F);
     }
-    picture.layers = {{"", "RGB", std::move(values)}};
-    return picture;
+    image.layers = {{"", "RGB", std::move(values)}};
+    return image;
 }
 
 double map_scale(std::span<const Image> maps) {
@@ -135,7 +136,7 @@ double map_scale(std::span<const Image> maps) {
     return 10.0 * power;
 }
 
-std::string picture_uri(const Image& image, double exposure_ev) {
+std::string image_uri(const Image& image, double exposure_ev) {
     const Layer* beauty = image.find("");
     if (beauty == nullptr || (beauty->channels != "Y" && !beauty->channels.starts_with("RGB")))
         return {};

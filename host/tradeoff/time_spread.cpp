@@ -16,7 +16,7 @@
 namespace weft {
 namespace {
 
-/// Of one setting, by round.
+/// Deviations of the times of one setting, by round.
 using Deviations = std::vector<double>;
 
 bool has_ratios(std::span<const double> times) {
@@ -30,7 +30,7 @@ void check_times(std::span<const double> times) {
             throw std::invalid_argument("a time is negative or not finite");
 }
 
-/// Median of ascending values, at least two, without one of them.
+/// Median of ascending values, at least two, with the one at `left_out` left out.
 double median_without(std::span<const double> sorted, std::size_t left_out) {
     const auto at = [&](std::size_t place) { return sorted[place < left_out ? place : place + 1]; };
     const std::size_t count = sorted.size() - 1;
@@ -39,7 +39,8 @@ double median_without(std::span<const double> sorted, std::size_t left_out) {
     return count % 2 == 1 ? at(half) : 0.5 * at(half - 1) + 0.5 * at(half);
 }
 
-/// Logarithms of each time's ratio to the median of the others: it is not to vouch for itself.
+/// Logarithm of the ratio of each time to the median of the others, so that no time is compared
+/// with itself.
 Deviations deviations_of(std::span<const double> times) {
     std::vector<std::size_t> order(times.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -54,9 +55,9 @@ Deviations deviations_of(std::span<const double> times) {
     return deviations;
 }
 
-/// The magnitude that one more of the kind keeps to with a probability of `coverage`: among n + 1
-/// values of any distribution, each is as likely to be of any rank. Infinity where the rank is
-/// beyond the last.
+/// The magnitude that one more deviation does not exceed with a probability of `coverage`: among
+/// n + 1 values of any distribution, each is equally likely to have any rank. Infinity where the
+/// rank is beyond the last.
 double reach_by_rank(const std::vector<Deviations>& pooled, double coverage) {
     std::vector<double> magnitudes;
     for (const Deviations& deviations : pooled)
@@ -93,13 +94,13 @@ MeanSquares mean_squares(const std::vector<Deviations>& pooled, double most) {
     return mean;
 }
 
-/// Degrees of freedom of the sum of two mean squares: that of `rounds` has one fewer than there are
-/// rounds, what is left within them as many for each setting but one.
+/// Degrees of freedom of the sum of two mean squares: that between rounds has one fewer than there
+/// are rounds, that within them as many for each setting but one.
 double degrees_of(const MeanSquares& mean, std::size_t settings, std::size_t rounds) {
     const double between = static_cast<double>(rounds) - 1.0;
     const double within = between * (static_cast<double>(settings) - 1.0);
     if (!(mean.all > 0.0)) return between;
-    // As shares of the sum, whose squares cannot vanish.
+    // Computed with shares of the sum, whose squares do not underflow.
     const double share = std::min(mean.rounds / mean.all, 1.0);
     const double rest = 1.0 - share;
     const double inverse =
@@ -140,7 +141,8 @@ Interval time_interval(std::span<const double> times, const TimeSpread& spread, 
     const auto beyond = std::count_if(times.begin(), times.end(), [&](double time) {
         return time < pooled.low || time > pooled.high;
     });
-    // One may be chance that meets any setting; of few, a second is the setting's own.
+    // One time outside may be chance, which any setting may have; a second of so few shows that the
+    // setting itself scatters more.
     return beyond < 2 ? pooled : prediction_interval(times, coverage);
 }
 

@@ -57,10 +57,10 @@ Json spread_json(const TimeSpread& spread) {
         {"factor", spread.factor}, {"degrees", spread.degrees}, {"deviations", spread.deviations}};
 }
 
-Json peer_json(const PeerPoint& peer) {
-    return {{"name", peer.name},         {"budget_s", peer.budget_s},
-            {"seconds", peer.seconds},   {"samples", peer.samples},
-            {"denoised", peer.denoised}, {"errors", errors_json(peer.errors)}};
+Json other_json(const OtherRendererPoint& other) {
+    return {{"name", other.name},         {"budget_s", other.budget_s},
+            {"seconds", other.seconds},   {"samples", other.samples},
+            {"denoised", other.denoised}, {"errors", errors_json(other.errors)}};
 }
 
 Json advice_json(const TradeoffAdvice& advice, const TradeoffResult& result) {
@@ -80,16 +80,16 @@ Json check_json(const FrontCheck& check, const TradeoffResult& result) {
         points.push_back({{"name", result.points.at(point.point).name},
                           {"ms", point.ms},
                           {"errors", point.errors}});
-    const double pictures = check.pictures;
-    return {{"pictures", check.pictures},
+    const double images = check.images;
+    return {{"pictures", check.images},
             {"times_within", check.times_within},
             {"errors_within", check.errors_within},
-            {"share_of_times", check.pictures > 0 ? Json(check.times_within / pictures) : Json()},
-            {"share_of_errors", check.pictures > 0 ? Json(check.errors_within / pictures) : Json()},
+            {"share_of_times", check.images > 0 ? Json(check.times_within / images) : Json()},
+            {"share_of_errors", check.images > 0 ? Json(check.errors_within / images) : Json()},
             {"points", points}};
 }
 
-/// A cell of CSV, in quotes where it holds what would end it.
+/// A cell of CSV, in quotes where it has characters that would end it.
 std::string cell(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -101,7 +101,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     write_file_atomically(file, std::as_bytes(std::span(text)));
 }
 
-/// Names of files need not be valid UTF-8; what is not is replaced.
+/// JSON as text. Names of files need not be valid UTF-8; bytes that are not are replaced.
 std::string document(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -111,8 +111,8 @@ std::string document(const Json& json) {
 Json tradeoff_json(const TradeoffResult& result) {
     Json points = Json::array();
     for (const TradeoffPoint& point : result.points) points.push_back(point_json(point));
-    Json peers = Json::array();
-    for (const PeerPoint& peer : result.peers) peers.push_back(peer_json(peer));
+    Json others = Json::array();
+    for (const OtherRendererPoint& other : result.others) others.push_back(other_json(other));
     Json advice = Json::array();
     for (const TradeoffAdvice& item : result.advice) advice.push_back(advice_json(item, result));
     return {{"weft_tradeoff", 1},
@@ -129,8 +129,8 @@ Json tradeoff_json(const TradeoffResult& result) {
             {"points", points},
             {"time_spread", spread_json(result.time_spread)},
             {"skipped", result.skipped},
-            {"peers", peers},
-            {"peer_notes", result.peer_notes},
+            {"peers", others},
+            {"peer_notes", result.other_notes},
             {"advice", advice},
             {"check", result.check ? check_json(*result.check, result) : Json()}};
 }
@@ -182,9 +182,9 @@ std::string tradeoff_text(const TradeoffResult& result) {
     }
     if (result.check)
         text += fmt::format(
-            "\nof {} pictures made again, {} lie within the interval of time and {} within that of "
+            "\nof {} images made again, {} lie within the interval of time and {} within that of "
             "error\n",
-            result.check->pictures, result.check->times_within, result.check->errors_within);
+            result.check->images, result.check->times_within, result.check->errors_within);
     return text;
 }
 
@@ -209,7 +209,7 @@ void write_tradeoff(const std::filesystem::path& folder, const TradeoffResult& r
     }
     write_text(folder / "tradeoff.csv", tradeoff_csv(result));
     write_text(folder / "index.html", tradeoff_page(result));
-    // Last, as it says which files of settings belong to the run: until then, those of the earlier.
+    // Last, because it lists the presets of the run: until then it lists those of the earlier one.
     write_text(folder / "tradeoff.json", document(tradeoff_json(result)));
     remove_presets(folder, earlier, names);
 }

@@ -11,11 +11,11 @@
 
 namespace weft {
 
-/// Everything but pictures: what was measured, on what machine, and what follows from it.
+/// The result as JSON, without images: what was measured, on what machine, and the advice.
 [[nodiscard]] nlohmann::json tradeoff_json(const TradeoffResult& result);
 
-/// A head, and a row for each point: name, family, whether it is on the front, times, errors and
-/// their intervals.
+/// The result as CSV: a header, and a row for each point with name, family, whether it is on the
+/// front, times, errors and their intervals.
 [[nodiscard]] std::string tradeoff_csv(const TradeoffResult& result);
 
 /// The front as a table for people, and the sentences of advice below it.
@@ -24,9 +24,9 @@ namespace weft {
 /// Makes a folder where it is missing. Throws Error (exit code 5).
 void prepare_folder(const std::filesystem::path& folder);
 
-/// Writes tradeoff.json, tradeoff.csv, index.html and the files of settings that the advice names
-/// into a folder that is there; then removes the files of settings that an earlier run wrote there
-/// and this one did not, unless they have been changed. Throws Error (exit code 5).
+/// Writes tradeoff.json, tradeoff.csv, index.html and the presets that the advice names into an
+/// existing folder; then removes the presets that an earlier run wrote there and this one did not,
+/// unless they have been changed. Throws Error (exit code 5).
 void write_tradeoff(const std::filesystem::path& folder, const TradeoffResult& result);
 
 }  // namespace weft

@@ -11,8 +11,8 @@
 #include "base/shell_word.h"
 #include "tradeoff/html_text.h"
 #include "tradeoff/page_equal_time.h"
+#include "tradeoff/page_images.h"
 #include "tradeoff/page_method.h"
-#include "tradeoff/page_pictures.h"
 #include "tradeoff/page_plots.h"
 #include "tradeoff/page_style.h"
 #include "tradeoff/page_tables.h"
@@ -21,7 +21,7 @@
 namespace weft {
 namespace {
 
-/// Whatever names hold, nothing is loaded from anywhere.
+/// Content security policy: whatever texts of the result contain, the page loads nothing.
 constexpr std::string_view policy =
     R"(<meta http-equiv="Content-Security-Policy" )"
     R"(content="default-src 'none'; img-src data:; style-src 'unsafe-inline'"/>)";
@@ -67,7 +67,7 @@ std::string answers(const TradeoffResult& result) {
                         "weft render {} --preset {}{} -o out.exr", shell_file(result.scene_path),
                         shell_file(
                             (std::filesystem::path(result.folder) / advice.preset_file).string()),
-                        result.picture_options)) +
+                        result.image_options)) +
                 "</pre>";
         text += "</li>\n";
     }
@@ -78,7 +78,7 @@ std::string answers(const TradeoffResult& result) {
 
 std::string tradeoff_page(const TradeoffResult& result) {
     return head(result) + "<body>\n" + introduction(result) + "<main>\n" + answers(result) +
-           plots_section(result) + front_section(result) + pictures_section(result) +
+           plots_section(result) + front_section(result) + images_section(result) +
            equal_time_section(result) + points_section(result) + method_section(result) +
            "</main>\n</body>\n</html>\n";
 }

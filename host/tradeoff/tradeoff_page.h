@@ -9,10 +9,10 @@
 
 namespace weft {
 
-/// One HTML document with all that a result holds: the advice, plots, tables, thumbnails and error
-/// maps, and how it was measured. It needs no other file, no network and no scripts, and is
-/// well-formed XML. The same result gives the same text. Numbers that are not finite are shown as
-/// missing, text in the result as text.
+/// The result as one HTML document: the advice, plots, tables, thumbnails and error maps, and how
+/// it was measured. It needs no other file, no network and no scripts, and is well-formed XML. The
+/// same result gives the same text. Numbers that are not finite are shown as missing, and texts of
+/// the result are never taken for markup.
 [[nodiscard]] std::string tradeoff_page(const TradeoffResult& result);
 
 }  // namespace weft

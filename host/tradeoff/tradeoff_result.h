@@ -15,7 +15,7 @@
 
 namespace weft {
 
-/// The errors that settings are judged by, each 0 for a perfect picture.
+/// The errors that settings are judged by, each 0 for a perfect image.
 enum class ErrorMeasure : std::uint8_t {
     hdrflip,  ///< mean HDR-FLIP, 0 to 1
     vdp75,    ///< HDR-VDP, percent of pixels seen to differ with P >= 75 %, published protocol
@@ -23,11 +23,11 @@ enum class ErrorMeasure : std::uint8_t {
     vdp75_display,  ///< on a display of 100 cd/m^2 at value 1
     vdp95_display,
     relmse,
-    bias,  ///< magnitude of the relative error of the picture's mean
+    bias,  ///< magnitude of the relative error of the image's mean
 };
 inline constexpr std::size_t error_measures = 7;
 
-/// The median of repeated measurements, and where one more will lie.
+/// The median of repeated measurements, and the interval in which one more will lie.
 struct Interval {
     double median = 0.0;
     /// Ends of the interval that holds a further measurement with a confidence of 95 %: of times by
@@ -36,59 +36,60 @@ struct Interval {
     double high = 0.0;
 };
 
-/// How far the times of all settings together lie from the others of their setting.
+/// How far a time may lie from the others of its setting, estimated from all settings together.
 struct TimeSpread {
-    /// One more time is within the median of its setting divided and multiplied by that.
+    /// One more time lies between the median of its setting divided and multiplied by this.
     double factor = 1.0;
     double degrees = 0.0;        ///< of freedom: few where whole rounds were slower than others
-    std::size_t deviations = 0;  ///< that it is known from, one for each time; 0: it is not known
+    std::size_t deviations = 0;  ///< number of times it is estimated from; 0: it is not known
 };
 
-/// What one setting takes and how far its pictures are from the reference.
+/// One setting with the time of its images and their errors against the reference.
 struct TradeoffPoint {
     std::string name;    ///< unique, such as "ais threshold 20"
-    std::string family;  ///< what its curve in plots joins: the algorithm, such as "ais" or "path"
+    std::string family;  ///< series in plots: the algorithm, such as "ais" or "path"
     Preset preset;
-    Interval ms;                                   ///< wall time of the frames of a picture
+    Interval ms;                                   ///< wall time of the frames of an image
     std::vector<Interval> errors;                  ///< by ErrorMeasure, error_measures of them
     std::vector<double> runs_ms;                   ///< raw times, one for each seed
     std::vector<std::vector<double>> runs_errors;  ///< raw errors by seed, each by ErrorMeasure
-    std::uint64_t rays = 0;                        ///< of one picture
-    bool on_front = false;  ///< no other point is both faster and nearer by the chosen measure
-    Image picture;          ///< beauty layer, of the first seed; kept for points on the front
+    std::uint64_t rays = 0;                        ///< of one image
+    bool on_front = false;  ///< by time and the chosen measure; see pareto_front
+    Image image;            ///< beauty layer, of the first seed; kept for points on the front
     std::vector<float> error_map;  ///< HDR-FLIP by pixel, row-major; kept for points on the front
 };
 
-/// A picture that another renderer made, or Weft in the same time.
-struct PeerPoint {
+/// An image that another renderer made, or Weft in the same time.
+struct OtherRendererPoint {
     std::string name;       ///< renderer, variant and denoiser
-    double budget_s = 0.0;  ///< what it was to take
-    double seconds = 0.0;   ///< what it took, set-up left out
+    double budget_s = 0.0;  ///< time that it was given
+    double seconds = 0.0;   ///< time that it took, without set-up
     double samples = 0.0;   ///< per pixel, 0 where unknown
     bool denoised = false;
     std::vector<double> errors;  ///< by ErrorMeasure
-    Image picture;               ///< no smaller than a thumbnail of it
+    Image image;                 ///< at least as large as its thumbnail
 };
 
-/// One sentence of advice, and the point it names.
+/// Advice on a budget or an error: a sentence, and the point that it names.
 struct TradeoffAdvice {
-    /// Either is given: milliseconds that a picture may take, or the error it may have.
+    /// One of both: milliseconds that an image may take, or the error that it may have.
     std::optional<double> budget_ms, error;
-    std::optional<std::size_t> point;  ///< index into points; none where nothing keeps to it
+    std::optional<std::size_t> point;  ///< index into points; none where no point keeps to it
     std::string sentence;
     std::string preset_file;  ///< name beside the page; empty where there is no point
 };
 
-/// The reference, and what it leaves uncertain.
+/// The reference and its noise.
 struct TradeoffReference {
     std::uint64_t samples = 0;  ///< per pixel
-    /// One half of its samples against the other, by ErrorMeasure: twice the noise of the whole,
-    /// and in relMSE four times. Errors of the size that this leaves mean nothing.
+    /// Error of one half of its samples against the other, by ErrorMeasure: twice that which the
+    /// noise of the whole causes, and in relMSE four times. Errors as small as that of the whole's
+    /// noise are meaningless.
     std::vector<double> noise_floor;
-    Image picture;
+    Image image;
 };
 
-/// Points on the front, rendered again after everything else was decided.
+/// A check of the intervals: points on the front, measured again after the front was decided.
 struct FrontCheck {
     struct Point {
         std::size_t point = 0;       ///< index into points
@@ -96,32 +97,32 @@ struct FrontCheck {
         std::vector<double> errors;  ///< likewise, by the chosen measure
     };
     std::vector<Point> points;
-    std::uint32_t pictures = 0;
-    std::uint32_t times_within = 0;   ///< of those: inside of the interval of their point
-    std::uint32_t errors_within = 0;  ///< likewise
+    std::uint32_t images = 0;
+    std::uint32_t times_within = 0;   ///< images whose time is in the interval of their point
+    std::uint32_t errors_within = 0;  ///< images whose error is
 };
 
-/// All of one `weft tradeoff`.
+/// All results of a run of `weft tradeoff`.
 struct TradeoffResult {
     std::string scene;       ///< file name
     std::string scene_path;  ///< as the command line names it
-    std::string folder;      ///< of presets and page, likewise
+    std::string folder;      ///< of presets and page, as the command line names it
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     double exposure_ev = 0.0;  ///< of all thumbnails
     std::uint32_t repetitions = 0;
-    ErrorMeasure measure = ErrorMeasure::hdrflip;  ///< that the front and the advice go by
-    nlohmann::json machine;       ///< processor, device, driver, versions: names and values
-    std::string command;          ///< that makes this again
-    std::string picture_options;  ///< of `weft render`, that presets leave open: size, device
+    ErrorMeasure measure = ErrorMeasure::hdrflip;  ///< for the front and the advice
+    nlohmann::json machine;     ///< processor, device, driver, versions: names and values
+    std::string command;        ///< command line that repeats the run
+    std::string image_options;  ///< options of `weft render` that presets lack: size, device
     TradeoffReference reference;
     std::vector<TradeoffPoint> points;  ///< by rising time
     TimeSpread time_spread;
-    std::vector<PeerPoint> peers;
-    std::vector<std::string> peer_notes;
+    std::vector<OtherRendererPoint> others;
+    std::vector<std::string> other_notes;
     std::vector<TradeoffAdvice> advice;
     std::vector<std::string> skipped;  ///< names of settings that were too slow to measure
-    std::optional<FrontCheck> check;   ///< where it was asked for
+    std::optional<FrontCheck> check;   ///< where --verify was given
 };
 
 /// Name in JSON and CSV, such as "hdrflip" or "vdp75_display".

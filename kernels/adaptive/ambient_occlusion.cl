@@ -1,11 +1,12 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cosine-weighted openness of the hemisphere about each receiver, as irradiance of a white sky of
-// radiance 1: pi times the share of its set's directions (unit vectors about +z with density
-// cos / pi) along which nothing lies within the reach, their w. A direction below the surface is
-// hidden by it. One work-item per slot, and one ray at a time: the rays of a receiver share no end
-// point.
+// Computes ambient occlusion: the cosine-weighted share of the hemisphere above each receiver that
+// is open, as the irradiance of a white sky of radiance 1. That is pi times the share of the
+// directions of its sample set (unit vectors about +z with pdf cos / pi) along which nothing lies
+// within the reach, their w. A direction below the surface counts as occluded. One work-item per
+// slot. It traces its rays one at a time, because those of the receivers of a packet have no common
+// end point.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/bvh/trace.h"
 #include "kernels/core/counters.h"
@@ -30,11 +31,11 @@ WEFT_KERNEL(ambient_occlusion)
         uint set = receiver_set(&params, block_set, slot);
         GLOBAL const float4* first = directions + list.first + set * list.stride;
         for (uint i = 0u; i < list.length; ++i) {
-            float4 about_z = first[i];
-            float3 direction = turn_to(xyz(about_z), shading);
+            float4 local_vector = first[i];
+            float3 direction = to_world(xyz(local_vector), shading);
             if (!(dot3(direction, normal) > 0.0f)) continue;
             ++rays;
-            if (trace_any(scene, position, direction, about_z.w) == 0) ++open;
+            if (trace_any(scene, position, direction, local_vector.w) == 0) ++open;
         }
     }
     float sky = COSINE_IRRADIANCE * ((float)open / (float)list.length);

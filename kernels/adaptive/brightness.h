@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How visible small changes of luminance are: the table of host/adaptive/brightness.h.
+// Tells how visible small changes of luminance are, by the table of host/adaptive/brightness.h.
 #ifndef WEFT_KERNELS_ADAPTIVE_BRIGHTNESS_H
 #define WEFT_KERNELS_ADAPTIVE_BRIGHTNESS_H
 

@@ -1,53 +1,55 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pixels at the edges of area lights' shadows, gathered from squares of the picture into packets.
+// Packs pixels at the edges of area lights' shadows into packets, for soft_shadows.cl. A cell is a
+// square of the image; it holds LANES x LANES pixels of a sample set.
 #ifndef WEFT_KERNELS_ADAPTIVE_EDGE_CELLS_H
 #define WEFT_KERNELS_ADAPTIVE_EDGE_CELLS_H
 
-#include "kernels/adaptive/shadow_words.h"
+#include "kernels/adaptive/visibility_mask.h"
 #include "kernels/bsdf/lambert.h"
 #include "kernels/core/receiver_values.h"
 #include "kernels/media/packet_media.h"
 
 #define CELL_PIXELS ((uint)(LANES * LANES))
 
-// Where packets may be of pixels that looked at any sample first.
-#define ANY_LOOK 0xFFFFFFFFu
+// For next_packet: takes pixels whichever sample they have probed.
+#define ANY_SAMPLE 0xFFFFFFFFu
 
-// A pixel with edges of shadows: which of 32 lights they are of, and which were seen first.
+// A pixel at the edge of a shadow, for 32 lights: a bit of `edges` tells that the shadow of a light
+// ends here, a bit of `seen` that the pixel's probe found the light visible.
 typedef struct {
     uint slot;
-    uint first_look;  // number of a light's sample
+    uint probed;  // number of the sample of each light that the probe began with
     uint edges, seen;
-    float reflectance, radiance;  // luminance by irradiance 1, and of what is known so far
+    float reflectance, radiance;  // luminance by irradiance 1, and by the direct light so far
 } EdgePixel;
 
 // Position, shading normal and geometric normal of a receiver.
 #define CELL_VALUES 9u
 
-// Those of a cell. Packets are made of them for every light and sample, so what packets hold is
-// gathered from the whole picture's planes once.
+// The edge pixels of a cell, with their receivers. Packets are formed anew for every light and
+// sample, so receivers are copied here from the planes of the whole image once.
 typedef struct {
     EdgePixel pixels[LANES * LANES];
     float receivers[CELL_VALUES][LANES * LANES];
     uint count;
-    uint some;  // lights of which any has an edge
+    uint some;  // lights with an edge at any of the pixels, a bit each
 } EdgeCell;
 
-// Some of them, by their places in the cell.
+// Some of a cell's pixels, by their indices in it.
 typedef struct {
     uint place[LANES * LANES];
     uint count;
 } EdgeList;
 
-// As many of a list as make a packet.
+// Up to LANES pixels of a list, by slot and by index in the cell.
 typedef struct {
     ReceiverList list;
     uint place[LANES];
 } EdgePacket;
 
-// What cells are found from.
+// The buffers that cells are filled from.
 typedef struct {
     GLOBAL const float* receiver_planes;
     GLOBAL const uint* pixel_slot;
@@ -58,20 +60,21 @@ typedef struct {
     uint slots;  // stride of the planes of receivers and irradiance
 } ShadowPlanes;
 
-/// Every second bit of a number below 256.
+/// The even bits of a number below 256, moved together: one coordinate of a Morton code.
 static inline uint even_bits(uint code) {
     uint bits = code & 0x55u;
     bits = (bits | bits >> 1) & 0x33u;
     return (bits | bits >> 2) & 0x0Fu;
 }
 
-/// What is known of a pixel, x and y, that looked at sample `look` of every light first.
+/// Fills in the pixel (`x`, `y`), whose probes began with sample `sample` of every light, for the
+/// 32 lights of a word.
 static inline void find_edge_pixel(const RenderParams* params, const ShadowPlanes* from, uint word,
-                                   uint x, uint y, uint look, EdgePixel* found) {
+                                   uint x, uint y, uint sample, EdgePixel* found) {
     uint pixel = y * params->camera.width + x;
     uint plane = params->camera.width * params->camera.height;
     found->slot = from->pixel_slot[pixel];
-    found->first_look = look;
+    found->probed = sample;
     found->edges = from->shadow_edges[word * plane + pixel];
     found->seen = from->pixel_shadows[seen_plane(params, word) + shadow_place(params, x, y)];
     found->reflectance = LAMBERT_REFLECTANCE(luminance(xyz(from->gb_albedo[pixel])));
@@ -97,8 +100,8 @@ static inline void copy_receiver(const RenderParams* params, const ShadowPlanes*
     copy_vector(from, normal, slot, 6u, place, cell);
 }
 
-/// Finds the pixels of a set (by place, not rotated) in a cell that have an edge of any light of a
-/// word, along a Morton curve.
+/// Finds the pixels of a cell that are of sample set `set` (by place; `rotated` after rotation) and
+/// lie at the edge of a shadow of any of the 32 lights of a word. They follow a Morton curve.
 static inline void find_edge_pixels(const RenderParams* params, uint cell, uint set, uint rotated,
                                     uint word, const ShadowPlanes* from, EdgeCell* found) {
     uint edge = shadow_cell((uint)LANES, params->sampling.interleave);
@@ -118,28 +121,29 @@ static inline void find_edge_pixels(const RenderParams* params, uint cell, uint 
         uint of_lights = edges[y * params->camera.width + x];
         if (of_lights == 0u) continue;
         EdgePixel* at = found->pixels + found->count;
-        find_edge_pixel(params, from, word, x, y, shadow_look(params, u, v, rotated), at);
+        find_edge_pixel(params, from, word, x, y, probed_sample(params, u, v, rotated), at);
         copy_receiver(params, from, at->slot, found->count++, found);
         found->some |= of_lights;
     }
 }
 
-/// Those of a cell that have a light's edge.
+/// Lists the pixels of a cell at the edge of the shadow of light `bit`.
 static inline void list_edges(const EdgeCell* cell, uint bit, EdgeList* list) {
     list->count = 0u;
     for (uint i = 0u; i < cell->count; ++i)
         if ((cell->pixels[i].edges >> bit & 1u) != 0u) list->place[list->count++] = i;
 }
 
-/// The next packet of a list, from its entry `next` on, without pixels whose first look was at
-/// sample `known`, if not ANY_LOOK; `next` becomes the entry after it. Empty where none is left.
+/// The next packet of a list, from its entry `next` on; `next` becomes the entry after it. Leaves
+/// out pixels whose probe began with sample `known`, if not ANY_SAMPLE: they need no further ray to
+/// it. The packet is empty at the end of the list.
 static inline EdgePacket next_packet(const EdgeCell* cell, const EdgeList* from, uint known,
                                      uint* next) {
     EdgePacket packet;
     uint count = 0u;
     for (; *next < from->count && count < (uint)LANES; ++*next) {
         uint place = from->place[*next];
-        if (cell->pixels[place].first_look == known) continue;
+        if (cell->pixels[place].probed == known) continue;
         packet.list.slot[count] = cell->pixels[place].slot;
         packet.place[count++] = place;
     }
@@ -147,7 +151,8 @@ static inline EdgePacket next_packet(const EdgeCell* cell, const EdgeList* from,
     return packet;
 }
 
-/// A vector of lanes; those beyond the packet have that of the first.
+/// A vector of each lane, from planes `first` to `first` + 2. Lanes beyond the packet repeat the
+/// first.
 static inline WFloat3 packet_vector(const EdgeCell* cell, uint first, const EdgePacket* packet) {
     float x[LANES];
     float y[LANES];
@@ -174,7 +179,7 @@ static inline ReceiverPacket packet_receivers(const RenderParams* params, const 
     return packet;
 }
 
-/// The lanes whose first look saw the light.
+/// The lanes whose probe found light `bit` visible.
 static inline WMask seen_lanes(const EdgeCell* cell, uint bit, const EdgePacket* packet) {
     uint lanes = 0u;
     for (uint lane = 0u; lane < packet->list.count; ++lane)

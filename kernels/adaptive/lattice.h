@@ -1,10 +1,11 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Undersampled irradiance: only pixels whose coordinates are multiples of a stride have samples.
-// Strides are 1, 2 and 4; they and the 3 x 3 interleaving have no common divisor, so every 3 x 3
-// lattice points hold all nine sample sets. A pixel's irradiance is interpolated linearly between
-// the means of 3 x 3 lattice points, which makes four taps a row and column.
+// Undersampled irradiance: only pixels whose coordinates are multiples of a stride, the lattice
+// points, have samples. Strides are 1, 2 and 4; they and the 3 x 3 interleaving have no common
+// divisor, so every 3 x 3 lattice points hold all nine sample sets. A pixel's irradiance is
+// interpolated linearly between the means of 3 x 3 lattice points, which makes four taps per row
+// and column.
 #ifndef WEFT_KERNELS_ADAPTIVE_LATTICE_H
 #define WEFT_KERNELS_ADAPTIVE_LATTICE_H
 
@@ -25,8 +26,9 @@ static inline int lattice_size(int size, int stride) {
     return (size - 1) / stride + 1;
 }
 
-/// Taps of the pixel at `at`. They do not leave the picture where it is large enough: beyond the
-/// last mean it is continued evenly.
+/// Taps of the pixel at coordinate `at` of `size`. Beyond the outermost mean of 3 x 3 points that
+/// mean is continued, so that no tap lies outside the image if it is at least 3 lattice points
+/// wide.
 static inline LatticeTaps lattice_taps(int at, int stride, int size) {
     LatticeTaps taps;
     int count = lattice_size(size, stride);
@@ -42,8 +44,8 @@ static inline LatticeTaps lattice_taps(int at, int stride, int size) {
     return taps;
 }
 
-/// Weights of the lattice points along an edge of a tile inside the picture, for each of its 8
-/// pixels: of points -1, 0, 1 ... counted from the tile's first pixel. The same as lattice_taps.
+/// Weights of lattice_taps along an edge of a tile inside the image: a row of 8 weights, one for
+/// each pixel, for each of the lattice points -1, 0, 1 ... counted from the tile's first pixel.
 #define TILE_POINTS_4 5u
 #define TILE_POINTS_2 7u
 CONSTANT_TABLE float tile_weights_4[TILE_POINTS_4 * TILE_EDGE] = {
@@ -66,7 +68,7 @@ CONSTANT_TABLE float tile_weights_2[TILE_POINTS_2 * TILE_EDGE] = {
     0.0f,         0.0f,         0.0f,         0.0f,         0.0f,         0.0f,
     0.0f,         0.166666667f};
 
-/// 1 where the taps of a tile keep to the lattice points around it.
+/// 1 where all taps of a tile lie inside the image, so that the weights of the tables hold.
 static inline int tile_is_inside(const RenderParams* params, int left, int top) {
     return left >= 4 && top >= 4 && left + 16 <= (int)params->camera.width &&
                    top + 16 <= (int)params->camera.height

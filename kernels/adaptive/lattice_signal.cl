@@ -1,11 +1,12 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the scheduler judges an undersampled component by: at every lattice point that has a sample
-// its irradiance as luminance, the reflectance it is seen with, other light there, and which of its
-// eight lattice neighbours lie on its surface and have samples. One work-item per lattice point of
-// stride `lattice_stride`. Written as 4 floats; the last holds the neighbours as bits, row by
-// row from the upper left, LATTICE_SAMPLED where the point has a sample.
+// Computes what the level scheduler judges an undersampled component by, at every lattice point
+// that has a sample: the luminances of its irradiance, of the reflectance that it is seen with and
+// of the emission there, and which of its eight lattice neighbours lie on its surface and have
+// samples. One work-item per lattice point of stride `lattice_stride` writes 4 floats; the last
+// holds the neighbours as bits, row by row from the upper left, and LATTICE_SAMPLED where the point
+// has a sample.
 #include "kernels/adaptive/lattice.h"
 #include "kernels/bsdf/lambert.h"
 #include "kernels/core/kernel.h"
@@ -25,7 +26,7 @@ WEFT_KERNEL(lattice_signal)
     signal[point] = f4(0.0f, 0.0f, 0.0f, 0.0f);
     if (pixel_is_lit(gb_ids, gb_albedo, pixel) == 0) return;
     uint slot = pixel_slot[pixel];
-    if (slot == NO_TRIANGLE) return;
+    if (slot == INVALID_INDEX) return;
     PixelSurface surface = pixel_surface(&params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
     uint bits = LATTICE_SAMPLED;
     uint bit = 1u;
@@ -37,7 +38,7 @@ WEFT_KERNEL(lattice_signal)
             if (column >= 0 && column < width && row >= 0 && row < height) {
                 uint other = (uint)(row * width + column);
                 if (pixel_is_lit(gb_ids, gb_albedo, other) != 0 &&
-                    pixel_slot[other] != NO_TRIANGLE &&
+                    pixel_slot[other] != INVALID_INDEX &&
                     on_surface(&surface, gb_position, gb_shading, other) != 0)
                     bits |= bit;
             }

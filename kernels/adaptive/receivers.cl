@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// De-interleaves the G-buffer: what the pixels of one sample set need for shadow rays, in the order
-// of the work list, as planes of `slots` floats that a packet loads with one wide read each.
+// De-interleaves the G-buffer: copies what a pixel needs for shadow rays to its slot of the work
+// list, where the pixels of a sample set follow one another. Receivers are planes of `slots`
+// floats, each of which a packet loads with one wide read. One work-item per slot.
 #include "kernels/bvh/triangle.h"
 #include "kernels/core/kernel.h"
 #include "kernels/core/offset.h"
@@ -18,15 +19,15 @@ WEFT_KERNEL(receivers)
     float3 position = f3(0.0f, 0.0f, 0.0f);
     float3 normal = position;
     float3 shading = position;
-    uint inside = 0u;
-    if (pixel != NO_TRIANGLE) {
+    uint enclosing_media = 0u;
+    if (pixel != INVALID_INDEX) {
         pixel_slot[pixel] = slot;
-        valid = gb_ids[2u * pixel] != NO_TRIANGLE ? gb_albedo[pixel].w : 0.0f;
+        valid = gb_ids[2u * pixel] != INVALID_INDEX ? gb_albedo[pixel].w : 0.0f;
         normal = xyz(gb_normal[pixel]);
         shading = xyz(gb_shading[pixel]);
         position = xyz(gb_position[pixel]);
         position += normal * surface_offset(position, params.scene.extent);
-        if (HAS(&params, FEATURE_MEDIA)) inside = view_inside[pixel];
+        if (HAS(&params, FEATURE_MEDIA)) enclosing_media = view_enclosing_media[pixel];
     }
     GLOBAL float* plane = receiver_planes + slot;
     uint stride = slots;
@@ -42,5 +43,6 @@ WEFT_KERNEL(receivers)
         plane[RECEIVER_NORMAL_Y * stride] = normal.y;
         plane[RECEIVER_NORMAL_Z * stride] = normal.z;
     }
-    if (HAS(&params, FEATURE_MEDIA)) plane[RECEIVER_INSIDE * stride] = from_bits(inside);
+    if (HAS(&params, FEATURE_MEDIA))
+        plane[RECEIVER_ENCLOSING_MEDIA * stride] = from_bits(enclosing_media);
 }

@@ -1,12 +1,13 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance of every pixel from undersampled tiles. `tile_height` holds each tile's level: 0, 1
-// and 2 for lattices of stride 4, 2 and 1, and between them the share of the finer of two where a
-// tile fades from one to the other. Pixels that need a finer lattice, by tile_geometry, use it. At
-// stride 1 this is the discontinuity buffer of reconstruct.cl. One work-item per tile.
+// Reconstructs the irradiance of every pixel of undersampled tiles, by interpolation between
+// lattice points. `tile_height` holds each tile's level: 0, 1 and 2 for lattices of stride 4, 2 and
+// 1. A tile that fades from one level to another has one in between, whose fraction is the share of
+// the finer lattice. Pixels that need a finer lattice, by tile_geometry, use it. At stride 1 this
+// is the discontinuity buffer of reconstruct.cl. One work-item per tile.
 #include "kernels/adaptive/lattice.h"
-#include "kernels/adaptive/tile_window.h"
+#include "kernels/adaptive/tile_footprint.h"
 #include "kernels/core/kernel.h"
 
 /// Interpolates at a lit pixel of any tile: taps on other surfaces are left out.
@@ -31,7 +32,7 @@ static inline float4 lattice_mean(const RenderParams* params, GLOBAL const uint*
             uint other = (uint)(row * width + column);
             if (pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
             uint slot = pixel_slot[other];
-            if (slot == NO_TRIANGLE) continue;
+            if (slot == INVALID_INDEX) continue;
             if (on_surface(surface, gb_position, gb_shading, other) == 0) continue;
             sum += slot_irradiance(irradiance, slots, slot) * share;
             weight += share;
@@ -45,7 +46,8 @@ typedef struct {
     NFloat red, green, blue;  // of a row of pixels
 } PixelRow;
 
-/// A row of lattice points to a row of pixels.
+/// Interpolates a row of a tile's pixels between the coarse lattice points of a row, from `pixel`
+/// on.
 static inline PixelRow smooth_row(GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
                                   uint slots, uint pixel) {
     PixelRow row = {NODE(0.0f), NODE(0.0f), NODE(0.0f)};
@@ -59,7 +61,8 @@ static inline PixelRow smooth_row(GLOBAL const uint* pixel_slot, GLOBAL const fl
     return row;
 }
 
-/// A tile that is one smooth surface with its taps, at stride 4: no tap needs a test.
+/// Interpolates a smooth tile (TILE_SMOOTH) at stride 4: all its taps lie on its surface, so that
+/// none needs a test.
 static inline void interpolate_smooth(const RenderParams* params, GLOBAL const uint* pixel_slot,
                                       GLOBAL const float* irradiance, uint slots, uint left,
                                       uint top, GLOBAL float4* filtered) {
@@ -86,18 +89,18 @@ static inline void interpolate_smooth(const RenderParams* params, GLOBAL const u
     }
 }
 
-/// Interpolates all pixels of a tile inside the picture between the lattice points of a stride, as
-/// lattice_mean: `points` along an edge, the first of which lies one stride before the tile.
+/// Interpolates all pixels of a tile inside the image as lattice_mean does. The tile has `points`
+/// lattice points along an edge, the first of which lies one stride before it.
 static inline void lattice_means(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
-                                 GLOBAL const float4* gb_shading, const TileWindow* window,
+                                 GLOBAL const float4* gb_shading, const TileFootprint* footprint,
                                  GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
                                  uint slots, int left, int top, int stride, uint points,
                                  CONSTANT_POINTER float* weights, TileMeans* means) {
     SurfaceRow rows[TILE_EDGE];
     MeanRow sums[TILE_EDGE];
     for (uint y = 0u; y < TILE_EDGE; ++y) {
-        rows[y] = surface_row(window, y);
+        rows[y] = surface_row(footprint, y);
         sums[y] = no_means();
     }
     for (uint j = 0u; j < points; ++j) {
@@ -106,7 +109,7 @@ static inline void lattice_means(const RenderParams* params, GLOBAL const uint* 
             int y = top + ((int)j - 1) * stride;
             uint other = (uint)(y * (int)params->camera.width + x);
             uint slot = pixel_slot[other];
-            if (slot == NO_TRIANGLE || pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
+            if (slot == INVALID_INDEX || pixel_is_lit(gb_ids, gb_albedo, other) == 0) continue;
             float3 e = slot_irradiance(irradiance, slots, slot);
             float3 position = xyz(gb_position[other]);
             float3 shading = xyz(gb_shading[other]);
@@ -141,7 +144,8 @@ static inline TileStrides tile_strides(const TileRecord* record, uint stride) {
     return strides;
 }
 
-/// The mean of one pixel where the tile's way of computing it does not serve.
+/// Irradiance of one pixel where the computation for the whole tile has none: at the image's
+/// border, or where no tap lies on its surface.
 static inline float4 pixel_mean(const RenderParams* params, GLOBAL const uint* gb_ids,
                                 GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                 GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
@@ -150,22 +154,22 @@ static inline float4 pixel_mean(const RenderParams* params, GLOBAL const uint* g
     uint pixel = (uint)(y * (int)params->camera.width + x);
     PixelSurface surface = pixel_surface(params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
     float4 mean = f4(0.0f, 0.0f, 0.0f, 0.0f);
-    // What the coarse lattice serves, the middle one may miss.
+    // A pixel without a tap on the middle lattice may have one on the coarse lattice.
     for (int s = stride; s > 1 && s <= 4 && mean.w == 0.0f; s *= 2)
         mean = lattice_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
                             pixel_slot, irradiance, slots, x, y, s);
     if (mean.w == 0.0f)
-        mean = window_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface, pixel_slot,
-                           irradiance, slots, pixel);
+        mean = footprint_mean(params, gb_ids, gb_albedo, gb_position, gb_shading, &surface,
+                              pixel_slot, irradiance, slots, pixel);
     return mean;
 }
 
-/// All pixels of a tile by the lattice of that stride. `share` of it goes to what `filtered`
-/// already holds, all of it where that is 1.
+/// Reconstructs all pixels of a tile that is sampled at stride `tile_stride`. A `share` below 1
+/// blends the result into what `filtered` holds; a share of 1 replaces it.
 static inline void reconstruct_at(const RenderParams* params, GLOBAL const uint* gb_ids,
                                   GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                   GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
-                                  const TileRecord* record, const TileWindow* window,
+                                  const TileRecord* record, const TileFootprint* footprint,
                                   GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
                                   uint slots, int left, int top, uint tile_stride, float share,
                                   GLOBAL float4* filtered) {
@@ -173,15 +177,15 @@ static inline void reconstruct_at(const RenderParams* params, GLOBAL const uint*
     int inside = tile_is_inside(params, left, top);
     TileMeans coarse, middle, full;
     if (inside != 0 && (strides.coarse[0] | strides.coarse[1]) != 0u)
-        lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, window, pixel_slot,
+        lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, footprint, pixel_slot,
                       irradiance, slots, left, top, 4, TILE_POINTS_4, tile_weights_4, &coarse);
     if (inside != 0 && (strides.middle[0] | strides.middle[1]) != 0u)
-        lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, window, pixel_slot,
+        lattice_means(params, gb_ids, gb_albedo, gb_position, gb_shading, footprint, pixel_slot,
                       irradiance, slots, left, top, 2, TILE_POINTS_2, tile_weights_2, &middle);
     if ((strides.full[0] | strides.full[1]) != 0u && params->filter.radius == 1u) {
         TileSamples samples;
         load_samples(params, pixel_slot, irradiance, slots, left, top, &samples);
-        window_means(params, window, &samples, &full);
+        footprint_means(params, footprint, &samples, &full);
     }
     for (uint bit = 0u; bit < TILE_EDGE * TILE_EDGE; ++bit) {
         int x = left + (int)(bit % TILE_EDGE);
@@ -199,7 +203,7 @@ static inline void reconstruct_at(const RenderParams* params, GLOBAL const uint*
             if (inside != 0) mean = mean_of(&middle, bit);
         } else if ((strides.full[word] & mask) != 0u) {
             stride = 1;
-            if (window_is_centred(params, x, y) != 0) mean = mean_of(&full, bit);
+            if (footprint_is_centred(params, x, y) != 0) mean = mean_of(&full, bit);
         }
         if (stride != 0 && mean.w == 0.0f)
             mean = pixel_mean(params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading,
@@ -227,16 +231,16 @@ WEFT_KERNEL(reconstruct_tiles)
     if (smooth != 0)
         interpolate_smooth(&params, pixel_slot, irradiance, slots, (uint)left, (uint)top, filtered);
     if (smooth != 0 && finer_share == 0.0f) return;
-    TileWindow window;
+    TileFootprint footprint;
     if ((record.lit[0] | record.lit[1]) != 0u)
-        load_window(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, left, top, 1,
-                    &window);
+        load_footprint(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, left, top, 1,
+                       &footprint);
     if (smooth == 0)
         reconstruct_at(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &record,
-                       &window, pixel_slot, irradiance, slots, left, top, 4u >> level, 1.0f,
+                       &footprint, pixel_slot, irradiance, slots, left, top, 4u >> level, 1.0f,
                        filtered);
     if (finer_share > 0.0f)
         reconstruct_at(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &record,
-                       &window, pixel_slot, irradiance, slots, left, top, 2u >> level, finer_share,
-                       filtered);
+                       &footprint, pixel_slot, irradiance, slots, left, top, 2u >> level,
+                       finer_share, filtered);
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Interleaved sampling: which of the sample sets a receiver gathers.
+// Tells which sample sets a receiver gathers: interleaved sampling.
 #ifndef WEFT_KERNELS_ADAPTIVE_SAMPLE_SETS_H
 #define WEFT_KERNELS_ADAPTIVE_SAMPLE_SETS_H
 

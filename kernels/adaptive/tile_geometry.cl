@@ -1,15 +1,16 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the G-buffer says about undersampling a tile: which pixels are lit, and how coarse a lattice
-// serves each. A pixel is served by a lattice if the taps that lie on its own surface hold most of
-// the weight. One work-item per tile, row by row.
+// Finds out from the G-buffer how far a tile may be undersampled: which pixels are lit, and which
+// lattice is the coarsest that serves each. A lattice serves a pixel if its taps on the pixel's own
+// surface have at least the weight FilterParams::enough_support. One work-item per tile, row by
+// row.
 #include "kernels/adaptive/lattice.h"
-#include "kernels/adaptive/tile_window.h"
+#include "kernels/adaptive/tile_footprint.h"
 #include "kernels/core/kernel.h"
 
-// A tile needs no test of single taps where it and they keep to this share of the tolerances about
-// one pixel of it: any two of them then keep to the whole.
+// A tile is smooth, and its taps need no tests, where it and they keep to this share of the
+// tolerances about one pixel of it: any two of them then keep to the whole tolerances.
 #define SMOOTH_SHARE 0.25f
 
 static inline float lattice_support(const RenderParams* params, GLOBAL const uint* gb_ids,
@@ -42,13 +43,13 @@ static inline float lattice_support(const RenderParams* params, GLOBAL const uin
 static inline int tile_is_smooth(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
                                  GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
-                                 const TileWindow* window, int left, int top) {
+                                 const TileFootprint* footprint, int left, int top) {
     int width = (int)params->camera.width;
     uint centre = (uint)((top + 4) * width + left + 4);
     PixelSurface surface =
         pixel_surface(params, gb_position, gb_normal, gb_shading, centre, SMOOTH_SHARE);
     for (uint y = 0u; y < TILE_EDGE; ++y) {
-        SurfaceRow row = surface_row(window, y);
+        SurfaceRow row = surface_row(footprint, y);
         if (node_mask_bits(row_lies_on(&row, &surface)) != 0xFFu) return 0;
     }
     for (int y = top - 4; y <= top + 12; y += 4) {
@@ -61,17 +62,17 @@ static inline int tile_is_smooth(const RenderParams* params, GLOBAL const uint* 
     return 1;
 }
 
-/// Pixels of a tile inside the picture that the lattice serves, as two words.
+/// Pixels of a tile inside the image that the lattice serves, as two words.
 static inline void served_inside(const RenderParams* params, GLOBAL const uint* gb_ids,
                                  GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
-                                 GLOBAL const float4* gb_shading, const TileWindow* window,
+                                 GLOBAL const float4* gb_shading, const TileFootprint* footprint,
                                  int left, int top, int stride, uint points,
                                  CONSTANT_POINTER float* weights, uint* served) {
     NFloat support[TILE_EDGE];
     SurfaceRow rows[TILE_EDGE];
     for (uint y = 0u; y < TILE_EDGE; ++y) {
         support[y] = NODE(0.0f);
-        rows[y] = surface_row(window, y);
+        rows[y] = surface_row(footprint, y);
     }
     for (uint j = 0u; j < points; ++j) {
         for (uint i = 0u; i < points; ++i) {
@@ -102,12 +103,12 @@ static inline void served_at_border(const RenderParams* params, GLOBAL const uin
                                     GLOBAL const float4* gb_albedo,
                                     GLOBAL const float4* gb_position,
                                     GLOBAL const float4* gb_normal, GLOBAL const float4* gb_shading,
-                                    const TileWindow* window, int left, int top, int stride,
+                                    const TileFootprint* footprint, int left, int top, int stride,
                                     uint* served) {
     served[0] = 0u;
     served[1] = 0u;
     for (uint bit = 0u; bit < 64u; ++bit) {
-        if ((window->lit[bit / 32u] >> (bit % 32u) & 1u) == 0u) continue;
+        if ((footprint->lit[bit / 32u] >> (bit % 32u) & 1u) == 0u) continue;
         int x = left + (int)(bit % TILE_EDGE);
         int y = top + (int)(bit / TILE_EDGE);
         PixelSurface surface = pixel_surface(params, gb_position, gb_normal, gb_shading,
@@ -125,36 +126,36 @@ WEFT_KERNEL(tile_geometry)
     uint columns = tile_columns(&params);
     int left = (int)(tile % columns) * TILE_EDGE;
     int top = (int)(tile / columns) * TILE_EDGE;
-    TileWindow window;
-    load_window(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, left, top, 0,
-                &window);
+    TileFootprint footprint;
+    load_footprint(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, left, top, 0,
+                   &footprint);
     TileRecord record;
     record.flags = 0u;
     record.pad = 0u;
     int inside = tile_is_inside(&params, left, top);
-    int all = (window.lit[0] & window.lit[1]) == 0xFFFFFFFFu ? 1 : 0;
+    int all = (footprint.lit[0] & footprint.lit[1]) == 0xFFFFFFFFu ? 1 : 0;
     if (inside != 0 && all != 0 &&
-        tile_is_smooth(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &window,
+        tile_is_smooth(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &footprint,
                        left, top) != 0)
         record.flags = TILE_SMOOTH;
     uint coarse[2] = {0xFFFFFFFFu, 0xFFFFFFFFu};
     uint middle[2] = {0xFFFFFFFFu, 0xFFFFFFFFu};
     if (record.flags == 0u && inside != 0) {
-        served_inside(&params, gb_ids, gb_albedo, gb_position, gb_shading, &window, left, top, 4,
+        served_inside(&params, gb_ids, gb_albedo, gb_position, gb_shading, &footprint, left, top, 4,
                       TILE_POINTS_4, tile_weights_4, coarse);
-        if (((window.lit[0] & ~coarse[0]) | (window.lit[1] & ~coarse[1])) != 0u)
-            served_inside(&params, gb_ids, gb_albedo, gb_position, gb_shading, &window, left, top,
-                          2, TILE_POINTS_2, tile_weights_2, middle);
+        if (((footprint.lit[0] & ~coarse[0]) | (footprint.lit[1] & ~coarse[1])) != 0u)
+            served_inside(&params, gb_ids, gb_albedo, gb_position, gb_shading, &footprint, left,
+                          top, 2, TILE_POINTS_2, tile_weights_2, middle);
     } else if (record.flags == 0u) {
-        served_at_border(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &window,
+        served_at_border(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &footprint,
                          left, top, 4, coarse);
-        served_at_border(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &window,
+        served_at_border(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading, &footprint,
                          left, top, 2, middle);
     }
     for (uint word = 0u; word < 2u; ++word) {
-        record.lit[word] = window.lit[word];
-        record.middle[word] = window.lit[word] & ~coarse[word] & middle[word];
-        record.fine[word] = window.lit[word] & ~coarse[word] & ~middle[word];
+        record.lit[word] = footprint.lit[word];
+        record.middle[word] = footprint.lit[word] & ~coarse[word] & middle[word];
+        record.fine[word] = footprint.lit[word] & ~coarse[word] & ~middle[word];
     }
     tiles[tile] = record;
 }

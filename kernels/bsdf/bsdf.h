@@ -5,8 +5,8 @@
 // the one of the lobe that has its name.
 //
 // Directions are unit vectors in the frame of the surface, about +z, its normal (local_direction,
-// turn_to): `out` leads to where light goes, to the camera for a path from there, and `in` to where
-// it comes from. Both point away from the surface.
+// to_world): `out` leads to where light goes, to the camera for a path from there, and `in` to
+// where it comes from. Both point away from the surface.
 #ifndef WEFT_KERNELS_BSDF_BSDF_H
 #define WEFT_KERNELS_BSDF_BSDF_H
 
@@ -50,7 +50,7 @@ static inline BsdfValue bsdf_eval(const Bsdf* bsdf, float3 out, float3 in) {
     }
 }
 
-/// Density with which bsdf_sample chooses `in`, 1/sr; 0 where `in` is not above the surface.
+/// Pdf with which bsdf_sample chooses `in`, 1/sr; 0 where `in` is not above the surface.
 static inline float bsdf_pdf(const Bsdf* bsdf, float3 out, float3 in) {
     switch (bsdf->lobe) {
         default:
@@ -66,8 +66,8 @@ static inline BsdfSample bsdf_sample(const Bsdf* bsdf, float3 out, float u, floa
     }
 }
 
-/// Share of the light towards `out` that the BSDF scatters, by channel, all directions together: by
-/// that Russian roulette decides. For a lobe without a closed form an estimate is enough.
+/// Share of the light towards `out` that the BSDF scatters, by channel, over all directions. Only
+/// Russian roulette uses it, so that an estimate is enough for a lobe without a closed form.
 static inline float3 bsdf_albedo(const Bsdf* bsdf, float3 out) {
     switch (bsdf->lobe) {
         default:

@@ -31,7 +31,7 @@ static inline float lambert_pdf(const Bsdf* bsdf, float3 out, float3 in) {
     return in.z > 0.0f ? cosine_pdf(in.z) : 0.0f;
 }
 
-/// Directions have the density cos / pi, by which the weight is the albedo.
+/// Directions have the pdf cos / pi, by which the weight is the albedo.
 static inline BsdfSample lambert_sample(const Bsdf* bsdf, float3 out, float u, float v) {
     BsdfSample sample;
     sample.in = cosine_direction(u, v);

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every lobe is made of: its parameters at one point of a surface, and what its functions
+// Structs of all lobes: the parameters at one point of a surface, and what a lobe's functions
 // return (bsdf/bsdf.h).
 #ifndef WEFT_KERNELS_BSDF_LOBE_H
 #define WEFT_KERNELS_BSDF_LOBE_H
@@ -14,8 +14,8 @@
 #define LOBE_ENUMERATOR(NUMBER, name, surface) LOBE_##NUMBER,
 enum { ALL_LOBES(LOBE_ENUMERATOR) LOBE_COUNT };
 
-// What lobes do with light. Those that are diffuse send it all over the hemisphere: only their part
-// is held by virtual lights, irradiance records and the albedo of the G-buffer.
+// What lobes do with light. Diffuse ones scatter it over the whole hemisphere: virtual lights,
+// irradiance records and the albedo of the G-buffer hold only their part.
 #define BSDF_DIFFUSE 1u
 #define BSDF_REFLECTION 2u
 
@@ -36,8 +36,8 @@ typedef struct {
 // A direction that light may come from.
 typedef struct {
     float3 in;
-    float3 weight;  // value times cosine over density: what a path's throughput is multiplied by
-    float pdf;      // density of `in`, 1/sr
+    float3 weight;  // value times cosine over pdf: what a path's throughput is multiplied by
+    float pdf;      // of `in`, 1/sr
     uint flags;     // BSDF_* of the lobe that was sampled
 } BsdfSample;
 

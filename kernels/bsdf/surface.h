@@ -86,7 +86,7 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
     surface.bsdf.lobe = HAS(params, FEATURE_LOBES) ? material.lobe : (uint)LOBE_LAMBERT;
     surface.bsdf.albedo = xyz(material.albedo);
     surface.bsdf.parameters = material.parameters;
-    if (HAS(params, FEATURE_TEXTURES) && material.texture != NO_TRIANGLE) {
+    if (HAS(params, FEATURE_TEXTURES) && material.texture != INVALID_INDEX) {
         // A cone of width w covers w^2 / cos of the surface.
         float slant = absolute(dot3(direction, facet->doubled_area));
         float width = angle * hit.t * length3(direction) * square_root(length3(direction));

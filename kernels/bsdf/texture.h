@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Texture look-up: texture coordinate v = 0 is the top edge of the picture's first row.
+// Texture look-up: texture coordinate v = 0 is the top edge of the image's first row.
 #ifndef WEFT_KERNELS_BSDF_TEXTURE_H
 #define WEFT_KERNELS_BSDF_TEXTURE_H
 

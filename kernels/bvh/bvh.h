@@ -92,7 +92,7 @@ static inline Hit bvh_closest(GLOBAL const BvhNode* nodes, GLOBAL const float* l
     float entries[NODE_WIDTH];
     Ray ray = make_ray(origin, direction);
     Hit best;
-    best.triangle = NO_TRIANGLE;
+    best.triangle = INVALID_INDEX;
     best.t = t_max;
     best.u = 0.0f;
     best.v = 0.0f;

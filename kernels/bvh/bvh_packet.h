@@ -4,9 +4,9 @@
 // Packets of LANES shadow rays that share one end point (a VPL or a sample on a light). A node is
 // tested once for the whole packet by interval arithmetic; only the children that survive are
 // tested lane by lane, and where few lanes are left each goes on alone. A triangle's terms are
-// computed from the common point, so they are the same for all lanes. What a lane reports never
-// depends on its company: its own box tests decide which leaves it takes part in, and all ways to
-// a leaf compute the same.
+// computed from the common point, so they are the same for all lanes. The result of a lane never
+// depends on the other lanes: its own box tests decide which leaves it takes part in, and all ways
+// to a leaf compute the same.
 #ifndef WEFT_KERNELS_BVH_BVH_PACKET_H
 #define WEFT_KERNELS_BVH_BVH_PACKET_H
 

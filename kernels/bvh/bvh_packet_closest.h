@@ -124,7 +124,7 @@ static inline Ray lane_ray(const ClosestPacket* state, uint lane) {
 static inline Hit lane_hit(const ClosestPacket* state, uint lane) {
     Hit hit;
     float id = state->id[lane];
-    hit.triangle = id == RAY_INFINITY ? NO_TRIANGLE : as_bits(id) & LEAF_ID_MASK;
+    hit.triangle = id == RAY_INFINITY ? INVALID_INDEX : as_bits(id) & LEAF_ID_MASK;
     hit.t = state->t[lane];
     hit.u = state->u[lane];
     hit.v = state->v[lane];

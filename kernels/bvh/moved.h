@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What has moved since the frame before, by boxes: RecordUpdate::moved_boxes pairs of lower and
-// upper corners, each of an object where it was or where it is.
+// Tests against what has moved since the frame before, by boxes: RecordUpdate::moved_boxes pairs of
+// lower and upper corners, each pair about an object at its old or new place.
 #ifndef WEFT_KERNELS_BVH_MOVED_H
 #define WEFT_KERNELS_BVH_MOVED_H
 

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which rays of a buffer are blocked before their t_max, for benchmarks and tests of ray queries.
-// The rays are those of query_closest.cl; the answer is 1 or 0.
+// Finds which rays of a buffer are blocked before their t_max, for benchmarks and tests of ray
+// queries. The rays are those of query_closest.cl; the result is 1 or 0. One work-item per ray.
 #include "kernels/bvh/trace.h"
 #include "kernels/core/kernel.h"
 

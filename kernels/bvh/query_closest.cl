@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Closest hits of a buffer of rays, for benchmarks and tests of ray queries. A ray is its origin
-// (w: t_max) and its direction, of any length; a hit is the bits of the triangle id, then t, u, v.
+// Finds the closest hits of a buffer of rays, for benchmarks and tests of ray queries. A ray is its
+// origin (w: t_max) and its direction, of any length; a hit is the bits of the triangle id, then t,
+// u, v. One work-item per ray.
 #include "kernels/bvh/trace.h"
 #include "kernels/core/kernel.h"
 

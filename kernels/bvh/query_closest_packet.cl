@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Closest hits of a buffer of rays as query_closest, in packets of LANES consecutive rays, which
-// start at the origin of the first of them. Rays whose t_max is 0 are left out, and miss; that of
-// the others is infinite.
+// Finds the closest hits of a buffer of rays as query_closest.cl, in packets of LANES consecutive
+// rays, which start at the origin of the first of them. Rays whose t_max is 0 are not traced, and
+// miss; that of the others is infinite. One work-item per packet.
 #include "kernels/bvh/trace.h"
 #include "kernels/core/kernel.h"
 
@@ -23,7 +23,7 @@ WEFT_KERNEL(query_closest_packet)
     Hit found[LANES];
     trace_closest_packet(scene, xyz(ray_origin[first]), &directions, active, RAY_INFINITY, found);
     for (uint lane = 0u; lane < LANES; ++lane) {
-        Hit hit = {NO_TRIANGLE, 0.0f, 0.0f, 0.0f};
+        Hit hit = {INVALID_INDEX, 0.0f, 0.0f, 0.0f};
         if ((active >> lane & 1u) != 0u) hit = found[lane];
         hits[first + lane] = f4(from_bits(hit.triangle), hit.t, hit.u, hit.v);
     }

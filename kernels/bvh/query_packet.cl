@@ -1,10 +1,10 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which shadow rays of a buffer are blocked before SHADOW_END, in packets, for benchmarks and tests
-// of ray queries. PACKET_BLOCK consecutive rays start at one point. `rays` holds four planes of
-// `slots` floats: x, y, z of the vector from the start to the end point, and 1 for rays to
-// trace. The answer is 1 for blocked rays, 0 for others. A work-item traces LANES rays.
+// Finds which shadow rays of a buffer are blocked before SHADOW_END, in packets, for benchmarks and
+// tests of ray queries. PACKET_BLOCK consecutive rays start at one point. `rays` holds four planes
+// of `slots` floats: x, y, z of the vector from the start to the end point, and 1 for rays to
+// trace. The result is 1 for blocked rays, 0 for others. A work-item traces LANES rays.
 #include "kernels/bvh/trace.h"
 #include "kernels/core/kernel.h"
 

@@ -22,7 +22,7 @@ static inline const float* own_leaves(Scene scene) {
     return static_cast<const float*>(scene.bvh_leaves);
 }
 
-// Equally distant triangles that one ray is asked about.
+// Most equally distant triangles that are tested for one ray.
 #define MAX_TIES 32
 
 /// The kernels' own test of one triangle, replacing `best` by the rule of bvh_closest.
@@ -41,24 +41,24 @@ static inline void retest(Scene scene, const Ray* ray, uint id, Hit* best) {
 }
 
 /// Closest hit by Embree. Coincident faces and shared edges would be decided by the shape of its
-/// tree, so all triangles within rounding of the hit are asked for and the smallest id wins, as
-/// in bvh_closest.
+/// tree, so all triangles within rounding of the hit are tested and the smallest id wins, as in
+/// bvh_closest.
 static inline Hit embree_closest_by_id(Scene scene, float3 origin, float3 direction, float t_max) {
     const ::weft::EmbreeHit found =
         ::weft::embree_closest(scene.embree, &origin.x, &direction.x, t_max);
     Hit embree = {found.triangle, found.t, found.u, found.v};
-    if (found.triangle == NO_TRIANGLE) return embree;
+    if (found.triangle == INVALID_INDEX) return embree;
     const float reach = 1.52587890625e-5f;  // 2^-16, far above the difference of the two tests
     uint ties[MAX_TIES];
     const uint count =
         ::weft::embree_candidates(scene.embree, &origin.x, &direction.x, found.t * (1.0f - reach),
                                   found.t * (1.0f + reach), ties, MAX_TIES);
     const Ray ray = make_ray(origin, direction);
-    Hit best = {NO_TRIANGLE, t_max, 0.0f, 0.0f};
+    Hit best = {INVALID_INDEX, t_max, 0.0f, 0.0f};
     retest(scene, &ray, found.triangle, &best);
     for (uint i = 0; i < count; ++i) retest(scene, &ray, ties[i], &best);
     // A ray through an edge that only Embree's arithmetic puts inside keeps Embree's hit.
-    return best.triangle == NO_TRIANGLE ? embree : best;
+    return best.triangle == INVALID_INDEX ? embree : best;
 }
 
 static inline Hit trace_closest(Scene scene, float3 origin, float3 direction, float t_max) {

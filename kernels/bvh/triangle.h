@@ -14,7 +14,7 @@
 // Largest finite distance; rays "to infinity" end here.
 #define RAY_INFINITY 3.0e38f
 
-// A closest hit: p = (1 - u - v) v0 + u v1 + v v2. `triangle` is NO_TRIANGLE for a miss.
+// A closest hit: p = (1 - u - v) v0 + u v1 + v v2. `triangle` is INVALID_INDEX for a miss.
 typedef struct {
     uint triangle;
     float t, u, v;

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shadow rays one at a time.
+// Shadow rays that are traced one at a time.
 #ifndef WEFT_KERNELS_BVH_VISIBILITY_H
 #define WEFT_KERNELS_BVH_VISIBILITY_H
 

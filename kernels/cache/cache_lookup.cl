@@ -1,19 +1,22 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance of the pixels of a tile from the records about them, each extrapolated to first order
-// (Ward and Heckbert 1992). A record serves a place x with normal n' with the weight
+// Looks up the irradiance of the pixels of a tile: the weighted mean of the records about them,
+// each extrapolated to first order (Ward and Heckbert 1992). A record serves a place x with normal
+// n' with the weight
 //   1 - |x - x_i|^2 / R_i^2 - (1 - n.n') / e,
-// where e is SamplingParams::record_error: by 1 - n.n' a turn changes light that comes along the
-// normal beyond the first order. It has no steps, and holds where x does not lie behind its surface
-// and, where something may lie between the two, where a ray finds nothing. Pixels with too little
-// weight are missing.
+// where e is SamplingParams::record_error, and 1 - n.n' is by how much a turn changes light that
+// comes along the normal beyond the first order. The weight has no steps. It counts as 0 where x
+// lies behind the record's surface, or where x is beyond the record's clearance and a ray between
+// the two is blocked. Pixels with too little weight stay in `missing`, where the host places
+// records.
 //
 // Records of hemispheres (FEATURE_HEMISPHERES) have the weights of Ward, Rubinstein and Clear 1988,
 // 1 / error - 1 / e with the error |x - x_i| e / R_i + sqrt(1 - n.n'), here times e.
 //
-// A launch adds what new records give to what earlier ones have found: means and their weights.
-#include "kernels/adaptive/tile_window.h"
+// A launch adds new records to the means, and their weights, of earlier launches. One work-item per
+// tile.
+#include "kernels/adaptive/tile_footprint.h"
 #include "kernels/cache/cache.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
@@ -21,9 +24,9 @@
 #include "kernels/light/connection.h"
 #include "kernels/media/packet_media.h"
 
-// Least share of the allowed error that a record is counted with: Ward's weights have no bound.
+// Least error of a record, as a share of the allowed one: without it Ward's weights have no bound.
 #define LEAST_ERROR_SHARE 0.0009765625f  // 2^-10
-// Weight below which a pixel is missing.
+// Weight up to which a pixel is missing.
 #define ENOUGH_WEIGHT 0.1f
 
 // The bounds of a tile's surfaces.
@@ -44,9 +47,9 @@ static inline int record_meets(const TileBox* box, float4 record) {
     return dot3(apart, apart) < record.w * record.w ? 1 : 0;
 }
 
-// A tile's pixels, and weighted sums of irradiance; loaded when a first record serves it.
+// A tile's pixels, and weighted sums of irradiance; loaded once a record may serve it.
 typedef struct {
-    TileWindow window;
+    TileFootprint footprint;
     float red[TILE_EDGE][TILE_EDGE];
     float green[TILE_EDGE][TILE_EDGE];
     float blue[TILE_EDGE][TILE_EDGE];
@@ -85,7 +88,7 @@ static inline NFloat row_weights(const RenderParams* params, const SurfaceRow* r
     return VMAX(weight, zero);
 }
 
-// About a record.
+// Clearance of a record by sector, and the axes that sectors are counted from.
 typedef struct {
     float3 tangent, bitangent;
     float clear[CACHE_SECTORS];  // see CacheRecord
@@ -109,9 +112,9 @@ static inline RecordSectors sectors_of(const CacheRecord* record) {
     return sectors;
 }
 
-/// Which pixels of a row something may hide from the record.
-static inline NMask row_doubts(const SurfaceRow* row, const CacheRecord* record,
-                               const RecordSectors* sectors) {
+/// Pixels of a row that are beyond the record's clearance, so that something may hide them from it.
+static inline NMask row_beyond_clearance(const SurfaceRow* row, const CacheRecord* record,
+                                         const RecordSectors* sectors) {
     NFloat x = row->x - record->position.x;
     NFloat y = row->y - record->position.y;
     NFloat z = row->z - record->position.z;
@@ -130,22 +133,22 @@ static inline NMask row_doubts(const SurfaceRow* row, const CacheRecord* record,
     NFloat second =
         SELECT(above, SELECT(flat, NODE(c[3]), NODE(c[2])), SELECT(flat, NODE(c[4]), NODE(c[5])));
     NFloat clear = SELECT(right, first, second);
-    // Where it lies above or below rather than beside, no sector is known to be the one.
+    // A pixel above or below the record rather than beside it belongs to no one sector.
     clear = SELECT(up * up > u * u + v * v, NODE(sectors->least), clear);
     return x * x + y * y + z * z > clear;
 }
 
 /// Sets weights to 0 where something lies between the record and a pixel.
-static inline void weigh_seen(const RenderParams* params, Scene scene, const TileWindow* window,
-                              const CacheRecord* record, float weights[TILE_EDGE][TILE_EDGE],
-                              uint* rays) {
+static inline void weigh_seen(const RenderParams* params, Scene scene,
+                              const TileFootprint* footprint, const CacheRecord* record,
+                              float weights[TILE_EDGE][TILE_EDGE], uint* rays) {
     RecordSectors sectors = sectors_of(record);
     uint pixels[TILE_EDGE * TILE_EDGE];
     uint count = 0u;
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
-        SurfaceRow row = surface_row(window, y);
+        SurfaceRow row = surface_row(footprint, y);
         uint bits = node_mask_bits((node_load(weights[y]) > NODE(0.0f)) &
-                                   row_doubts(&row, record, &sectors));
+                                   row_beyond_clearance(&row, record, &sectors));
         for (uint x = 0u; x < (uint)TILE_EDGE; ++x)
             if ((bits >> x & 1u) != 0u) pixels[count++] = y * TILE_EDGE + x;
     }
@@ -158,11 +161,11 @@ static inline void weigh_seen(const RenderParams* params, Scene scene, const Til
             if (first + lane < count) {
                 uint y = pixels[first + lane] / TILE_EDGE;
                 uint x = pixels[first + lane] % TILE_EDGE;
-                float3 p =
-                    f3(window->position[0][y + 1u][x + 1u], window->position[1][y + 1u][x + 1u],
-                       window->position[2][y + 1u][x + 1u]);
-                float3 n =
-                    f3(window->normal[0][y][x], window->normal[1][y][x], window->normal[2][y][x]);
+                float3 p = f3(footprint->position[0][y + 1u][x + 1u],
+                              footprint->position[1][y + 1u][x + 1u],
+                              footprint->position[2][y + 1u][x + 1u]);
+                float3 n = f3(footprint->normal[0][y][x], footprint->normal[1][y][x],
+                              footprint->normal[2][y][x]);
                 way = p + n * surface_offset(p, params->scene.extent) - from;
                 if (max_component(absolute3(way)) > 0.0f) wanted |= 1u << lane;
             }
@@ -177,8 +180,8 @@ static inline void weigh_seen(const RenderParams* params, Scene scene, const Til
     }
 }
 
-/// One channel of the record's irradiance at a row of pixels; `x`, `y` and `z` are the pixels'
-/// places less its own, `turn_*` are n x n'.
+/// One channel of a record's irradiance at a row of pixels: `apart` are the pixels' places less its
+/// own, `turned` is n x n'.
 static inline NFloat row_channel(float light, float4 move, float4 turn, const NFloat* apart,
                                  const NFloat* turned) {
     NFloat value = NODE(light) + apart[0] * move.x + apart[1] * move.y + apart[2] * move.z +
@@ -209,15 +212,15 @@ static inline void add_row(const SurfaceRow* row, const CacheRecord* record, NFl
     node_store(node_load(tile->weight[y]) + weight, tile->weight[y]);
 }
 
-/// Returns 0 where the record serves none of the pixels.
+/// Adds a record to the sums of the pixels that it serves; returns 0 where it serves none.
 static inline int add_record(const RenderParams* params, Scene scene, const CacheRecord* record,
                              CachedTile* tile, uint* rays) {
     float weights[TILE_EDGE][TILE_EDGE];
     uint any = 0u;
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
-        SurfaceRow row = surface_row(&tile->window, y);
+        SurfaceRow row = surface_row(&tile->footprint, y);
         NFloat weight = row_weights(params, &row, record);
-        // Pixels without irradiance have no normal, and so could only seem to lie in front.
+        // Pixels that are not lit have the normal 0, by which they may seem to lie in front.
         NFloat normal = row.shading_x * row.shading_x + row.shading_y * row.shading_y +
                         row.shading_z * row.shading_z;
         weight = SELECT(normal > NODE(0.0f), weight, NODE(0.0f));
@@ -226,10 +229,10 @@ static inline int add_record(const RenderParams* params, Scene scene, const Cach
     }
     if (any == 0u) return 0;
     if (!HAS(params, FEATURE_HEMISPHERES) && record->normal.w > 0.0f)
-        weigh_seen(params, scene, &tile->window, record, weights, rays);
+        weigh_seen(params, scene, &tile->footprint, record, weights, rays);
     for (uint y = 0u; y < (uint)TILE_EDGE; ++y) {
         if ((any >> y & 1u) == 0u) continue;
-        SurfaceRow row = surface_row(&tile->window, y);
+        SurfaceRow row = surface_row(&tile->footprint, y);
         add_row(&row, record, node_load(weights[y]), y, tile);
     }
     return 1;
@@ -294,8 +297,8 @@ WEFT_KERNEL(cache_lookup)
             for (uint i = group * CACHE_GROUP; i < end; ++i) {
                 if (record_meets(&box, records[i].position) == 0) continue;
                 if (tile.loaded == 0) {
-                    load_window(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading,
-                                (int)left, (int)top, 0, &tile.window);
+                    load_footprint(&params, gb_ids, gb_albedo, gb_position, gb_normal, gb_shading,
+                                   (int)left, (int)top, 0, &tile.footprint);
                     load_sums(&params, filtered, left, top, &tile);
                     tile.loaded = 1;
                 }

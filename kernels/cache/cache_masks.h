@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bits by record and VPL: of every packet of records RecordUpdate::mask_words words, LANES bits for
-// each VPL, the first VPL in the lowest.
+// Masks of irradiance records, a bit for each record and VPL: which VPLs a record sees, and which
+// connections are invalid. A packet of records has RecordUpdate::mask_words words, with LANES bits
+// for each VPL, the first VPL in the lowest.
 #ifndef WEFT_KERNELS_CACHE_CACHE_MASKS_H
 #define WEFT_KERNELS_CACHE_CACHE_MASKS_H
 
@@ -18,7 +19,7 @@ static inline uint cache_word(uint words, uint packet, uint vpl) {
     return packet * words + vpl / CACHE_VPLS_PER_WORD;
 }
 
-/// Where they begin in it.
+/// Position of those bits in the word.
 static inline uint cache_shift(uint vpl) {
     return vpl % CACHE_VPLS_PER_WORD * (uint)LANES;
 }

@@ -1,9 +1,10 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance records from all VPLs of a frame, in packets. Records that outlast their frame
-// (FEATURE_TEMPORAL) keep what they saw of each VPL: only connections in doubt are traced again,
-// and then all is summed up anew, as for a new record.
+// Computes irradiance records from all VPLs of a frame: irradiance, gradients, radius and
+// clearance. Records of the temporal record cache (FEATURE_TEMPORAL) store which VPLs they see:
+// only their invalid connections are traced again (record_invalidation.cl), and then all VPLs are
+// summed up anew, as for a new record. One work-item per packet of LANES records.
 #include "kernels/bvh/moved.h"
 #include "kernels/cache/cache_masks.h"
 #include "kernels/cache/clearance.h"
@@ -32,10 +33,10 @@ static inline void store_record(const WideLight* light, const WideChange* change
     store_vector(change->turn_blue, RECORD_TURN + 6u, stride, slot, records);
 }
 
-// LANES records in the making.
+// LANES records that are being computed.
 typedef struct {
     ReceiverPacket packet;
-    PacketInside inside;
+    PacketEnclosingMedia enclosing_media;
     WFloat3 tangent, bitangent;
     WFloat level;  // see roulette_level
     WideLight light;
@@ -46,8 +47,8 @@ static inline void begin_records(const RenderParams* params, const Media* media,
                                  GLOBAL const float* receiver_planes, uint stride, uint slot,
                                  RecordPacket* records) {
     records->packet = load_receivers(params, receiver_planes, stride, slot);
-    records->inside =
-        load_inside(params, media, receiver_planes, stride, records->packet.position, slot);
+    records->enclosing_media = load_enclosing_media(params, media, receiver_planes, stride,
+                                                    records->packet.position, slot);
     LaneVectors normals = lanes_of(records->packet.shading);
     LaneVectors tangents;
     LaneVectors bitangents;
@@ -65,10 +66,10 @@ static inline void begin_records(const RenderParams* params, const Media* media,
     records->change = no_change();
 }
 
-/// Adds a VPL, the `number`th. Lanes of `doubt` are traced, for others `seen` tells whether they
-/// see it; it tells so for all afterwards. Returns how many rays that took.
+/// Adds VPL number `number`. Lanes of `to_trace` trace a ray to it; for the others `seen` tells
+/// whether they see it, and afterwards for all. Returns the number of rays.
 static inline uint add_vpl(const RenderParams* params, float roulette, Scene scene,
-                           const Media* media, GLOBAL const Vpl* vpl, uint number, uint doubt,
+                           const Media* media, GLOBAL const Vpl* vpl, uint number, uint to_trace,
                            uint* seen, RecordPacket* records) {
     float3 flux = xyz(vpl->flux);
     float bright = luminance(flux);
@@ -87,13 +88,13 @@ static inline uint add_vpl(const RenderParams* params, float roulette, Scene sce
         times = SELECT(g < least, least / g, times);
     }
     if (!mask_any(useful)) return 0u;
-    WMask traced = useful & mask_of(doubt);
+    WMask traced = useful & mask_of(to_trace);
     uint rays = mask_count(traced);
     if (mask_any(traced)) {
         uint blocked = mask_bits(trace_any_packet(scene, xyz(vpl->position), d, traced));
-        *seen = (*seen & ~doubt) | (doubt & ~blocked);
+        *seen = (*seen & ~to_trace) | (to_trace & ~blocked);
     }
-    // Lanes without use may be anywhere, even at the VPL.
+    // Lanes that the VPL cannot light may be anywhere, even at the VPL.
     d = wide_vector(SELECT(useful, d.x, one), SELECT(useful, d.y, zero), SELECT(useful, d.z, zero));
     g = SELECT(useful, g, zero);
     WFloat gain = SELECT(useful, g * times * bright, zero);
@@ -103,10 +104,10 @@ static inline uint add_vpl(const RenderParams* params, float roulette, Scene sce
     if (!mask_any(useful)) return rays;
     gain = SELECT(useful, gain, zero);
     change->seen = change->seen + gain;
-    // Of geometry term 1, then of theirs.
+    // The light of a geometry term of 1, then times the lanes' own.
     WideLight part = no_light();
-    add_connection(params, media, &records->packet, &records->inside, xyz(vpl->position), vpl->flux,
-                   SELECT(useful, times, zero), d, number, useful, &part);
+    add_connection(params, media, &records->packet, &records->enclosing_media, xyz(vpl->position),
+                   vpl->flux, SELECT(useful, times, zero), d, number, useful, &part);
     records->light.red = records->light.red + part.red * g;
     records->light.green = records->light.green + part.green * g;
     records->light.blue = records->light.blue + part.blue * g;
@@ -122,7 +123,8 @@ static inline uint add_vpl(const RenderParams* params, float roulette, Scene sce
     return rays;
 }
 
-/// Holds radii to what pixels want, and looks for what may lie in the way, where that is not known.
+/// Bounds radii by pixel sizes and clearance. Traces the clearance of new records, and of those
+/// near moved geometry; returns the number of rays.
 static inline uint finish_records(const RenderParams* params, uint moved_count, Scene scene,
                                   const RecordPacket* packet, GLOBAL const uint* slot_pixel,
                                   GLOBAL const float4* gb_position, GLOBAL const float4* gb_normal,
@@ -141,7 +143,7 @@ static inline uint finish_records(const RenderParams* params, uint moved_count, 
         float least = record[RECORD_LEAST * stride];
         float most = record[RECORD_MOST * stride];
         float radius = m_clamp(record[RECORD_RADIUS * stride], least, most);
-        // A record that outlasts its frame may serve further in another.
+        // A stored record may get a larger radius in a later frame.
         float reach = GUARD_REACH * (HAS(params, FEATURE_TEMPORAL) ? most : radius);
         float3 origin = lane_vector(&places, lane);
         GLOBAL float* clearances = record + RECORD_CLEARANCE * stride;
@@ -176,17 +178,17 @@ WEFT_KERNEL(cache_records)
     uint rays = 0u;
     uint word = 0u;
     for (uint i = 0u; i < count; ++i) {
-        uint doubt = ALL_LANES;
+        uint to_trace = ALL_LANES;
         uint sees = 0u;
         if (keeps != 0) {
             if (cache_shift(i) == 0u) word = 0u;
             if (fresh == 0) {
-                doubt = lanes_of_word(doubts[cache_word(update.mask_words, number, i)], i);
+                to_trace = lanes_of_word(invalid[cache_word(update.mask_words, number, i)], i);
                 sees = lanes_of_word(seen[cache_word(update.mask_words, number, i)], i);
             }
         }
         rays +=
-            add_vpl(&params, update.roulette, scene, &through, vpls + i, i, doubt, &sees, &made);
+            add_vpl(&params, update.roulette, scene, &through, vpls + i, i, to_trace, &sees, &made);
         if (keeps != 0) {
             word |= (sees & ALL_LANES) << cache_shift(i);
             if (i + 1u == count || cache_shift(i + 1u) == 0u)

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Before anything is looked up in a cache: the bounds of each tile's surfaces, and all its pixels
-// that have an irradiance missing it.
+// Prepares lookups of irradiance records: computes the bounds of each tile's surfaces, and marks
+// all its lit pixels as missing irradiance. One work-item per tile.
 #include "kernels/core/kernel.h"
 #include "kernels/film/discontinuity.h"
 #include "kernels/film/edges.h"

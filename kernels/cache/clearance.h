@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How far about a place nothing lies between it and what is near to it on its surface, by sectors
-// of an eighth of a turn from the tangent (make_basis) to the bitangent and on.
+// Clearance of irradiance records: how far about a record there is nothing, so that lookups need no
+// ray to tell whether it sees a place. It is known by sectors of an eighth of a turn, from the
+// tangent (make_basis) to the bitangent and on.
 #ifndef WEFT_KERNELS_CACHE_CLEARANCE_H
 #define WEFT_KERNELS_CACHE_CLEARANCE_H
 
@@ -10,15 +11,15 @@
 #include "kernels/cache/cache.h"
 #include "kernels/core/sampling.h"
 
-// Rays that look for what may lie there: a ring near to the surface and one above it; a multiple of
-// LANES.
+// Clearance rays of a record: a ring near the surface and one above it; a multiple of LANES.
 #define RING_PROBES (2u * CACHE_SECTORS)
 #define PROBES (2u * RING_PROBES)
 
-// Least sine of the angle between a probe and the facet it starts from.
+// Least sine of the angle between a clearance ray and the facet that it starts from.
 #define PROBE_RISE 0.1f
 
-/// Unit direction of a probe about a shading normal, off the facet, whose normal is `facet`.
+/// Unit direction of clearance ray `i` about a shading normal, lifted off the facet, whose normal
+/// is `facet`.
 static inline float3 probe_way(uint i, float3 t, float3 b, float3 normal, float3 facet) {
     int upper = i >= RING_PROBES ? 1 : 0;
     float angle = 0.39269908f * ((float)(i % RING_PROBES) + (upper != 0 ? 0.5f : 0.0f));
@@ -33,9 +34,9 @@ static inline float3 probe_way(uint i, float3 t, float3 b, float3 normal, float3
     return way * (1.0f / length3(way));
 }
 
-/// Distances to the nearest thing within `reach` of a place on the lit side of its surface, which
-/// has a shading normal and that of its facet, as far as probes of a sector and of its neighbours
-/// tell, else `reach`: CACHE_SECTORS numbers, `stride` floats apart.
+/// Stores the clearance of a place on the lit side of its surface, `normal` being its shading
+/// normal and `facet` that of its triangle: for each sector the distance to the nearest hit of its
+/// rays and of the next beside it, at most `reach`. CACHE_SECTORS numbers, `stride` floats apart.
 static inline void store_clearances(Scene scene, float3 position, float3 normal, float3 facet,
                                     float reach, uint stride, GLOBAL float* clearances) {
     float3 t;
@@ -54,11 +55,11 @@ static inline void store_clearances(Scene scene, float3 position, float3 normal,
         trace_closest_packet(scene, position, &ways, ALL_LANES, reach, hits);
         for (uint lane = 0u; lane < (uint)LANES; ++lane)
             found[first + lane] =
-                hits[lane].triangle != NO_TRIANGLE ? m_min(hits[lane].t, reach) : reach;
+                hits[lane].triangle != INVALID_INDEX ? m_min(hits[lane].t, reach) : reach;
     }
     for (uint i = 0u; i < CACHE_SECTORS; ++i) {
         float nearest = reach;
-        // Those within the sector, and the next beside it.
+        // The rays within the sector, and the next beside it.
         for (uint k = 0u; k < 5u; ++k) {
             uint probe = (2u * i + k + RING_PROBES - 1u) % RING_PROBES;
             nearest = m_min(nearest, found[probe]);
@@ -68,7 +69,7 @@ static inline void store_clearances(Scene scene, float3 position, float3 normal,
     }
 }
 
-/// Of a record's sectors.
+/// The least clearance of a record's sectors.
 static inline float least_clearance(uint stride, GLOBAL const float* clearances) {
     float least = clearances[0];
     for (uint i = 1u; i < CACHE_SECTORS; ++i) least = m_min(least, clearances[i * stride]);

@@ -1,16 +1,17 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rays from irradiance records into the hemispheres above them (Ward, Rubinstein and Clear 1988):
-// what each brings but for emission, which is direct light, and how far it goes. The hemisphere
-// above a shading normal is parted into M elevations times N azimuths of equal projected solid
-// angle; cell (j, k), number k M + j, has the directions with sin^2 theta in [j, j + 1) / M and phi
-// in 2 pi [k, k + 1) / N. One ray goes through a random point of each. What it hits reflects light
-// as a surface of path.cl does, by all orders: next-event estimation, scattered rays, roulette.
+// Traces rays from irradiance records into the hemispheres above them (Ward, Rubinstein and Clear
+// 1988): finds the radiance that each brings but for emission, which is direct light, and how far
+// it goes. The hemisphere above a shading normal is parted into M elevations times N azimuths of
+// equal projected solid angle; cell (j, k), number k M + j, has the directions with sin^2 theta in
+// [j, j + 1) / M and phi in 2 pi [k, k + 1) / N. One ray goes through a random point of each. What
+// it hits reflects light as a surface of path.cl does, by all orders: next-event estimation,
+// scattered rays, roulette.
 //
-// A work-item traces one cell: those of the records from slot HemisphereGrid::first on follow one
-// another; M is the number of elevations, N that of azimuths. Of each cell the radiance, rgb, and
-// the distance are kept: RAY_INFINITY where nothing is hit, 0 below the record's own surface.
+// A work-item traces one cell; the cells of the records from slot HemisphereGrid::first on follow
+// one another. Of each cell the radiance, rgb, and the distance are stored: RAY_INFINITY where
+// nothing is hit, 0 below the record's own surface.
 #include "kernels/core/counters.h"
 #include "kernels/core/guard.h"
 #include "kernels/core/kernel.h"
@@ -28,17 +29,18 @@ static inline float3 cell_direction(uint elevations, uint azimuths, uint cell, f
     float cosine;
     m_sincos(M_TWO_PI * turn, &sine, &cosine);
     float across = square_root(square);
-    float3 about_z = f3(cosine * across, sine * across, square_root(m_max(0.0f, 1.0f - square)));
-    return normalize3(turn_to(about_z, axis));
+    float3 local_vector =
+        f3(cosine * across, sine * across, square_root(m_max(0.0f, 1.0f - square)));
+    return normalize3(to_world(local_vector, axis));
 }
 
-/// What a ray from a point off a surface brings, rgb, and how far it goes.
+/// Radiance along a ray from a point off a surface, rgb, without emission; w: how far the ray goes.
 static inline float4 trace_cell(const RenderParams* params, const PathScene* world, float3 position,
                                 float3 normal, float3 direction, Random* random, uint* rays) {
     if (!(dot3(direction, normal) > 0.0f)) return f4(0.0f, 0.0f, 0.0f, 0.0f);
     Hit hit = trace_closest(world->scene, position, direction, RAY_INFINITY);
     ++*rays;
-    if (hit.triangle == NO_TRIANGLE) return f4(0.0f, 0.0f, 0.0f, RAY_INFINITY);
+    if (hit.triangle == INVALID_INDEX) return f4(0.0f, 0.0f, 0.0f, RAY_INFINITY);
     PathLight sum;
     sum.direct = f3(0.0f, 0.0f, 0.0f);
     sum.indirect = sum.direct;

@@ -1,11 +1,11 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance records from the cells of their hemispheres (hemisphere_rays.cl): irradiance, how it
-// changes with place and normal (Ward and Heckbert 1992), and how far that serves. With L and r of
-// the cells (j, k), theta from t_j = asin sqrt(j / M) to t_(j+1), phi from p_k = 2 pi k / N on, u_k
-// and v_k the directions of a cell's middle azimuth and of that plus pi / 2, and w_k that of p_k
-// plus pi / 2,
+// Computes irradiance records from the cells of their hemispheres (hemisphere_rays.cl): irradiance
+// E, its gradients move E over place and turn E over turns of the normal (Ward and Heckbert 1992),
+// and the radius. With the radiance L and distance r of the cells (j, k), theta from t_j = asin
+// sqrt(j / M) to t_(j+1), phi from p_k = 2 pi k / N on, u_k and v_k the directions of a cell's
+// middle azimuth and of that plus pi / 2, and w_k that of p_k plus pi / 2,
 //   E      = pi / (M N)   sum of L
 //   turn E = sin(pi / N)  sum of v_k (F(t_(j+1)) - F(t_j)) L,  F(t) = t - sin t cos t
 //   move E = 2 sin(pi / N) sum of u_k sin t_j cos^2 t_j (L - L of (j - 1, k)) / r'
@@ -15,10 +15,11 @@
 // means over cells, so that all three are exact where radiance is the same all over each cell. The
 // turn goes with n x n'. Directions below the record's own surface border on nothing that moves.
 //
-// A record serves as far as SamplingParams::record_error times the harmonic mean distance (Ward et
-// al. 1988) or, where that is less, times the distance at which light would have fallen to nothing
-// at its slope (Krivanek et al. 2006); within bounds by pixels. Where that is less than the least,
-// the slope counts for less by the same share, since what lies so near is not known well enough.
+// The radius is SamplingParams::record_error times the harmonic mean distance (Ward et al. 1988)
+// or, where that is less, times the distance at which light would have fallen to nothing at its
+// slope (Krivanek et al. 2006); it is bounded by pixel sizes. Where it would be less than the
+// least, the gradient over place is scaled down by the same share, since what lies so near is not
+// known well enough. One work-item per record.
 #include "kernels/bvh/triangle.h"
 #include "kernels/cache/cache.h"
 #include "kernels/cache/record_place.h"
@@ -32,7 +33,7 @@ typedef struct {
     float3 red, green, blue;
 } Gradient;
 
-// What the rays of a record tell.
+// What the rays of a record have found.
 typedef struct {
     float3 light;  // irradiance
     Gradient move, turn;
@@ -61,8 +62,8 @@ static inline void add_gradient(float3 way, float3 change, Gradient* sum) {
     sum->blue += way * change.z;
 }
 
-/// How fast one of two neighbours takes the place of the other: their difference by their smaller
-/// distance.
+/// Parallax between two neighbouring cells: the difference of their radiance over the smaller of
+/// their distances.
 static inline float3 parallax(float4 cell, float4 neighbour) {
     float nearest = m_min(cell.w, neighbour.w);
     if (!(nearest > 0.0f)) return f3(0.0f, 0.0f, 0.0f);
@@ -143,7 +144,7 @@ static inline Hemisphere hemisphere_of(GLOBAL const float4* cells, uint elevatio
     return all;
 }
 
-/// How far the record serves by an allowed error, before pixels have a say.
+/// Radius of the record by an allowed error, before pixel sizes bound it.
 static inline float hemisphere_reach(const Hemisphere* all, float error) {
     float slope =
         length3(all->move.red * 0.2126f + all->move.green * 0.7152f + all->move.blue * 0.0722f);
@@ -182,13 +183,13 @@ WEFT_KERNEL(hemisphere_records)
     float least = record[RECORD_LEAST * stride];
     float most = record[RECORD_MOST * stride];
     float reach = hemisphere_reach(&all, params.sampling.record_error);
-    // In this order a least of 0, beside which nothing has a share, makes no NaN.
+    // m_min returns its second argument for the NaN that a least of 0 may give.
     float share = m_min(reach / least, 1.0f);
     store_row(all.light, RECORD_LIGHT, stride, record);
     store_gradient(&all.move, share, RECORD_MOVE, stride, record);
     store_gradient(&all.turn, 1.0f, RECORD_TURN, stride, record);
     record[RECORD_RADIUS * stride] = m_clamp(reach, least, most);
-    // As if nothing could lie before what they serve: records of hemispheres ask by no rays.
+    // More clearance than lookups can need: for records of hemispheres they trace no rays.
     for (uint sector = 0u; sector < CACHE_SECTORS; ++sector)
         record[(RECORD_CLEARANCE + sector) * stride] = 2.0f * GUARD_REACH * most;
 }

@@ -1,35 +1,38 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the light of irradiance records changes with place and normal, and how far that serves. With
-// v = y - x from the record to a VPL, s = v.v, a = n.v, b = -m.v and c = a m - b n, the geometry
-// term is f = a b / s^2, and
+// Gradients of a record's irradiance over place and normal, and the radius up to which it serves.
+// With v = y - x from the record to a VPL of normal m, n the record's normal, s = v.v, a = n.v, b =
+// -m.v and c = a m - b n, the geometry term is f = a b / s^2, and
 //   grad f   = c / s^2 + 4 a b v / s^3
 //   t.H.u    = (4 ((c.t) (v.u) + (c.u) (v.t)) + (24 a b / s) (v.t) (v.u) - 4 a b t.u) / s^3
 //   turn f   = b (n x v) / s^2
-// for t and u in the tangent plane. Where f is bounded it is constant. What lies between a record
-// and a VPL is taken not to change.
+// with H the Hessian of f, for t and u in the tangent plane. Where f is bounded it is constant. The
+// visibility of VPLs is taken not to change.
 //
-// The radius is that at which the mean error of the first order, (|l1| + |l2|) R^2 / 8 by the
-// eigenvalues of H, is SamplingParams::record_error of the irradiance (Schwarzhaupt et al. 2012). H
-// sees no shadows: records that see some VPLs and not others serve less far.
+// The radius R is that at which the mean error of the first order, (|l1| + |l2|) R^2 / 8 by the
+// eigenvalues l1 and l2 of H, is the share SamplingParams::record_error of the irradiance
+// (Schwarzhaupt et al. 2012). H knows no shadows, so records that see only some of the VPLs get
+// smaller radii.
 #ifndef WEFT_KERNELS_CACHE_RECORD_CHANGE_H
 #define WEFT_KERNELS_CACHE_RECORD_CHANGE_H
 
 #include "kernels/light/connection.h"
 #include "kernels/media/packet_media.h"
 
-// How much nearer a record serves that sees half of its light.
+// By how much shadows shrink a radius: where half of the light is visible, by 1 / (1 +
+// SHADOW_CARE).
 #define SHADOW_CARE 1.0f
-// Share of the distance at which light would have fallen to nothing at its slope.
+// Largest radius, as a share of the distance at which light would have fallen to nothing at its
+// slope.
 #define SLOPE_SHARE 0.5f
 
-// Derivatives of the light of LANES records; only the upper half of the symmetric H.
+// Derivatives of the light of LANES records; of the symmetric H only the upper half.
 typedef struct {
     WFloat3 move_red, move_green, move_blue;
     WFloat3 turn_red, turn_green, turn_blue;
     WFloat along, across, mixed;  // H of luminance in the tangent plane
-    WFloat seen, all;  // luminance from VPLs that are seen, and where nothing lay between
+    WFloat seen, all;             // luminance from visible VPLs, and from all, were none hidden
 } WideChange;
 
 static inline WideChange no_change(void) {
@@ -95,16 +98,16 @@ static inline void add_change(const ReceiverPacket* packet, float3 normal, WFloa
     change->mixed = change->mixed + weight * (ct * vu + cu * vt + steep * vt * vu);
 }
 
-/// Adds the curvature of light that falls off as from a point at the distance of a VPL: of VPLs
-/// whose geometry term is bounded, which is flat only up to the edge of a disc, or is another.
-/// `square` is the squared distance, not 0.
+/// Adds a curvature for a VPL whose geometry term is bounded, and so flat only up to the edge of a
+/// disc, or is not that of a surface: the curvature of light that falls off as from a point at the
+/// VPL's distance. `square` is the squared distance, not 0.
 static inline void add_bend(WFloat square, WFloat bright, WideChange* change) {
     WFloat bend = bright * 4.0f / square;
     change->along = change->along - bend;
     change->across = change->across - bend;
 }
 
-/// Radius by error and by the share of light that is seen, before pixels have a say.
+/// Radius by error, slope and the share of light that is visible, before pixel sizes bound it.
 static inline WFloat error_radius(const RenderParams* params, const WideChange* change,
                                   WFloat3 tangent, WFloat3 bitangent, WFloat bright) {
     WFloat slope_along =
@@ -122,8 +125,8 @@ static inline WFloat error_radius(const RenderParams* params, const WideChange* 
     WFloat far = WIDE(MEDIA_EVERYWHERE);
     WFloat ratio = bright * (8.0f * params->sampling.record_error) / bend;
     WFloat radius = SELECT(bend > zero, wide_square_root(ratio), far);
-    // H is small as well where it changes its sign; further than light falls to nothing at its
-    // slope no record serves (Krivanek et al. 2006).
+    // H is also small where it changes its sign. So the distance at which light would have fallen
+    // to nothing at its slope bounds the radius as well (Krivanek et al. 2006).
     WFloat slope = wide_square_root(slope_along * slope_along + slope_across * slope_across);
     WFloat fall = bright * SLOPE_SHARE / slope;
     fall = SELECT(slope > zero, fall, far);

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where an irradiance record is and between which sizes it serves, by the pixel that it is made at.
+// Place and bounds of the radius of a new irradiance record, from the pixel that it is made at.
 #ifndef WEFT_KERNELS_CACHE_RECORD_PLACE_H
 #define WEFT_KERNELS_CACHE_RECORD_PLACE_H
 
@@ -9,11 +9,11 @@
 #include "kernels/core/port.h"
 #include "kernels/core/types.h"
 
-// How far a record serves at most, in edges of a square as large as a pixel on its surface. It
-// serves its own pixel at least: with an error of 0 every pixel is a record.
+// Largest radius of a record, in edges of a square as large as a pixel on its surface. The least is
+// the width of its own pixel: with an error of 0 every pixel is a record.
 #define MOST_PIXELS 20.0f
 
-/// Sizes and place of a new record, by its pixel.
+/// Stores the place of a new record and the bounds of its radius.
 static inline void store_place(const RenderParams* params, GLOBAL const float4* gb_position,
                                GLOBAL const float4* gb_normal, uint pixel, uint stride,
                                GLOBAL float* record) {

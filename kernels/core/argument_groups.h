@@ -54,8 +54,8 @@
     X(MAY_READ, ReconstructedLight, direct)            \
     X(MAY_READ, SlotLight, exact_irradiance)           \
     X(MAY_READ, ReconstructedLight, indirect)          \
-    X(MAY_READ, Transmittances, view_left)             \
-    X(MAY_READ, MediaEmission, view_glow)              \
+    X(MAY_READ, Transmittances, view_transmittance)    \
+    X(MAY_READ, MediaEmission, view_emission)          \
     X(MAY_READ, ReconstructedLight, media_light)
 
 // clang-format on

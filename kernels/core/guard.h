@@ -1,7 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is not finite or negative is counted and never reaches the film.
+// Keeps values that are not finite, or are negative, from the film: they are counted, and replaced
+// by black.
 #ifndef WEFT_KERNELS_CORE_GUARD_H
 #define WEFT_KERNELS_CORE_GUARD_H
 

@@ -17,7 +17,7 @@
 #define RECEIVER_NORMAL_X 7u
 #define RECEIVER_NORMAL_Y 8u
 #define RECEIVER_NORMAL_Z 9u
-#define RECEIVER_INSIDE 10u  // boundaries of media around it, a bit each (bits)
+#define RECEIVER_ENCLOSING_MEDIA 10u  // boundaries of media around it, a bit each (bits)
 #define RECEIVER_PLANES_FLAT 7u
 #define RECEIVER_PLANES_SMOOTH 10u
 #define RECEIVER_PLANES_MEDIA 11u

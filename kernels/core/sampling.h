@@ -10,7 +10,7 @@
 #include "kernels/core/types.h"
 #include "kernels/core/vector.h"
 
-// Primes of the dimensions of a light path; see vpl_walk.cl.
+// Primes of the dimensions of a light path; see light_path.h.
 #define PRIME_LIGHT 7u
 #define PRIME_POSITION_U 2u
 #define PRIME_POSITION_V 3u
@@ -71,9 +71,9 @@ static inline uint find_entry(GLOBAL const float* sums, uint stride, uint count,
     return low;
 }
 
-/// What a number that fell into an entry is within it, in [0, 1), for reuse: `before` is the sum of
-/// the probabilities before the entry.
-static inline float stretch_number(float u, float before, float probability) {
+/// Rescales a random number that chose an entry to [0, 1) over that entry, for reuse: `before` is
+/// the sum of the probabilities before the entry.
+static inline float rescale_number(float u, float before, float probability) {
     return m_clamp((u - before) / probability, 0.0f, 0.99999994f);
 }
 
@@ -100,19 +100,19 @@ static inline void concentric_disk(float u, float v, float* x, float* y) {
     *y = radius * s;
 }
 
-/// Unit direction about +z with density cos / pi.
+/// Unit direction about +z with pdf cos / pi.
 static inline float3 cosine_direction(float u, float v) {
     float x, y;
     concentric_disk(u, v, &x, &y);
     return f3(x, y, square_root(m_max(0.0f, 1.0f - x * x - y * y)));
 }
 
-/// Density of cosine_direction, 1/sr.
+/// Pdf of cosine_direction, 1/sr.
 static inline float cosine_pdf(float cosine) {
     return cosine * M_INV_PI;
 }
 
-/// Irradiance by radiance 1 from a direction of cosine_direction: the cosine over its density.
+/// Irradiance by radiance 1 from a direction of cosine_direction: the cosine over its pdf.
 #define COSINE_IRRADIANCE M_ONE_PI
 
 /// Unit direction within the cone cos >= `cos_limit` about +z, uniform over solid angle; the whole
@@ -132,11 +132,11 @@ static inline float3 local_direction(float3 direction, float3 axis) {
     return f3(dot3(direction, tangent), dot3(direction, bitangent), dot3(direction, axis));
 }
 
-/// The inverse: a direction given about +z turned to be about the unit vector `axis`.
-static inline float3 turn_to(float3 about_z, float3 axis) {
+/// The inverse of local_direction: a vector given in that frame, in the space of `axis`.
+static inline float3 to_world(float3 local_vector, float3 axis) {
     float3 tangent, bitangent;
     make_basis(axis, &tangent, &bitangent);
-    return tangent * about_z.x + bitangent * about_z.y + axis * about_z.z;
+    return tangent * local_vector.x + bitangent * local_vector.y + axis * local_vector.z;
 }
 
 #endif

@@ -6,7 +6,7 @@
 // struct that the host fills in (host/device/launch.h) and the checks of both backends. Modes:
 //
 //   READS, WRITES          a buffer of a kind of buffers.def; WRITES may read as well
-//   MAY_READ, MAY_WRITE    the same, of which the features of a launch may have no use
+//   MAY_READ, MAY_WRITE    the same, which a launch without some feature leaves unused
 //   VALUE                  a struct of types.h, or a scalar
 //   GROUP                  the buffers of GROUP_<kind>, which many kernels share
 //   TRACES                 the scene in which the kernel traces rays
@@ -33,9 +33,9 @@
 #define ARGUMENTS_view_media(X)                        \
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(GROUP, MediaTables, media_tables)                \
-    X(WRITES, Transmittances, view_left)               \
-    X(MAY_WRITE, MediaEmission, view_glow)             \
-    X(WRITES, EnclosingMedia, view_inside)             \
+    X(WRITES, Transmittances, view_transmittance)      \
+    X(MAY_WRITE, MediaEmission, view_emission)         \
+    X(WRITES, EnclosingMedia, view_enclosing_media)    \
     X(MAY_WRITE, SurfaceIds, end_ids)                  \
     X(MAY_WRITE, SurfacePositions, end_position)       \
     X(MAY_WRITE, SurfaceNormals, end_normal)           \
@@ -45,7 +45,7 @@
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(VALUE, uint, slots)                              \
     X(READS, SlotPixels, slot_pixel)                   \
-    X(MAY_READ, EnclosingMedia, view_inside)           \
+    X(MAY_READ, EnclosingMedia, view_enclosing_media)  \
     X(WRITES, ReceiverPlanes, receiver_planes)         \
     X(WRITES, PixelSlots, pixel_slot)
 
@@ -61,17 +61,17 @@
     X(GROUP, LightTable, light_table)                  \
     X(GROUP, MediaTables, media_tables)                \
     X(MAY_READ, PathsKnown, known_segments)            \
-    X(MAY_WRITE, PathCache, path_memory)               \
+    X(MAY_WRITE, PathCache, light_path_cache)          \
     X(MAY_WRITE, VplChanges, vpl_changes)              \
     X(WRITES, VirtualLights, vpls)                     \
     X(WRITES, RayCounters, counters)
 
-#define ARGUMENTS_vpl_doubts(X)                        \
+#define ARGUMENTS_vpl_invalidation(X)                  \
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(GROUP, MediaTables, media_tables)                \
-    X(READS, PathCache, path_memory)                   \
+    X(READS, PathCache, light_path_cache)              \
     X(WRITES, PathsKnown, known_segments)              \
     X(WRITES, RayCounters, counters)
 
@@ -195,12 +195,12 @@
     X(READS, VirtualLights, vpls)                      \
     X(MAY_READ, MovedBounds, moved_boxes)              \
     X(READS, PacketStates, states)                     \
-    X(READS, InvalidConnections, doubts)               \
+    X(READS, InvalidConnections, invalid)              \
     X(WRITES, VisibleConnections, seen)                \
     X(WRITES, RecordPlanes, records)                   \
     X(WRITES, RayCounters, counters)
 
-#define ARGUMENTS_cache_doubts(X)                      \
+#define ARGUMENTS_record_invalidation(X)               \
     X(TRACES, Scene, scene)                            \
     X(VALUE, RecordUpdate, update)                     \
     X(VALUE, uint, slots)                              \
@@ -209,7 +209,7 @@
     X(READS, VirtualLights, vpls)                      \
     X(READS, VplChanges, vpl_changes)                  \
     X(READS, MovedBounds, moved_boxes)                 \
-    X(WRITES, InvalidConnections, doubts)              \
+    X(WRITES, InvalidConnections, invalid)             \
     X(WRITES, PacketStates, states)                    \
     X(WRITES, RayCounters, counters)
 

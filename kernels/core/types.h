@@ -7,7 +7,7 @@
 #ifndef WEFT_KERNELS_CORE_TYPES_H
 #define WEFT_KERNELS_CORE_TYPES_H
 
-#define NO_TRIANGLE 0xFFFFFFFFu
+#define INVALID_INDEX 0xFFFFFFFFu
 #define MAX_BOUNCES 8
 #define PACKET_BLOCK 16  // slots of one work list block share a sample set; a multiple of any LANES
 // Shadow rays between two points end this share before the second: a receiver on the edge of two
@@ -32,8 +32,8 @@
 #define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
 #define FEATURE_EMISSIVE_MEDIA 16384u
 #define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
-#define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records outlast their frame
-#define FEATURE_HEMISPHERES 131072u  // irradiance records hold what hemispheres of rays have found
+#define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records are stored from frame to frame
+#define FEATURE_HEMISPHERES 131072u  // irradiance records trace hemispheres of rays
 #define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
@@ -68,7 +68,7 @@ typedef struct {
 typedef struct {
     uint material;
     uint first_triangle;  // id of the instance's first triangle
-    uint light;           // index of its area light, or NO_TRIANGLE
+    uint light;           // index of its area light, or INVALID_INDEX
     uint pad;
 } InstanceRecord;
 
@@ -81,7 +81,7 @@ typedef struct {
     float4 emission;    // rgb, W/(m^2 sr)
     float4 parameters;  // of lobes other than Lambert's, as each defines them
     uint flags;
-    uint texture;  // index or NO_TRIANGLE
+    uint texture;  // index or INVALID_INDEX
     uint lobe;     // LOBE_* of bsdf/lobe.h
     uint pad;
 } MaterialRecord;
@@ -98,7 +98,8 @@ typedef struct {
     uint flags;
 } TextureRecord;
 
-// An area light: the emissive triangles [first, first + count) of the emitter list.
+// Kinds of lights. An area light is the emissive triangles [first, first + count) of the emitter
+// list.
 #define EMITTER_AREA 0u
 #define EMITTER_POINT 1u
 #define EMITTER_SPOT 2u
@@ -109,7 +110,7 @@ typedef struct {
 typedef struct {
     float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest one
     float4 axis;      // spot, directional: direction of travel; area: xyz normal of one flat
-                      // panel (host/scene/lamp_bounds.h), else 0
+                      // panel (host/scene/area_light_bounds.h), else 0
     float4 power;     // area: radiance; point, spot: W/sr in kernel units; directional: W/m^2
     uint kind;
     uint first, count;  // emissive triangles
@@ -122,7 +123,7 @@ typedef struct {
     float area_probability;
     float choice_cumulative;  // the same for path tracing, which chooses from all but environments
     float choice_probability;
-    uint inside;  // media boundaries about its centre, a bit each
+    uint enclosing_media;  // media boundaries about its centre, a bit each
     uint pad0, pad1;
 } LightRecord;
 
@@ -147,12 +148,12 @@ typedef struct {
     float4 normal;    // xyz unit, of VPL_MEDIUM the direction in which light came; w: kind (bits)
     float4 flux;  // rgb: reflected flux over pi, summed over all sets; 0: unused; w: of indirect
                   // VPLs their random number for roulette, in (0, 1]
-    float4 cone;  // spot: cos_inner, cos_outer; VPL_MEDIUM: x is the phase function's g; w: where
-                  // on view rays its light is looked for, in [0, 1)
+    float4 cone;  // spot: cos_inner, cos_outer; VPL_MEDIUM: x is the phase function's g; w: random
+                  // number of its place on view rays through media, in [0, 1)
 } Vpl;
 
-// A medium's densities and their bounds, floats of two buffers from `first` and `first_bound` on,
-// of nx ny nz voxels and bx by bz blocks; see host/scene/density_grid.h and majorant_grid.h.
+// A medium's densities and their majorants, floats of two buffers from `first` and `first_bound`
+// on, of nx ny nz voxels and bx by bz blocks; see host/scene/density_grid.h and majorant_grid.h.
 typedef struct {
     uint nx, ny, nz;
     uint first;
@@ -178,17 +179,17 @@ typedef struct {
     float4 albedo;     // rgb share of it that is scattered
     float4 emission;   // rgb radiance emitted per kernel unit of length
     float anisotropy;  // Henyey-Greenstein g
-    uint grid;         // of densities that multiply sigma_t and emission; NO_TRIANGLE: none
+    uint grid;         // of densities that multiply sigma_t and emission; INVALID_INDEX: none
     uint pad0, pad1;
 } MediumRecord;
 
 typedef struct {
-    uint inside[MAX_MEDIUM_BOUNDARIES];  // medium or NO_MEDIUM, by boundary
-    uint outside;                        // of all boundaries
-    uint boundaries;                     // how many there are
-    uint around_camera;                  // a bit for each boundary that encloses the camera
-    float rounding;                      // how far rounding may move a boundary, kernel units
-    float4 box_centre, box_reach;        // half the box outside of which all is clear
+    uint interior[MAX_MEDIUM_BOUNDARIES];  // medium or NO_MEDIUM, by boundary
+    uint outside;                          // of all boundaries
+    uint boundaries;                       // how many there are
+    uint around_camera;                    // a bit for each boundary that encloses the camera
+    float rounding;                        // how far rounding may move a boundary, kernel units
+    float4 box_centre, box_reach;          // half the box outside of which all is clear
     // 1 where all boundaries are convex, each two apart or one inside of the other, and no grid
     // lies around another boundary; then what follows tells where they are (convex_media.h).
     uint convex;
@@ -198,17 +199,17 @@ typedef struct {
     float4 planes[CONVEX_PLANES];       // unit normal outwards; w: dot product of points with it
 } MediaRecord;
 
-// Irradiance about a place, and how it changes to first order; see cache_records.cl and
+// An irradiance record: irradiance at a place, and its gradients; see cache_records.cl and
 // hemisphere_records.cl.
 typedef struct {
-    float4 position;   // xyz; w: how far the record serves, kernel units
+    float4 position;   // xyz; w: radius, up to which the record serves, kernel units
     float4 origin;     // where its rays start: xyz, moved off its surface
-    float4 normal;     // shading normal; w: 1 where something may lie between it and what it serves
-    float4 clear_low;  // by sector: square of how far off places are that nothing can lie before
+    float4 normal;     // shading normal; w: 1 where something may hide places that it serves
+    float4 clear_low;  // by sector: squared distance up to which nothing can hide a place
     float4 clear_high;
     float4 irradiance;                       // rgb
-    float4 move_red, move_green, move_blue;  // change per kernel unit
-    float4 turn_red, turn_green, turn_blue;  // change with the normal: with n x n', to first order
+    float4 move_red, move_green, move_blue;  // gradient over place, per kernel unit
+    float4 turn_red, turn_green, turn_blue;  // gradient over turns of the normal, by n x n'
 } CacheRecord;
 
 // Tiles of the adaptive components, TILE_EDGE pixels square. A bit of a mask is a pixel, row by
@@ -282,7 +283,7 @@ typedef struct {
 #define FILM_STRIDE(pixels) ((pixels) + 80u)
 
 // The film of path tracing holds exact sums (film_sums.h): FILM_SUM_WORDS words for each of the
-// planes above, then FILM_SQUARE_WORDS words for the squares of each channel of the picture.
+// planes above, then FILM_SQUARE_WORDS words for the squares of each channel of the image.
 // A sum counts 2^-FILM_SUM_SHIFT of its unit, which is 1 / PathParams::film_scale for light.
 #define FILM_SUM_WORDS 3
 #define FILM_SUM_SHIFT 52
@@ -386,7 +387,7 @@ typedef struct {
 typedef struct {
     uint vpls;
     float roulette;    // as of vpl_gather
-    uint mask_words;   // words of a packet's bits by VPL (cache_masks.h); 0: none are kept
+    uint mask_words;   // words of a packet's bits by VPL (cache_masks.h); 0: none are stored
     uint moved_boxes;  // see moved.h
 } RecordUpdate;
 

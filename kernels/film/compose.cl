@@ -1,9 +1,10 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every pixel's surface and irradiance to the film, but for edge pixels, which edge_samples.cl adds
-// where the frame has edge samples. One work-item for LANES pixels of a row; where one of them is
-// not good (guard.h), or the row ends, pixel by pixel, with the same result.
+// Composes the radiance of every pixel from its surface and irradiance, and adds it to the film.
+// Edge pixels are left to edge_samples.cl where the frame has edge samples. One work-item for LANES
+// pixels of a row; where one of them is not good (guard.h), or the row ends, pixel by pixel, with
+// the same result.
 #include "kernels/core/kernel.h"
 #include "kernels/film/film.h"
 #include "kernels/film/wide_pixels.h"
@@ -87,17 +88,17 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
     WFloat3 direct_radiance = black();
     WFloat3 indirect_radiance = black();
     if (HAS(params, FEATURE_MEDIA)) {
-        WFloat3 left = load_vectors(buffers->view_left + first);
-        reflectance = product(reflectance, left);
-        sample->emission = product(sample->emission, left);
-        direct_radiance = product(direct_radiance, left);
-        indirect_radiance = product(indirect_radiance, left);
+        WFloat3 transmittance = load_vectors(buffers->view_transmittance + first);
+        reflectance = product(reflectance, transmittance);
+        sample->emission = product(sample->emission, transmittance);
+        direct_radiance = product(direct_radiance, transmittance);
+        indirect_radiance = product(indirect_radiance, transmittance);
     }
     if (HAS(params, FEATURE_EMISSIVE_MEDIA)) {
-        WFloat3 glow = load_vectors(buffers->view_glow + first);
-        sample->emission.x = sample->emission.x + glow.x;
-        sample->emission.y = sample->emission.y + glow.y;
-        sample->emission.z = sample->emission.z + glow.z;
+        WFloat3 media_emission = load_vectors(buffers->view_emission + first);
+        sample->emission.x = sample->emission.x + media_emission.x;
+        sample->emission.y = sample->emission.y + media_emission.y;
+        sample->emission.z = sample->emission.z + media_emission.z;
     }
     sample->direct =
         composed(direct_radiance, reflectance, direct_irradiance(params, seen, buffers, first));

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which pixels may share irradiance: those on the same surface by normal and plane distance
+// Tells which pixels may share irradiance: those on the same surface by normal and plane distance
 // (discontinuity buffer, Wald et al. 2002).
 #ifndef WEFT_KERNELS_FILM_DISCONTINUITY_H
 #define WEFT_KERNELS_FILM_DISCONTINUITY_H
@@ -9,7 +9,7 @@
 #include "kernels/bvh/triangle.h"
 #include "kernels/film/gbuffer.h"
 
-// A pixel that others are held against.
+// The surface of a pixel, which others are tested against.
 typedef struct {
     float3 position, normal, shading;
     float reach;   // largest distance of others from its plane
@@ -19,11 +19,11 @@ typedef struct {
 /// 1 where the pixel shows a surface that reflects, so that it has an irradiance.
 static inline int pixel_is_lit(GLOBAL const uint* gb_ids, GLOBAL const float4* gb_albedo,
                                uint pixel) {
-    return gb_ids[2u * pixel] != NO_TRIANGLE && gb_albedo[pixel].w > 0.0f ? 1 : 0;
+    return gb_ids[2u * pixel] != INVALID_INDEX && gb_albedo[pixel].w > 0.0f ? 1 : 0;
 }
 
-/// `share` of the discontinuity buffer's tolerances about a pixel that is lit; 1 is the ordinary
-/// one.
+/// The surface of a pixel that is lit, with `share` of the discontinuity buffer's tolerances; 1 for
+/// the buffer itself.
 static inline PixelSurface pixel_surface(const RenderParams* params,
                                          GLOBAL const float4* gb_position,
                                          GLOBAL const float4* gb_normal,
@@ -45,7 +45,7 @@ static inline int on_surface(const PixelSurface* surface, GLOBAL const float4* g
     return absolute(distance) < surface->reach ? 1 : 0;
 }
 
-static inline int window_start(int centre, int radius, int size) {
+static inline int footprint_start(int centre, int radius, int size) {
     int last = size - (2 * radius + 1);
     int start = centre - radius;
     if (start > last) start = last;
@@ -57,19 +57,21 @@ static inline float3 slot_irradiance(GLOBAL const float* irradiance, uint stride
     return f3(irradiance[slot], irradiance[stride + slot], irradiance[2u * stride + slot]);
 }
 
-/// Mean irradiance over the samples in a (2r+1)^2 window about a lit pixel that lie on its surface,
-/// so that every sample set is met once; w: how many. At the picture's border the window is moved
-/// inwards, to hold all sets there too. 0 where the window has no sample.
-static inline float4 window_mean(const RenderParams* params, GLOBAL const uint* gb_ids,
-                                 GLOBAL const float4* gb_albedo, GLOBAL const float4* gb_position,
-                                 GLOBAL const float4* gb_shading, const PixelSurface* surface,
-                                 GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
-                                 uint slots, uint pixel) {
+/// Mean irradiance over those samples of a lit pixel's filter footprint, (2r+1)^2 pixels, that lie
+/// on its surface; w: their number. An even surface has every sample set once. At the image's
+/// border the footprint is moved inwards, to hold all sets there too. 0 where the footprint has no
+/// sample.
+static inline float4 footprint_mean(const RenderParams* params, GLOBAL const uint* gb_ids,
+                                    GLOBAL const float4* gb_albedo,
+                                    GLOBAL const float4* gb_position,
+                                    GLOBAL const float4* gb_shading, const PixelSurface* surface,
+                                    GLOBAL const uint* pixel_slot, GLOBAL const float* irradiance,
+                                    uint slots, uint pixel) {
     int radius = (int)params->filter.radius;
     int width = (int)params->camera.width;
     int height = (int)params->camera.height;
-    int x0 = window_start((int)(pixel % params->camera.width), radius, width);
-    int y0 = window_start((int)(pixel / params->camera.width), radius, height);
+    int x0 = footprint_start((int)(pixel % params->camera.width), radius, width);
+    int y0 = footprint_start((int)(pixel / params->camera.width), radius, height);
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     float weight = 0.0f;
     for (int y = y0; y <= y0 + 2 * radius && y < height; ++y) {
@@ -80,7 +82,7 @@ static inline float4 window_mean(const RenderParams* params, GLOBAL const uint* 
                 if (on_surface(surface, gb_position, gb_shading, other) == 0) continue;
             }
             uint slot = pixel_slot[other];
-            if (slot == NO_TRIANGLE) continue;
+            if (slot == INVALID_INDEX) continue;
             sum += slot_irradiance(irradiance, slots, slot);
             weight += 1.0f;
         }

@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which pixels lie at an edge of the picture: one of the 8 neighbours shows another surface, or one
-// of another colour. Texture makes no edge, since it is averaged over the pixel already. One
-// work-item per tile, row by row.
+// Finds the pixels at edges within the image: those of whose 8 neighbours one shows another
+// surface, or one of another colour. Texture makes no edge, since it is averaged over the pixel
+// already. One work-item per tile, row by row.
 #include "kernels/bvh/geometry.h"
 #include "kernels/core/kernel.h"
 #include "kernels/film/discontinuity.h"
@@ -34,7 +34,7 @@ static inline int edge_between(const RenderParams* params, GLOBAL const Instance
     uint instance_a = gb_ids[2u * a];
     uint instance_b = gb_ids[2u * b];
     if (gb_ids[2u * a + 1u] == gb_ids[2u * b + 1u] && instance_a == instance_b) return 0;
-    if (instance_a == NO_TRIANGLE || instance_b == NO_TRIANGLE) return 1;
+    if (instance_a == INVALID_INDEX || instance_b == INVALID_INDEX) return 1;
     if (colours_differ(xyz(gb_emission[a]), xyz(gb_emission[b])) != 0) return 1;
     if (pixel_is_lit(gb_ids, gb_albedo, a) == 0 && pixel_is_lit(gb_ids, gb_albedo, b) == 0)
         return 0;
@@ -61,7 +61,7 @@ static inline int is_decided(const uint* mask, int x, int y) {
 
 #define RIM_EDGE (TILE_EDGE + 2)  // a tile and the pixels about it
 
-// Triangles that those pixels show, and whose pixels are inside of the picture.
+// Triangles that these pixels show, and the range of those inside the image.
 typedef struct {
     uint triangles[RIM_EDGE][RIM_EDGE];
     int first_x, first_y, end_x, end_y;  // relative to the tile
@@ -83,7 +83,7 @@ static inline void load_triangles(const RenderParams* params, GLOBAL const uint*
 }
 
 /// Pixels of a row, from column -1 on, that show another triangle than the one (`dx`, `dy`) from
-/// them, both inside of the picture; a bit each.
+/// them, both inside of the image; a bit each.
 static inline uint row_differs(const TileTriangles* tile, int y, int dx, int dy) {
     if (y + dy >= tile->end_y) return 0u;
     const uint* row = tile->triangles[y + 1];

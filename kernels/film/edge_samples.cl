@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Anti-aliasing of edge pixels: further primary rays, whose surfaces take the irradiance that is
-// there already, from a pixel close by that shows the same surface. One work-item for as many edge
-// pixels as fill a packet of rays.
+// Smooths edge pixels by further primary rays. The surfaces that these meet take the irradiance
+// that is there already, from a pixel close by that shows the same surface. One work-item for as
+// many edge pixels as fill a packet of rays.
 #include "kernels/bsdf/surface.h"
 #include "kernels/bvh/trace.h"
 #include "kernels/core/counters.h"
@@ -13,7 +13,7 @@
 #include "kernels/film/film.h"
 #include "kernels/light/environment.h"
 
-// Pixels about the sample in which irradiance is looked for: first 3 x 3, then 5 x 5.
+// Pixels about the sample that are searched for irradiance: first 3 x 3, then 5 x 5.
 #define NEAR_RADIUS 1
 #define FAR_RADIUS 2
 
@@ -33,7 +33,7 @@ static inline void sample_offset(uint k, uint count, int mirrored, float* x, flo
     *y = (float)(mirrored != 0 ? -row : row) / (float)count;
 }
 
-/// The surface of a hit as pixels are held against it; see gbuffer.cl for its footprint.
+/// The surface of a hit, which pixels are tested against; see gbuffer.cl for its footprint.
 static inline PixelSurface hit_surface(const RenderParams* params, const Surface* hit_point,
                                        Hit hit, float3 direction) {
     PixelSurface surface;
@@ -49,13 +49,13 @@ static inline PixelSurface hit_surface(const RenderParams* params, const Surface
 }
 
 /// The pixel within `radius` about `pixel` that lies on the surface and is nearest to (`x`, `y`), a
-/// point of the film inside of `pixel`, in pixels; NO_TRIANGLE where none does.
+/// point of the film inside of `pixel`, in pixels; INVALID_INDEX where none does.
 static inline uint nearest_on_surface(const RenderParams* params, const SeenPixels* seen,
                                       const PixelSurface* surface, uint pixel, float x, float y,
                                       int radius) {
     int column = (int)(pixel % params->camera.width);
     int row = (int)(pixel / params->camera.width);
-    uint nearest = NO_TRIANGLE;
+    uint nearest = INVALID_INDEX;
     float least = RAY_INFINITY;
     // No other pixel's point is nearer.
     if (pixel_is_lit(seen->ids, seen->albedo, pixel) != 0 &&
@@ -111,15 +111,15 @@ static inline uint irradiance_source(const RenderParams* params, const SeenPixel
                                      float x, float y, uint* misses) {
     PixelSurface about = hit_surface(params, surface, hit, direction);
     uint from = nearest_on_surface(params, seen, &about, pixel, x, y, NEAR_RADIUS);
-    if (from == NO_TRIANGLE)
+    if (from == INVALID_INDEX)
         from = nearest_on_surface(params, seen, &about, pixel, x, y, FAR_RADIUS);
-    if (from != NO_TRIANGLE) return from;
+    if (from != INVALID_INDEX) return from;
     ++*misses;
     return most_similar(params, seen, surface, pixel);
 }
 
 /// The pixel within NEAR_RADIUS of `pixel` that shows this instance, or the background where that
-/// is NO_TRIANGLE; `pixel` itself where none does.
+/// is INVALID_INDEX; `pixel` itself where none does.
 static inline uint pixel_of_instance(const RenderParams* params, const SeenPixels* seen,
                                      uint instance, uint pixel) {
     if (seen->ids[2u * pixel] == instance) return pixel;
@@ -144,11 +144,11 @@ static inline FilmSample hit_sample(const RenderParams* params, const Geometry* 
                                     uint* misses) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     PixelLight light = no_pixel_light();
-    if (hit.triangle == NO_TRIANGLE) {
+    if (hit.triangle == INVALID_INDEX) {
         float3 emission =
             HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction) : none;
         if (HAS(params, FEATURE_MEDIA))
-            add_view_media(params, buffers, pixel_of_instance(params, seen, NO_TRIANGLE, pixel),
+            add_view_media(params, buffers, pixel_of_instance(params, seen, INVALID_INDEX, pixel),
                            &light);
         return film_sample(params, nonfinite, pixel, emission, none, light, none, 0.0f);
     }

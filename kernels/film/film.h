@@ -1,10 +1,10 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Components to radiance, and radiance into the film: what a pixel shows is a sum of radiance, to
-// which irradiance adds the surface's diffuse reflectance times it. What is not finite or negative
-// is counted, set to 0 and never reaches the film. The film sums samples in compensated float
-// pairs.
+// Turns the light of components into radiance, and adds that to the film. Components hand over
+// radiance, or irradiance, which counts times the surface's diffuse reflectance. Values that are
+// not finite, or are negative, are counted and set to 0, so that they never reach the film. The
+// film sums samples in compensated float pairs.
 #ifndef WEFT_KERNELS_FILM_FILM_H
 #define WEFT_KERNELS_FILM_FILM_H
 
@@ -14,15 +14,15 @@
 
 // Fills in IrradianceBuffers from `slots` and the arguments of GROUP_ComposedLight; those that a
 // frame does not have are never read.
-#define IRRADIANCE_MAKE(name)                 \
-    IrradianceBuffers name;                   \
-    name.pixel_slot = pixel_slot;             \
-    name.direct = direct;                     \
-    name.exact_irradiance = exact_irradiance; \
-    name.slots = slots;                       \
-    name.indirect = indirect;                 \
-    name.view_left = view_left;               \
-    name.view_glow = view_glow;               \
+#define IRRADIANCE_MAKE(name)                     \
+    IrradianceBuffers name;                       \
+    name.pixel_slot = pixel_slot;                 \
+    name.direct = direct;                         \
+    name.exact_irradiance = exact_irradiance;     \
+    name.slots = slots;                           \
+    name.indirect = indirect;                     \
+    name.view_transmittance = view_transmittance; \
+    name.view_emission = view_emission;           \
     name.media_light = media_light
 
 #define SEEN_PIXELS_MAKE(name)   \
@@ -34,14 +34,14 @@
     name.emission = gb_emission
 
 typedef struct {
-    GLOBAL const uint* pixel_slot;         // where exact irradiance is found
-    GLOBAL const float4* direct;           // by pixel
-    GLOBAL const float* exact_irradiance;  // by slot
-    uint slots;                            // stride of its planes
-    GLOBAL const float4* indirect;         // by pixel
-    GLOBAL const float4* view_left;        // what media leave of a pixel's light
-    GLOBAL const float4* view_glow;        // radiance that they emit to it
-    GLOBAL const float4* media_light;      // and that they scatter to it
+    GLOBAL const uint* pixel_slot;            // where exact irradiance is found
+    GLOBAL const float4* direct;              // by pixel
+    GLOBAL const float* exact_irradiance;     // by slot
+    uint slots;                               // stride of its planes
+    GLOBAL const float4* indirect;            // by pixel
+    GLOBAL const float4* view_transmittance;  // of media along a pixel's view ray
+    GLOBAL const float4* view_emission;       // radiance that they emit to the camera
+    GLOBAL const float4* media_light;         // and that they scatter to the camera
 } IrradianceBuffers;
 
 // Light of a pixel's surface, and of the media before it.
@@ -49,13 +49,13 @@ typedef struct {
     float3 direct, indirect;                    // irradiance
     float3 direct_radiance, indirect_radiance;  // that the surface sends to the camera besides what
                                                 // it reflects diffusely
-    float3 left;   // what media leave of the surface's light on its way to the camera
-    float3 glow;   // radiance that media emit to it
-    float3 media;  // and that they scatter to it
+    float3 transmittance;   // of the media between the surface and the camera, by channel
+    float3 media_emission;  // radiance that media emit to the camera
+    float3 media;           // and that they scatter to it
 } PixelLight;
 
-/// Radiance of a component of one channel or of all: what comes as radiance, and what irradiance
-/// adds. Of numbers, vectors or wide values.
+/// Radiance of a component, from what it hands over as radiance and as irradiance. For numbers,
+/// vectors or wide values.
 #define COMPOSED(radiance, reflectance, irradiance) ((radiance) + (reflectance) * (irradiance))
 
 // What the primary rays through pixels found; see gbuffer.h.
@@ -67,7 +67,7 @@ typedef struct {
     GLOBAL const float4* emission;
 } SeenPixels;
 
-// What the film holds of one point of the picture.
+// What the film holds of one point of the image.
 typedef struct {
     float3 emission, direct, indirect, media;  // radiance
     float3 albedo, normal;
@@ -80,17 +80,18 @@ static inline PixelLight no_pixel_light(void) {
     light.indirect = light.direct;
     light.direct_radiance = light.direct;
     light.indirect_radiance = light.direct;
-    light.left = f3(1.0f, 1.0f, 1.0f);
-    light.glow = light.direct;
+    light.transmittance = f3(1.0f, 1.0f, 1.0f);
+    light.media_emission = light.direct;
     light.media = light.direct;
     return light;
 }
 
-/// What media do to a pixel's light.
+/// Fills in what media do to a pixel's light.
 static inline void add_view_media(const RenderParams* params, const IrradianceBuffers* buffers,
                                   uint pixel, PixelLight* light) {
-    if (HAS(params, FEATURE_MEDIA)) light->left = xyz(buffers->view_left[pixel]);
-    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) light->glow = xyz(buffers->view_glow[pixel]);
+    if (HAS(params, FEATURE_MEDIA)) light->transmittance = xyz(buffers->view_transmittance[pixel]);
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA))
+        light->media_emission = xyz(buffers->view_emission[pixel]);
     if (HAS(params, FEATURE_AIRLIGHT)) light->media = xyz(buffers->media_light[pixel]);
 }
 
@@ -114,12 +115,12 @@ static inline FilmSample film_sample(const RenderParams* params, GLOBAL Nonfinit
     FilmSample sample;
     float3 reflectance = LAMBERT_REFLECTANCE(albedo);
     if (HAS(params, FEATURE_MEDIA)) {
-        reflectance *= light.left;
-        emission *= light.left;
-        light.direct_radiance *= light.left;
-        light.indirect_radiance *= light.left;
+        reflectance *= light.transmittance;
+        emission *= light.transmittance;
+        light.direct_radiance *= light.transmittance;
+        light.indirect_radiance *= light.transmittance;
     }
-    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += light.glow;
+    if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += light.media_emission;
     float3 direct = COMPOSED(light.direct_radiance, reflectance, light.direct);
     float3 indirect = COMPOSED(light.indirect_radiance, reflectance, light.indirect);
     sample.emission = guard(nonfinite, COMPONENT_EMISSION, pixel, emission);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Exact sums over samples. A sample is rounded once to a fixed-point number, and fixed-point sums
-// do not depend on order: a picture made in parts is the picture made at once, bit for bit.
+// do not depend on order: an image made in parts is the image made at once, bit for bit.
 //
 // A sum is a two's complement integer of several words, the least significant first. The words of
 // one plane follow one another: word k of pixel p is words[k * pixels + p].

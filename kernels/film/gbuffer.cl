@@ -16,9 +16,9 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
                                GLOBAL uint* gb_ids, GLOBAL float4* gb_position,
                                GLOBAL float4* gb_normal, GLOBAL float4* gb_shading,
                                GLOBAL float4* gb_albedo, GLOBAL float4* gb_emission) {
-    gb_ids[2u * pixel] = NO_TRIANGLE;
+    gb_ids[2u * pixel] = INVALID_INDEX;
     gb_ids[2u * pixel + 1u] = hit.triangle;
-    if (hit.triangle == NO_TRIANGLE) {
+    if (hit.triangle == INVALID_INDEX) {
         gb_position[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -73,13 +73,13 @@ WEFT_KERNEL(gbuffer)
     Hit hits[LANES];
     trace_closest_packet(scene, origin, &directions, inside, RAY_INFINITY, hits);
     Facet facet;
-    uint facet_id = NO_TRIANGLE;
+    uint facet_id = INVALID_INDEX;
     for (uint lane = 0u; lane < LANES; ++lane) {
         if ((inside >> lane & 1u) == 0u) continue;
         // Neighbours mostly show the same triangle.
         if (hits[lane].triangle != facet_id) {
             facet_id = hits[lane].triangle;
-            if (facet_id != NO_TRIANGLE) facet = facet_of(&geometry, facet_id);
+            if (facet_id != INVALID_INDEX) facet = facet_of(&geometry, facet_id);
         }
         uint pixel = (top + lane / block_width) * params.camera.width + left + lane % block_width;
         store_pixel(&params, &geometry, &facet, pixel,

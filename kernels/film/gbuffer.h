@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The buffers of GROUP_SeenSurfaces hold what a primary ray found, per pixel.
-//   gb_ids       instance (NO_TRIANGLE: background) and triangle id
+//   gb_ids       instance (INVALID_INDEX: background) and triangle id
 //   gb_position  point; w: distance along the viewing axis
 //   gb_normal    geometric normal towards the camera; w: footprint of a pixel on the surface
 //   gb_shading   interpolated normal

@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Film of previews to colours for a display: the mean of the compensated sums, exposed. The film
-// holds `samples` samples; `exposure` is what a sum is multiplied with.
+// Converts the film of previews to colours for a display: the mean of the compensated sums,
+// exposed. The film holds `samples` samples; `exposure` is what a sum is multiplied with. One
+// work-item per pixel.
 #include "kernels/core/kernel.h"
 #include "kernels/film/display.h"
 

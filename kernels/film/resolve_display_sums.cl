@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Film of path tracing to colours for a display: the mean of the exact sums, exposed. `exposure` is
-// what the nearest float of a sum, in its unit, is multiplied with.
+// Converts the film of path tracing to colours for a display: the mean of the exact sums, exposed.
+// `exposure` is what the nearest float of a sum, in its unit, is multiplied with. One work-item per
+// pixel.
 #include "kernels/core/kernel.h"
 #include "kernels/film/display.h"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// LANES pixels that follow one another in a row of the picture, worked on at once.
+// LANES pixels that follow one another in a row of the image, worked on at once.
 #ifndef WEFT_KERNELS_FILM_WIDE_PIXELS_H
 #define WEFT_KERNELS_FILM_WIDE_PIXELS_H
 

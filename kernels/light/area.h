@@ -16,7 +16,7 @@
 typedef struct {
     float3 origin;  // moved off the surface
     float3 normal;  // of the side it leaves from
-    float sides;    // how many sides there are, of which this is one by chance
+    float sides;    // how many sides emit, of which this one was chosen at random
 } AreaExit;
 
 /// Point of an area light, uniform over its area; the outside of its triangles.
@@ -25,7 +25,7 @@ static inline LightPoint sample_area(const Geometry* geometry, LightRecord light
     uint low = light.first +
                find_entry(&emissive[light.first].cumulative, EMISSIVE_STRIDE, light.count, u);
     float before = emissive[low].cumulative - emissive[low].probability;
-    float s = stretch_number(u, before, emissive[low].probability);
+    float s = rescale_number(u, before, emissive[low].probability);
     Triangle triangle = geometry->triangles[emissive[low].triangle];
     float3 a = xyz(geometry->positions[triangle.v0]);
     float3 b = xyz(geometry->positions[triangle.v1]);
@@ -62,22 +62,22 @@ static inline EmittedRay emit_from_area(const RenderParams* params, const Geomet
         leave_area(params, geometry, light, emissive, numbers->u, numbers->v, numbers->rest);
     weight *= leaves.sides;
     EmittedRay ray;
-    ray.direction = turn_to(cosine_direction(numbers->s, numbers->t), leaves.normal);
+    ray.direction = to_world(cosine_direction(numbers->s, numbers->t), leaves.normal);
     ray.origin = leaves.origin;
     ray.flux = xyz(light.power) * (weight * M_ONE_PI * light.area);
     return ray;
 }
 
-/// The cosine at a light's point, given for the outside: that of the side that is seen, whose
-/// normal is put into `*normal`. Not above 0 where none is.
+/// The cosine at a light's point, from `facing`, that of its outside: the cosine of the side that
+/// is visible, whose normal is put into `*normal`. Not above 0 where no side that emits is visible.
 static inline float seen_side(LightRecord light, float facing, float3* normal) {
     if (!(facing < 0.0f && light.both_sides != 0u)) return facing;
     *normal = -*normal;
     return -facing;
 }
 
-/// Density per solid angle of a point that is uniform on the light, seen from that far off at that
-/// cosine.
+/// Pdf, 1/sr, of the direction to a point that is uniform on the light, at that distance and cosine
+/// `facing`.
 static inline float area_pdf(LightRecord light, float distance, float facing) {
     return (distance / facing) * (distance / light.area);
 }

@@ -1,18 +1,20 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance from a set's samples on area lights, in packets: as vpl_gather makes it of VPLs, with
-// a ray to every sample, but right close to a lamp too (near_lamp.h).
+// Gathers irradiance from a set's samples on area lights, in packets: as vpl_gather.cl does from
+// VPLs, with a ray to every sample, but accurate close to area lights too (analytic_area_light.h).
+// One work-item for LANES receivers of a set.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
-#include "kernels/light/near_lamp.h"
+#include "kernels/light/analytic_area_light.h"
 #include "kernels/media/packet_media.h"
 
-/// Adds a lamp's samples from `first` on to `light`; returns the number of rays.
-static inline uint add_lamp(Scene scene, const RenderParams* params, const Media* media,
-                            const ReceiverPacket* packet, const PacketInside* inside, WFloat scale,
-                            GLOBAL const Vpl* first, uint number, WideLight* light) {
+/// Adds an area light's samples from `first` on to `light`; returns the number of rays.
+static inline uint add_area_light(Scene scene, const RenderParams* params, const Media* media,
+                                  const ReceiverPacket* packet,
+                                  const PacketEnclosingMedia* enclosing_media, WFloat scale,
+                                  GLOBAL const Vpl* first, uint number, WideLight* light) {
     uint rays = 0u;
     for (uint i = 0u; i < params->sampling.lights.per_light; ++i) {
         GLOBAL const Vpl* vpl = first + i;
@@ -24,8 +26,8 @@ static inline uint add_lamp(Scene scene, const RenderParams* params, const Media
         if (!mask_any(useful)) continue;
         rays += mask_count(useful);
         WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
-        add_connection(params, media, packet, inside, xyz(vpl->position), flux, g * scale, d,
-                       number + i, useful & mask_not(blocked), light);
+        add_connection(params, media, packet, enclosing_media, xyz(vpl->position), flux, g * scale,
+                       d, number + i, useful & mask_not(blocked), light);
     }
     return rays;
 }
@@ -36,10 +38,10 @@ WEFT_KERNEL(area_lights)
     uint slot = (range.first + WORK_ITEM(range)) * (uint)LANES;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
-    LAMP_MAKE(lamps);
+    AREA_LIGHTS_MAKE(area_lights);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);
-    PacketInside inside =
-        load_inside(&params, &through, receiver_planes, slots, packet.position, slot);
+    PacketEnclosingMedia enclosing_media =
+        load_enclosing_media(&params, &through, receiver_planes, slots, packet.position, slot);
     uint set = receiver_set(&params, block_set, slot);
     uint sets = mask_any(packet.valid) ? receiver_sets(&params) : 0u;
     WideLight light = no_light();
@@ -48,9 +50,9 @@ WEFT_KERNEL(area_lights)
         for (uint l = 0u; l < params.scene.area_lights; ++l) {
             uint number = s * params.sampling.lights.per_set + l * params.sampling.lights.per_light;
             GLOBAL const Vpl* first = samples + number;
-            WFloat scale = near_lamp_scale(&params, &lamps, l, &packet, samples, s);
-            rays += add_lamp(scene, &params, &through, &packet, &inside, scale, first,
-                             number - set * params.sampling.lights.per_set, &light);
+            WFloat scale = analytic_scale(&params, &area_lights, l, &packet, samples, s);
+            rays += add_area_light(scene, &params, &through, &packet, &enclosing_media, scale,
+                                   first, number - set * params.sampling.lights.per_set, &light);
         }
     }
     store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);

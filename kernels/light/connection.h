@@ -75,8 +75,8 @@ static inline WFloat3 from_vpl(const ReceiverPacket* packet, GLOBAL const Vpl* v
     return d;
 }
 
-/// Geometry term of the connection for every lane, 0 where it carries nothing. `d` leads from the
-/// VPL to the receivers.
+/// Geometry term of the connection for every lane, with the VPL's bound. It holds in the lanes of
+/// `useful`; the others cannot be lit. `d` leads from the VPL to the receivers.
 static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* vpl, uint kind,
                                 WFloat3 d, WMask* useful) {
     WFloat zero = WIDE(0.0f);
@@ -94,7 +94,7 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
     WFloat distance = wide_square_root(square);
     WFloat g = receiver / (square * distance);
     if (kind == VPL_MEDIUM) {
-        // At most what the bound leaves of a surface's light, whose part of it is 1 / pi.
+        // Bounded by what a VPL on a surface could bring, whose flux is stored over pi.
         WFloat bound = WIDE(LAMBERT_REFLECTANCE(vpl->position.w));
         g = g * wide_phase(WIDE(vpl->cone.x), emitter / distance);
         return SELECT(g < bound, g, bound);
@@ -106,8 +106,8 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
     return g;
 }
 
-/// `roulette` times the mean over a list of VPLs of what each adds to every lane's luminance where
-/// nothing lies between.
+/// The level below which roulette decides, for every lane: `roulette` times the mean, over a list
+/// of VPLs, of the luminance that each adds where nothing lies between.
 static inline WFloat roulette_level(float roulette, const ReceiverPacket* packet,
                                     GLOBAL const Vpl* vpl, uint count) {
     WFloat zero = WIDE(0.0f);

@@ -19,7 +19,7 @@ static inline EmittedRay emit_through_disk(const RenderParams* params, float3 po
     float radius = params->scene.bounding_sphere.w;
     float x, y;
     concentric_disk(u, v, &x, &y);
-    float3 disk = turn_to(f3(x, y, 0.0f), direction);
+    float3 disk = to_world(f3(x, y, 0.0f), direction);
     EmittedRay ray;
     ray.direction = direction;
     ray.origin = xyz(params->scene.bounding_sphere) + (disk - direction * 1.5f) * radius;

@@ -1,9 +1,10 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light from infinitely far away: the environment, sampled by the set's directions turned about
-// each pixel's normal (added to the sampled irradiance), and directional lights (added to the exact
-// irradiance, which is not filtered). One ray at a time: the rays of a pixel share no end point.
+// Adds light from infinitely far away: of the environment, sampled by the set's directions turned
+// about each pixel's normal, to the sampled irradiance, and of directional lights to the exact
+// irradiance, which is not filtered. One work-item per slot. It traces its rays one at a time,
+// because those of the receivers of a packet have no common end point.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/bvh/visibility.h"
 #include "kernels/core/counters.h"
@@ -12,13 +13,14 @@
 #include "kernels/light/environment.h"
 #include "kernels/media/packet_media.h"
 
-/// What media leave of light from that direction; see packet_transmittance.
+/// Transmittance of media for light from that direction; see packet_transmittance.
 static inline float3 distant_transmittance(const RenderParams* params, const Media* media,
-                                           float3 position, float3 direction, uint inside,
+                                           float3 position, float3 direction, uint enclosing_media,
                                            uint number) {
     if (!HAS(params, FEATURE_MEDIA)) return f3(1.0f, 1.0f, 1.0f);
     Random random = way_random(params, position, number);
-    return ray_transmittance(params, media, position, direction, RAY_INFINITY, inside, &random);
+    return ray_transmittance(params, media, position, direction, RAY_INFINITY, enclosing_media,
+                             &random);
 }
 
 WEFT_KERNEL(distant_light)
@@ -34,9 +36,9 @@ WEFT_KERNEL(distant_light)
     float3 normal = shading;
     if (HAS(&params, FEATURE_SMOOTH_NORMALS))
         normal = receiver_vector(receiver_planes, RECEIVER_NORMAL_X, stride, slot);
-    uint inside = 0u;
+    uint enclosing_media = 0u;
     if (HAS(&params, FEATURE_MEDIA))
-        inside = as_bits(receiver_planes[RECEIVER_INSIDE * stride + slot]);
+        enclosing_media = as_bits(receiver_planes[RECEIVER_ENCLOSING_MEDIA * stride + slot]);
     uint rays = 0u;
     if (HAS(&params, FEATURE_ENVIRONMENT)) {
         uint set = receiver_set(&params, block_set, slot);
@@ -44,11 +46,12 @@ WEFT_KERNEL(distant_light)
         GLOBAL const Vpl* first = samples + list.first + set * list.stride;
         float3 open = f3(0.0f, 0.0f, 0.0f);
         for (uint i = 0u; i < count; ++i) {
-            float3 direction = turn_to(xyz(first[i].position), shading);
+            float3 direction = to_world(xyz(first[i].position), shading);
             if (!(dot3(direction, normal) > 0.0f)) continue;
             ++rays;
             if (sees_infinity(scene, &params, position, direction) == 0) continue;
-            open += distant_transmittance(&params, &through, position, direction, inside, i);
+            open +=
+                distant_transmittance(&params, &through, position, direction, enclosing_media, i);
         }
         add_irradiance(sampled_irradiance, stride, slot,
                        xyz(params.scene.environment) * (open * (COSINE_IRRADIANCE / (float)count)));
@@ -61,8 +64,10 @@ WEFT_KERNEL(distant_light)
             if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
             ++rays;
             if (sees_infinity(scene, &params, position, direction) == 0) continue;
-            float3 left = distant_transmittance(&params, &through, position, direction, inside, i);
-            add_irradiance(exact_irradiance, stride, slot, xyz(light.power) * left * cosine);
+            float3 transmittance =
+                distant_transmittance(&params, &through, position, direction, enclosing_media, i);
+            add_irradiance(exact_irradiance, stride, slot,
+                           xyz(light.power) * transmittance * cosine);
         }
     }
     count_rays(counters + range.counter, rays);

@@ -10,19 +10,18 @@
 
 #define SPHERE_SOLID_ANGLE 12.5663706f  // 4 pi
 
-/// Radiance that a ray along `direction` brings which meets nothing. Of scenes that have an
-/// environment.
+/// Radiance along a ray in that direction that meets nothing. For scenes with an environment only.
 static inline float3 environment_radiance(const RenderParams* params, float3 direction) {
     return xyz(params->scene.environment);
 }
 
-/// A direction towards the environment, of density 1 / SPHERE_SOLID_ANGLE.
+/// A direction towards the environment, of pdf 1 / SPHERE_SOLID_ANGLE.
 static inline float3 environment_direction(float u, float v) {
     return cone_direction(u, v, -1.0f);
 }
 
 /// A local direction about +z, the normal of what is lit, for the irradiance by the environment:
-/// with density cos / pi, so that each stands for COSINE_IRRADIANCE times its radiance.
+/// with pdf cos / pi, so that each stands for COSINE_IRRADIANCE times its radiance.
 static inline float3 environment_local_direction(float u, float v) {
     return cosine_direction(u, v);
 }

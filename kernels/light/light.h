@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Chooses lights and asks them what they send: the one place that knows which kinds there are
-// (docs/adding-a-light.md).
+// Chooses lights and samples what they send: the one place that knows which kinds of light there
+// are (docs/adding-a-light.md).
 #ifndef WEFT_KERNELS_LIGHT_LIGHT_H
 #define WEFT_KERNELS_LIGHT_LIGHT_H
 
@@ -13,20 +13,20 @@
 
 #define LIGHT_STRIDE ((uint)(sizeof(LightRecord) / sizeof(float)))
 
-/// Area light that `u` falls into by power.
+/// Chooses an area light by power with the random number `u`.
 static inline uint choose_area_light(GLOBAL const LightRecord* lights, uint count, float u) {
     return find_entry(&lights->area_cumulative, LIGHT_STRIDE, count, u);
 }
 
-/// Light of any kind that `*u` falls into by power; stretches `*u` over the chosen entry for reuse.
+/// Chooses a light of any kind by power with `*u`, which it rescales for reuse.
 static inline uint choose_light(GLOBAL const LightRecord* lights, uint count, float* u) {
     uint chosen = find_entry(&lights->cumulative, LIGHT_STRIDE, count, *u);
     float before = lights[chosen].cumulative - lights[chosen].probability;
-    *u = stretch_number(*u, before, lights[chosen].probability);
+    *u = rescale_number(*u, before, lights[chosen].probability);
     return chosen;
 }
 
-/// Light for next-event estimation that `u` falls into, and `*probability` of that.
+/// Chooses a light for next-event estimation with `u`; `*probability` receives that of the choice.
 static inline uint choose_for_next_event(GLOBAL const LightRecord* lights, uint count, float u,
                                          float* probability) {
     uint chosen = find_entry(&lights->choice_cumulative, LIGHT_STRIDE, count, u);
@@ -54,7 +54,7 @@ static inline EmittedRay emit_light(const RenderParams* params, const Geometry* 
 }
 
 /// What a light that was chosen with that probability sends to a surface, by a point (u, v) of it.
-/// `origin` is the surface's point, moved off. Of no environment.
+/// `origin` is the surface's point, moved off. Not for environments.
 static inline LightSample light_at_surface(const RenderParams* params, const Geometry* geometry,
                                            LightRecord light,
                                            GLOBAL const EmissiveTriangle* emissive,
@@ -73,7 +73,7 @@ static inline LightSample light_at_surface(const RenderParams* params, const Geo
     }
 }
 
-/// Point (u, v) of a light that was chosen with that probability. Of no environment.
+/// Point (u, v) of a light that was chosen with that probability. Not for environments.
 static inline ChosenPoint point_on_light(const Geometry* geometry, LightRecord light,
                                          GLOBAL const EmissiveTriangle* emissive, float probability,
                                          float u, float v) {
@@ -94,7 +94,7 @@ static inline int has_place(LightRecord light) {
     return light.kind != EMITTER_DIRECTIONAL && light.kind != EMITTER_ENVIRONMENT ? 1 : 0;
 }
 
-/// What a chosen point of a light sends to a place in a medium. Of no environment.
+/// What a chosen point of a light sends to a place in a medium. Not for environments.
 static inline PlaceLight light_at_place(const RenderParams* params, const ChosenPoint* chosen,
                                         float3 place) {
     PlaceLight found;
@@ -118,13 +118,12 @@ static inline PlaceLight light_at_place(const RenderParams* params, const Chosen
     }
 }
 
-/// Density per solid angle with which next-event estimation takes the direction of a ray that met
-/// an emitting surface after `t`: of that instance, with that normal on the ray's side. 0 where it
-/// never does.
+/// Pdf, 1/sr, with which next-event estimation samples the direction of a ray that met an emitting
+/// surface after `t`: of that instance, with that normal on the ray's side. 0 where it never does.
 static inline float met_light_pdf(const Geometry* geometry, GLOBAL const LightRecord* lights,
                                   uint instance, float3 normal, float3 direction, float t) {
     uint index = geometry->instances[instance].light;
-    if (index == NO_TRIANGLE) return 0.0f;
+    if (index == INVALID_INDEX) return 0.0f;
     LightRecord light = lights[index];
     float facing = -dot3(direction, normal);
     if (!(facing > 0.0f)) return 0.0f;

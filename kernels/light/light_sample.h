@@ -1,14 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// These structs hold what all kinds of light are asked for, and what they answer.
+// Structs that the functions of all kinds of light take and return.
 #ifndef WEFT_KERNELS_LIGHT_LIGHT_SAMPLE_H
 #define WEFT_KERNELS_LIGHT_LIGHT_SAMPLE_H
 
 #include "kernels/bvh/triangle.h"
 #include "kernels/core/sampling.h"
 
-// Numbers in [0, 1) by which a light path begins.
+// Random numbers in [0, 1) for the start of a light path.
 typedef struct {
     float u, v;  // of a point on the light, or on the disk that distant light comes through
     float s, t;  // of a direction

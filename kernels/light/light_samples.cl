@@ -1,13 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points on the lights that all pixels of a set share: light-source VPLs. The buffer holds the area
-// samples of every set, then the punctual lights, then per set the local directions towards the
-// environment (unit vectors about +z with density cos / pi).
+// Samples the light sources: computes the points on lights that all pixels of a set share, as VPLs.
+// The buffer holds the samples on area lights of every set, then the punctual lights, then per set
+// the local directions towards the environment (unit vectors about +z with pdf cos / pi). One
+// work-item per entry.
 #include "kernels/core/kernel.h"
 #include "kernels/light/light.h"
 
-/// Where on view rays a sample's scattered light is looked for; see Vpl::cone.
+/// Random number of the sample's place on view rays through media; see Vpl::cone.
 static inline float view_number(const RenderParams* params, uint prime, uint index, uint key) {
     return HAS(params, FEATURE_AIRLIGHT) ? radical_inverse(prime, index, key) : 0.0f;
 }
@@ -83,6 +84,6 @@ WEFT_KERNEL(light_samples)
     uint key = hash_pair(params.sampling.seed, 0u);
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
-    float3 about_z = environment_local_direction(u, v);
-    samples[item].position = f4(about_z.x, about_z.y, about_z.z, 0.0f);
+    float3 local_vector = environment_local_direction(u, v);
+    samples[item].position = f4(local_vector.x, local_vector.y, local_vector.z, 0.0f);
 }

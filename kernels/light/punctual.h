@@ -25,11 +25,11 @@ static inline float punctual_falloff(LightRecord light, float cosine) {
 static inline EmittedRay emit_from_point(LightRecord light, const EmissionNumbers* numbers,
                                          float weight) {
     float limit = light.kind == EMITTER_SPOT ? light.cos_outer : -1.0f;
-    float3 about_z = cone_direction(numbers->s, numbers->t, limit);
+    float3 local_vector = cone_direction(numbers->s, numbers->t, limit);
     weight *= M_TWO_PI * (1.0f - limit);
-    weight *= punctual_falloff(light, about_z.z);
+    weight *= punctual_falloff(light, local_vector.z);
     EmittedRay ray;
-    ray.direction = turn_to(about_z, xyz(light.axis));
+    ray.direction = to_world(local_vector, xyz(light.axis));
     ray.origin = xyz(light.position);
     ray.flux = xyz(light.power) * weight;
     return ray;

@@ -1,14 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Irradiance from a set's VPLs, in packets: LANES pixels of one set connect to one VPL at a time.
-// Serves indirect VPLs, points on area lights and punctual lights alike; the launch says which
-// stretch of the buffer belongs to a set.
+// Gathers irradiance from a set's VPLs, in packets: LANES receivers of one set connect to one VPL
+// at a time. Serves indirect VPLs, points on area lights and punctual lights alike; `list` says
+// which part of the buffer belongs to a set. One work-item for LANES receivers.
 //
 // Where `roulette`, a share of the mean contribution, is above 0, VPLs that would add little are
 // traced by chance, and then count for more (Russian roulette, Arvo and Kirk 1990). A VPL's random
-// number is the same for all receivers, so that what roulette adds to the error is smooth but for
-// steps of the size of one small contribution.
+// number is the same for all receivers, so that the error of roulette has no noise: it is smooth
+// but for steps of the size of one small contribution.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
@@ -22,8 +22,8 @@ WEFT_KERNEL(vpl_gather)
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
     ReceiverPacket packet = load_receivers(&params, receiver_planes, slots, slot);
-    PacketInside inside =
-        load_inside(&params, &through, receiver_planes, slots, packet.position, slot);
+    PacketEnclosingMedia enclosing_media =
+        load_enclosing_media(&params, &through, receiver_planes, slots, packet.position, slot);
     uint set = receiver_set(&params, block_set, slot);
     GLOBAL const Vpl* vpl = vpls + list.first + set * list.stride;
     WideLight light = no_light();
@@ -46,8 +46,8 @@ WEFT_KERNEL(vpl_gather)
         if (!mask_any(useful)) continue;
         rays += mask_count(useful);
         WMask blocked = trace_any_packet(scene, xyz(vpl->position), d, useful);
-        add_connection(&params, &through, &packet, &inside, xyz(vpl->position), flux, g, d, i,
-                       useful & mask_not(blocked), &light);
+        add_connection(&params, &through, &packet, &enclosing_media, xyz(vpl->position), flux, g, d,
+                       i, useful & mask_not(blocked), &light);
     }
     store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
     count_rays(counters + range.counter, rays);

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Densities of a medium in the unit cube, trilinear between the centres of voxels, and upper bounds
-// of them for blocks of voxels. What they are: host/scene/density_grid.h, majorant_grid.h.
+// Densities of a medium in the unit cube, trilinear between the centres of voxels, and their
+// majorants for blocks of voxels; see host/scene/density_grid.h and majorant_grid.h.
 #ifndef WEFT_KERNELS_MEDIA_DENSITY_GRID_H
 #define WEFT_KERNELS_MEDIA_DENSITY_GRID_H
 
@@ -38,7 +38,7 @@ static inline float3 direction_in_cube(const DensityGrid* grid, float3 d) {
               row_times(grid->record.to_z, d));
 }
 
-/// A point of kernel space there.
+/// A point of kernel space in the space of the unit cube.
 static inline float3 point_in_cube(const DensityGrid* grid, float3 p) {
     return direction_in_cube(grid, p) +
            f3(grid->record.to_x.w, grid->record.to_y.w, grid->record.to_z.w);

@@ -88,8 +88,8 @@ static inline float density_integral(const DensityGrid* grid, const GridRay* ray
 
 /// The integral of the density along origin + t direction, first < t < last, in the unit cube's
 /// space, but no more than `most` > 0: times the extinction for density 1 and each unit of t it is
-/// the optical depth. Exact but for rounding, at the cost of a few look-ups for each voxel on the
-/// way.
+/// the optical depth. Exact but for rounding, at the cost of a few look-ups for each voxel that the
+/// ray passes.
 static inline float grid_depth_up_to(const DensityGrid* grid, float3 origin, float3 direction,
                                      float first, float last, float most) {
     GridRay ray;

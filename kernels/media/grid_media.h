@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Media whose extinction and emission are those of their record times the density of a grid, and
-// nothing outside of it. Rays are those of kernel space; what they meet of the grid is found in its
-// unit cube, where their parameter is the same.
+// nothing outside of it. Rays are given in kernel space and walked in the unit cube of the grid,
+// where their parameter is the same.
 #ifndef WEFT_KERNELS_MEDIA_GRID_MEDIA_H
 #define WEFT_KERNELS_MEDIA_GRID_MEDIA_H
 
@@ -26,7 +26,7 @@ static inline float density_at_place(const DensityGrid* grid, float3 place) {
     return density_at(grid, point_in_cube(grid, place));
 }
 
-/// An unbiased estimate of what the medium leaves of light between `first` and `last` of a ray.
+/// An unbiased estimate of the medium's transmittance between `first` and `last` of a ray.
 static inline float3 tracked_transmittance(const DensityGrid* grid, float3 sigma_t, float3 origin,
                                            float3 direction, float first, float last,
                                            Random* random) {
@@ -34,8 +34,8 @@ static inline float3 tracked_transmittance(const DensityGrid* grid, float3 sigma
     return grid_transmittance(grid, ray.origin, ray.direction, first, last, sigma_t, random);
 }
 
-/// The integral of the density over the first `length` of a ray, but no more than `most` > 0:
-/// without chance, for a few look-ups at every voxel on the way.
+/// The integral of the density over the first `length` of a ray, but no more than `most` > 0. It is
+/// exact but for rounding; see grid_depth_up_to.
 static inline float depth_on_way(const DensityGrid* grid, float3 origin, float3 direction,
                                  float length, float most) {
     CubeRay ray = ray_in_cube(grid, origin, direction);

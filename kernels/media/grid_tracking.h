@@ -66,18 +66,18 @@ static inline int next_tentative(const DensityGrid* grid, float sigma, Random* r
 // Delta tracking of all channels at once, in the space of paths with null collisions (Miller,
 // Georgiev and Jarosz 2019; Kutz et al. 2017 for the common majorant).
 // Tentative collisions come at the rate greatest sigma times the bound, the same for each channel.
-// Were it for channel i alone, one of them would be real with probability p_i = sigma_i density /
-// (greatest sigma bound), which is also what the light of channel i is multiplied with; and null
-// with probability 1 - p_i, likewise. The balance heuristic over channels divides by the mean of
-// the densities of all channels, so that what is left of the weight is `ratio` (medium.h). A
-// channel that is chosen with probability ratio_i / 3 for each event makes a real collision of it
-// with probability sum ratio_i p_i / sum ratio_i: chosen from that at once, no channel needs to be.
+// For channel i alone, one of them would be real with probability p_i = sigma_i density / (greatest
+// sigma bound), by which the light of channel i is also multiplied; and null with probability 1 -
+// p_i, likewise. The balance heuristic over channels divides by the mean of the pdfs of all
+// channels, so that the weight is `ratio` (medium.h). A channel that is chosen with probability
+// ratio_i / 3 for each event makes a real collision of it with probability sum ratio_i p_i / sum
+// ratio_i. That decides at once, and no channel is chosen.
 
 /// Whether light collides on origin + t direction, first < t < last, in the unit cube's space, and
 /// at which *t, where the density is *density; *t is `last` where not. `sigma` is the extinction of
 /// each channel for density 1 and each unit of t. Channel i of *ratio, of mean 1 before and after,
-/// times the density of what happens is sigma_i density T_i of t, or T_i of the whole ray, on
-/// average, where T_i is the transmittance so far. A *ratio of 0 ends the path.
+/// times the pdf of the event is on average sigma_i density T_i of t, or T_i of the whole ray,
+/// where T_i is the transmittance so far. A *ratio of 0 ends the path.
 static inline int grid_collision(const DensityGrid* grid, float3 origin, float3 direction,
                                  float first, float last, float3 sigma, float3* ratio,
                                  Random* random, float* t, float* density) {
@@ -110,8 +110,8 @@ static inline int grid_collision(const DensityGrid* grid, float3 origin, float3 
     float stop;
     float depth = density_integral(grid, &tracker.ray, tracker.s, target, &stop);
     int collides = depth >= target ? 1 : 0;
-    float3 left = transmittance(sigma, depth);
-    if (grey == 0) update_ratio(ratio, collides != 0 ? share * left : left);
+    float3 transmittance = beer_transmittance(sigma, depth);
+    if (grey == 0) update_ratio(ratio, collides != 0 ? share * transmittance : transmittance);
     if (collides == 0) return 0;
     *t = m_min(tracker.ray.first + stop, last);
     *density = density_on_ray(grid, &tracker.ray, stop);

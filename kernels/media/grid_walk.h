@@ -18,7 +18,7 @@ typedef struct {
     float length;      // s at the end; finite and above 0
 } GridRay;
 
-/// Leaves of [*first, *last] what keeps origin + t direction in [0, 1]; *last < *first for none.
+/// Clips [*first, *last] to where origin + t direction lies in [0, 1]; *last < *first for nowhere.
 static inline void clip_to_unit(float origin, float direction, float* first, float* last) {
     if (direction == 0.0f) {
         // Divided by 0, an origin on a face would be NaN.

@@ -1,9 +1,10 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light from infinitely far away that media scatter into view rays: added to what media_gather.cl
-// has found. Places are spread on a ray as light of the clearest channel would be scattered there.
-// One ray at a time, as in distant_light.cl.
+// Adds the light from infinitely far away that media scatter into view rays to the radiance of
+// media_gather.cl. Where one medium fills all space, places on a ray are sampled as light of the
+// clearest channel would be scattered there, elsewhere evenly. One work-item per slot, which traces
+// its rays one at a time, as in distant_light.cl.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/bvh/visibility.h"
 #include "kernels/core/counters.h"
@@ -12,7 +13,7 @@
 #include "kernels/light/environment.h"
 #include "kernels/media/view_packet.h"
 
-// A place on a ray, and 1 over its density.
+// A place on a ray, and 1 over its pdf.
 typedef struct {
     float t, weight;
 } DistantPlace;
@@ -21,7 +22,7 @@ typedef struct {
 /// space; 0, for places spread evenly, elsewhere.
 static inline float spread_extinction(const RenderParams* params, const Media* media) {
     uint outside = media->record->outside;
-    // Convex without a boundary: of a medium without a grid.
+    // Convex media without a boundary: then the medium outside has no grid.
     if (!HAS(params, FEATURE_CONVEX_MEDIA) || media->record->boundaries != 0u ||
         outside == NO_MEDIUM)
         return 0.0f;
@@ -52,12 +53,12 @@ static inline float3 scattered_from(const RenderParams* params, Scene scene, con
     float3 none = f3(0.0f, 0.0f, 0.0f);
     ++*rays;
     if (sees_infinity(scene, params, place, from) == 0) return none;
-    float3 scatters, left;
+    float3 scatters, transmittance;
     float g;
     walk_to_place(params, media, origin, ray->direction, at.t, from * RAY_INFINITY, number,
-                  &scatters, &left, &g);
+                  &scatters, &transmittance, &g);
     if (!(max_component(scatters) > 0.0f)) return none;
-    return scatters * left * (phase_function(g, ray->direction, from) * at.weight);
+    return scatters * transmittance * (phase_function(g, ray->direction, from) * at.weight);
 }
 
 /// A number in [0, 1) by set and frame, such that those of all sets are evenly spread.

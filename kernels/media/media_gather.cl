@@ -1,11 +1,12 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light that media scatter into view rays, from a set's virtual lights, in packets: LANES pixels of
-// one set look for the light of one VPL at places of their own on their rays, which depend on the
-// VPL and the set alone. So the pixels of a window find it at as many places as there are sets,
-// times `steps`. Serves indirect VPLs, points on area lights and punctual lights, as
-// vpl_gather does, whose roulette is used likewise. What comes of it is radiance.
+// Gathers the radiance that media scatter into view rays from a set's virtual lights, in packets:
+// LANES pixels of one set connect to one VPL at a time, each from a place on its own view ray,
+// whose random number depends on the VPL and the set alone. So the pixels of a filter footprint
+// connect to it from as many places as there are sets, times `steps`. Serves indirect VPLs, points
+// on area lights and punctual lights, with the roulette of vpl_gather.cl. One work-item for LANES
+// pixels.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
@@ -16,8 +17,8 @@ static inline float fraction(float x) {
     return x - (float)(int)x;
 }
 
-/// What a light of flux 1 sends to places in media, times their weights, before any medium has
-/// taken or scattered it; 0 in lanes that it does not shine on.
+/// What a light of flux 1 sends to places in media, times their weights, before transmittance and
+/// scattering; 0 in lanes that it does not shine on.
 static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl* vpl, uint kind) {
     WFloat zero = WIDE(0.0f);
     if (kind == VPL_POINT) return places->weight;
@@ -36,8 +37,8 @@ static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl*
     return places->weight * VMIN(phase, bound);
 }
 
-/// How far from view rays a light is taken to be at least when places on them are chosen: half of
-/// where its bound begins; lights without one have no such distance.
+/// Least distance from view rays that a light is taken to have when places are sampled: half the
+/// distance at which its bound begins, 0 for lights without a bound.
 static inline float least_apart(GLOBAL const Vpl* vpl) {
     uint kind = as_bits(vpl->normal.w);
     if (kind == VPL_POINT || kind == VPL_SPOT || !(vpl->position.w > 0.0f)) return 0.0f;
@@ -51,7 +52,8 @@ static inline WFloat phase_to_camera(const ViewPacket* view, const ViewPlaces* p
     return wide_phase(g, cosine);
 }
 
-/// Roulette's level for every lane; see vpl_gather.cl. Media are left out of it.
+/// The level below which roulette decides, for every lane; see roulette_level. It ignores what
+/// media absorb and scatter.
 static inline WFloat media_roulette_level(const RenderParams* params, float roulette,
                                           const ViewPacket* view, GLOBAL const Vpl* vpl,
                                           uint count) {
@@ -72,7 +74,7 @@ typedef struct {
     uint rays;
 } MediaLight;
 
-/// Adds what is scattered of a VPL's light at one place of each ray.
+/// Adds the light of a VPL that is scattered at one place of each ray.
 static inline void add_place(const RenderParams* params, Scene scene, const Media* media,
                              const ViewPacket* view, GLOBAL const Vpl* vpl, uint number, float u,
                              float roulette, WFloat level, MediaLight* light) {
@@ -93,9 +95,9 @@ static inline void add_place(const RenderParams* params, Scene scene, const Medi
     if (!mask_any(useful)) return;
     PlaceMedia found = media_at(params, media, view, &places, number, useful);
     value = SELECT(useful, value * phase_to_camera(view, &places, found.g), zero);
-    light->sum.red = light->sum.red + value * flux.x * found.scatters.x * found.left.x;
-    light->sum.green = light->sum.green + value * flux.y * found.scatters.y * found.left.y;
-    light->sum.blue = light->sum.blue + value * flux.z * found.scatters.z * found.left.z;
+    light->sum.red = light->sum.red + value * flux.x * found.scatters.x * found.transmittance.x;
+    light->sum.green = light->sum.green + value * flux.y * found.scatters.y * found.transmittance.y;
+    light->sum.blue = light->sum.blue + value * flux.z * found.scatters.z * found.transmittance.z;
 }
 
 WEFT_KERNEL(media_gather)
@@ -114,7 +116,7 @@ WEFT_KERNEL(media_gather)
     WFloat level = WIDE(0.0f);
     if (roulette > 0.0f && count > 0u)
         level = media_roulette_level(&params, roulette, &view, vpl, count);
-    // Lights that all sets share are looked for at places between those of other sets.
+    // Lights that all sets share have their places shifted from set to set.
     float shift = list.stride == 0u ? (float)set / (float)params.sampling.gather_sets : 0.0f;
     for (uint i = 0u; i < count; ++i, ++vpl) {
         if (!(max_component(xyz(vpl->flux)) > 0.0f)) continue;

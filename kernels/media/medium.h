@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Light in homogeneous media: transmittance, the Henyey-Greenstein phase function, free paths by
-// spectral MIS, and equi-angular sampling towards a light. Whatever needs the transmittance of a
-// medium takes it from here.
+// spectral MIS, and equi-angular sampling towards a light. All kernels take the transmittance of a
+// medium from here.
 //
 // Extinction is per kernel unit and not negative; directions are unit vectors of travel, so that
 // light that goes straight on has the cosine 1.
@@ -14,7 +14,7 @@
 #include "kernels/core/types.h"
 #include "kernels/core/vector.h"
 
-// Optical depth at which exp() is no float any more.
+// Optical depth from which on the transmittance is no float any more.
 #define OPAQUE_DEPTH 104.0f
 
 /// exp(-sigma length), to 2 ulp: 1 for a length or an extinction of 0.
@@ -29,7 +29,7 @@ static inline float transmittance1(float sigma, float length) {
     return m_exp_pair(-exact.high, -exact.low);
 }
 
-/// 1 - exp(-sigma length) without cancellation: what a stretch takes away, to 3 ulp.
+/// Opacity of a segment, 1 - exp(-sigma length), without cancellation, to 3 ulp.
 static inline float opacity1(float sigma, float length) {
     if (!(sigma > 0.0f && length > 0.0f)) return 0.0f;
     float depth = sigma * length;
@@ -37,8 +37,9 @@ static inline float opacity1(float sigma, float length) {
     return -m_expm1(-depth);
 }
 
-/// Integral of the transmittance over a stretch, in units of length: (1 - exp(-sigma length)) /
-/// sigma, and `length` in clear air. Times a source per unit length it is the light that leaves.
+/// Integral of the transmittance over a segment, in units of length: (1 - exp(-sigma length)) /
+/// sigma, and `length` in clear air. Times a source per unit of length it is the light that leaves
+/// the segment.
 static inline float lit_length1(float sigma, float length) {
     if (!(length > 0.0f)) return 0.0f;
     float depth = sigma * length;
@@ -48,7 +49,7 @@ static inline float lit_length1(float sigma, float length) {
 }
 
 /// transmittance1 of each channel.
-static inline float3 transmittance(float3 sigma, float length) {
+static inline float3 beer_transmittance(float3 sigma, float length) {
     return f3(transmittance1(sigma.x, length), transmittance1(sigma.y, length),
               transmittance1(sigma.z, length));
 }
@@ -73,9 +74,9 @@ static inline float phase_function(float g, float3 from, float3 to) {
     return (rest * (1.0f + absolute(g))) / (12.5663706f * square * square_root(square));
 }
 
-/// Direction of travel after scattering along `from`, with the density of phase_function, which
-/// `*density` receives. u, v: uniform in [0, 1).
-static inline float3 scatter_direction(float g, float3 from, float u, float v, float* density) {
+/// Direction of travel after scattering along `from`, with the pdf of phase_function, which
+/// `*pdf` receives. u, v: uniform in [0, 1).
+static inline float3 scatter_direction(float g, float3 from, float u, float v, float* pdf) {
     // The inverse of the distribution, 1 - cos = 2 (1-g)^2 (1-u) (1+gu) / (1-g+2gu)^2, and
     // likewise 1 + cos: no division by g, no cancellation at either end.
     float rest = g > 0.0f ? (1.0f - g) + 2.0f * g * u : (1.0f + g) - 2.0f * g * (1.0f - u);
@@ -90,16 +91,16 @@ static inline float3 scatter_direction(float g, float3 from, float u, float v, f
     float3 tangent, bitangent;
     make_basis(from, &tangent, &bitangent);
     float ends = low * high;
-    *density = 1.0f / (12.5663706f * (ends * ends) * rest);
+    *pdf = 1.0f / (12.5663706f * (ends * ends) * rest);
     return normalize3(tangent * (sine * c) + bitangent * (sine * s) + from * cosine);
 }
 
 // Spectral MIS (Miller, Georgiev and Jarosz 2019; the balance heuristic over channels): every
-// distance of a path is sampled for one channel. `ratio` holds, for each channel, the density of
-// the path so far had all its distances been sampled for it, over the mean of these densities.
-// Chosen with probability ratio / 3, the channel of a distance is that of the path so far by Bayes'
-// rule, and a path's contribution is ratio times its throughput: no channel is ever divided by its
-// own density, so weights stay below 3.
+// distance of a path is sampled for one channel. `ratio` holds, for each channel, the pdf of the
+// path so far had all its distances been sampled for it, over the mean of these pdfs. Chosen with
+// probability ratio / 3, the channel of a distance is that of the path so far by Bayes' rule, and a
+// path's contribution is ratio times its throughput: no channel is ever divided by its own pdf, so
+// weights stay below 3.
 
 /// A free path in the medium, for a channel that `choice` falls into; infinite where the channel is
 /// clear.
@@ -109,10 +110,10 @@ static inline float free_path(float3 sigma, float3 ratio, float choice, float u)
     return chosen > 0.0f ? -m_log1p(-u) / chosen : M_INFINITY;
 }
 
-/// Turns densities of what happened, by channel, into the new ratios; returns their mean, which is
-/// the density of all channels together. All 0 where that is 0.
-static inline float update_ratio(float3* ratio, float3 density) {
-    float3 product = *ratio * density;
+/// Updates the ratios by the pdfs of an event, by channel; returns the pdf of the event over all
+/// channels. The ratios become 0 where that is 0.
+static inline float update_ratio(float3* ratio, float3 pdf) {
+    float3 product = *ratio * pdf;
     float mean = (product.x + product.y + product.z) * 0.333333333f;
     *ratio = mean > 0.0f ? product / mean : f3(0.0f, 0.0f, 0.0f);
     return mean;
@@ -123,11 +124,11 @@ static inline float update_ratio(float3* ratio, float3 density) {
 typedef struct {
     float distance;      // of the ray's origin; 0: no such sampling
     float sine, cosine;  // of the angle between the ray and the way to the light
-    float angle;         // that the light sees of the ray
+    float angle;         // under which the light sees the ray
 } AngularView;
 
-/// A light on the ray itself is taken to be this share of its distance beside it, which changes
-/// densities but not what they sum to.
+/// A light on the ray itself is taken to be this share of its distance beside it. That changes the
+/// pdf, but not its integral.
 #define ANGULAR_LEAST 0.0001220703125f  // 2^-13
 
 /// The first `length` of a ray, seen from `light`.
@@ -162,8 +163,8 @@ static inline float angular_sample(AngularView view, float length, float u) {
     return m_clamp(t, 0.0f, length);
 }
 
-/// Density of angular_sample at `t`, per kernel unit; 0 without such sampling.
-static inline float angular_density(AngularView view, float t) {
+/// Pdf of angular_sample at `t`, per kernel unit; 0 without such sampling.
+static inline float angular_pdf(AngularView view, float t) {
     if (!(view.distance > 0.0f)) return 0.0f;
     float along = t / view.distance - view.cosine;
     return view.sine / (view.angle * view.distance * (view.sine * view.sine + along * along));

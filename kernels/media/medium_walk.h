@@ -1,13 +1,13 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which media a ray passes through. Boundaries lie in a tree of their own, which other rays never
-// meet. What a ray is inside of is a set of boundaries, a bit each: crossing one from outside adds
-// it and from inside takes it away, so that meeting the same one twice does no harm. Where rays
-// start on a boundary, rounding decides whether they have crossed it; so the side from which the
-// next one is met is believed more than the set. Of boundaries that are met at the same place only
-// one is seen; where no further one is met, the ray is outside of all, whatever the set says. None
-// of that is needed where planes tell the boundaries (MediaRecord::convex).
+// Walks a ray through media, segment by segment. Boundaries lie in a BVH of their own, which other
+// rays never meet. A ray stores the set of boundaries that enclose it, a bit each: crossing one
+// from outside adds it and from inside takes it away, so that meeting the same one twice does no
+// harm. Where rays start on a boundary, rounding decides whether they have crossed it; so the side
+// from which the next one is met corrects the set. Of boundaries that are met at the same place
+// only one is found; where no further one is met, the ray is outside of all, whatever the set says.
+// None of that is needed where boundaries are known by their planes (MediaRecord::convex).
 #ifndef WEFT_KERNELS_MEDIA_MEDIUM_WALK_H
 #define WEFT_KERNELS_MEDIA_MEDIUM_WALK_H
 
@@ -37,18 +37,18 @@ typedef struct {
     GLOBAL const float* bounds;
 } Media;
 
-// A ray on its way, and the stretch of it in one medium that was reached last.
+// A ray on its way, and the segment of it in one medium that was reached last.
 typedef struct {
     float3 origin, direction;  // unit
-    float begin, end;          // of the stretch
-    float search;              // from where on the next boundary is looked for
-    uint inside;               // boundaries around the stretch
+    float begin, end;          // of the segment
+    float search;              // where the search for the next boundary starts
+    uint enclosing_media;      // boundaries around the segment
     uint beyond;               // and around what follows
-    uint medium;               // of the stretch, or NO_MEDIUM
+    uint medium;               // of the segment, or NO_MEDIUM
 } MediumWalk;
 
 static inline MediumWalk start_walk(const Media* media, float3 origin, float3 direction,
-                                    uint inside) {
+                                    uint enclosing_media) {
     MediumWalk walk;
     walk.origin = origin;
     walk.direction = direction;
@@ -57,45 +57,47 @@ static inline MediumWalk start_walk(const Media* media, float3 origin, float3 di
     // A little before the start: where that is on a boundary, the ray's direction says which side
     // it is on.
     walk.search = -media->record->rounding;
-    walk.inside = inside;
-    walk.beyond = inside;
+    walk.enclosing_media = enclosing_media;
+    walk.beyond = enclosing_media;
     walk.medium = NO_MEDIUM;
     return walk;
 }
 
 /// The medium inside of these boundaries, or NO_MEDIUM.
-static inline uint medium_inside(const Media* media, uint inside) {
-    return inside != 0u ? media->record->inside[lowest_bit(inside)] : media->record->outside;
+static inline uint innermost_medium(const Media* media, uint enclosing_media) {
+    return enclosing_media != 0u ? media->record->interior[lowest_bit(enclosing_media)]
+                                 : media->record->outside;
 }
 
-/// Ends the stretch at the next boundary before `limit`, looked for in the tree.
+/// Ends the segment at the next boundary before `limit`, which the BVH finds.
 static inline void walk_to_boundary(const Media* media, MediumWalk* walk, float limit) {
     Hit hit =
         bvh_closest(media->nodes, media->leaves, walk->origin + walk->direction * walk->search,
                     walk->direction, RAY_INFINITY);
-    if (hit.triangle == NO_TRIANGLE) {
-        walk->inside = 0u;
+    if (hit.triangle == INVALID_INDEX) {
+        walk->enclosing_media = 0u;
         walk->beyond = 0u;
         return;
     }
     float4 normal = media->normals[hit.triangle];
     uint bit = 1u << as_bits(normal.w);
     int enters = dot3(xyz(normal), walk->direction) < 0.0f ? 1 : 0;
-    walk->inside = enters != 0 ? walk->inside & ~bit : walk->inside | bit;
+    walk->enclosing_media =
+        enters != 0 ? walk->enclosing_media & ~bit : walk->enclosing_media | bit;
     float at = walk->search + hit.t;
-    walk->beyond = walk->inside;
+    walk->beyond = walk->enclosing_media;
     if (!(at < limit)) return;
     walk->end = m_max(at, walk->begin);
-    walk->beyond = enters != 0 ? walk->inside | bit : walk->inside & ~bit;
-    // As long a step as makes the search go on.
+    walk->beyond = enters != 0 ? walk->enclosing_media | bit : walk->enclosing_media & ~bit;
+    // A step long enough that rounding does not make the search find the same boundary again.
     walk->search = at + media->record->rounding +
                    2.38418579e-7f * (absolute(at) + max_component(absolute3(walk->origin)));
 }
 
-/// The same by planes, where MediaRecord::convex is set: which boundaries are around the stretch
+/// The same by planes, where MediaRecord::convex is set: which boundaries are around the segment
 /// follows from where it begins.
 static inline void walk_to_plane(const Media* media, MediumWalk* walk) {
-    walk->inside = 0u;
+    walk->enclosing_media = 0u;
     uint i = 0u;
     for (uint k = 0u; k < media->record->boundaries; ++k) {
         float enters = 0.0f;
@@ -109,31 +111,31 @@ static inline void walk_to_plane(const Media* media, MediumWalk* walk) {
             if (rise == 0.0f && height > 0.0f) leaves = 0.0f;
         }
         if (!(leaves > enters && leaves > walk->begin)) continue;
-        if (enters <= walk->begin) walk->inside |= 1u << k;
+        if (enters <= walk->begin) walk->enclosing_media |= 1u << k;
         walk->end = m_min(walk->end, enters <= walk->begin ? leaves : enters);
     }
-    walk->beyond = walk->inside;
+    walk->beyond = walk->enclosing_media;
 }
 
-/// Goes on to the next stretch, which ends at `limit` at the latest. Returns 0 where that is
+/// Goes on to the next segment, which ends at `limit` at the latest. Returns 0 where that is
 /// reached.
-static inline int next_stretch(const RenderParams* params, const Media* media, MediumWalk* walk,
+static inline int next_segment(const RenderParams* params, const Media* media, MediumWalk* walk,
                                float limit) {
     if (!(walk->end < limit)) return 0;
     walk->begin = walk->end;
     walk->end = limit;
-    walk->inside = walk->beyond;
+    walk->enclosing_media = walk->beyond;
     if (HAS(params, FEATURE_CONVEX_MEDIA))
         walk_to_plane(media, walk);
     else if (media->record->boundaries != 0u)
         walk_to_boundary(media, walk, limit);
-    walk->medium = medium_inside(media, walk->inside);
+    walk->medium = innermost_medium(media, walk->enclosing_media);
     return 1;
 }
 
 /// Whether a medium has a grid.
 static inline int has_grid(const RenderParams* params, const MediumRecord* medium) {
-    return HAS(params, FEATURE_DENSITY_GRIDS) && medium->grid != NO_TRIANGLE ? 1 : 0;
+    return HAS(params, FEATURE_DENSITY_GRIDS) && medium->grid != INVALID_INDEX ? 1 : 0;
 }
 
 /// The grid of a medium that has one.
@@ -164,26 +166,26 @@ static inline int may_meet_media(const Media* media, float3 origin, float3 direc
     return beside.z > reach.x * a.y + reach.y * a.x ? 0 : 1;
 }
 
-/// What media leave of light along the first `length` of a ray that starts inside of these
-/// boundaries: known where they are homogeneous, an unbiased estimate where they have grids.
+/// Transmittance of media along the first `length` of a ray that starts inside of these boundaries:
+/// exact where they are homogeneous, an unbiased estimate where they have grids.
 static inline float3 ray_transmittance(const RenderParams* params, const Media* media,
-                                       float3 origin, float3 direction, float length, uint inside,
-                                       Random* random) {
-    float3 left = f3(1.0f, 1.0f, 1.0f);
-    if (may_meet_media(media, origin, direction, length) == 0) return left;
-    MediumWalk walk = start_walk(media, origin, direction, inside);
-    while (next_stretch(params, media, &walk, length) != 0 && max_component(left) > 0.0f) {
+                                       float3 origin, float3 direction, float length,
+                                       uint enclosing_media, Random* random) {
+    float3 transmittance = f3(1.0f, 1.0f, 1.0f);
+    if (may_meet_media(media, origin, direction, length) == 0) return transmittance;
+    MediumWalk walk = start_walk(media, origin, direction, enclosing_media);
+    while (next_segment(params, media, &walk, length) != 0 && max_component(transmittance) > 0.0f) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = media->media[walk.medium];
         if (has_grid(params, &medium) != 0) {
             DensityGrid grid = grid_of(media, &medium);
-            left *= tracked_transmittance(&grid, xyz(medium.sigma_t), origin, direction, walk.begin,
-                                          walk.end, random);
+            transmittance *= tracked_transmittance(&grid, xyz(medium.sigma_t), origin, direction,
+                                                   walk.begin, walk.end, random);
         } else {
-            left *= transmittance(xyz(medium.sigma_t), walk.end - walk.begin);
+            transmittance *= beer_transmittance(xyz(medium.sigma_t), walk.end - walk.begin);
         }
     }
-    return left;
+    return transmittance;
 }
 
 #endif

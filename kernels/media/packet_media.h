@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What media leave of the light between LANES points and one other, by channel. Where boundaries
-// are convex this is exponentials; else each lane's way is walked by itself. Grids are tracked
-// lane by lane, with random numbers that depend on the ends of a way alone.
+// Transmittance of media between LANES points and one other, by channel. Where boundaries are
+// convex it is an exponential of all lanes at once; else each lane's way is walked by itself. Grids
+// are tracked lane by lane, with random numbers that depend on the ends of a way alone.
 #ifndef WEFT_KERNELS_MEDIA_PACKET_MEDIA_H
 #define WEFT_KERNELS_MEDIA_PACKET_MEDIA_H
 
@@ -16,15 +16,15 @@ typedef struct {
     uint count;
 } ReceiverList;
 
-// Where the points of a packet are among the boundaries of media.
+// Which boundaries of media enclose the points of a packet.
 typedef struct {
-    uint inside[LANES];  // boundaries around them
-    uint above[2];       // planes of convex boundaries that all of them lie above, a bit each
-} PacketInside;
+    uint enclosing_media[LANES];  // boundaries around them
+    uint above[2];  // planes of convex boundaries that all of them lie above, a bit each
+} PacketEnclosingMedia;
 
-/// Fills in the planes that lie below all of a packet.
+/// Finds the planes of convex boundaries that all points of a packet lie above.
 static inline void find_above(const RenderParams* params, const Media* media, WFloat3 positions,
-                              PacketInside* packet) {
+                              PacketEnclosingMedia* packet) {
     uint count = media->record->boundaries;
     if (!HAS(params, FEATURE_CONVEX_MEDIA) || count == 0u) return;
     for (uint i = 0u; i < media->record->plane_end[count - 1u]; ++i) {
@@ -34,34 +34,38 @@ static inline void find_above(const RenderParams* params, const Media* media, WF
     }
 }
 
-/// Of listed slots at those positions.
-static inline PacketInside listed_inside(const RenderParams* params, const Media* media,
-                                         GLOBAL const float* planes, uint stride, WFloat3 positions,
-                                         const ReceiverList* list) {
-    PacketInside packet;
+/// The enclosing media of listed slots at those positions.
+static inline PacketEnclosingMedia listed_enclosing_media(const RenderParams* params,
+                                                          const Media* media,
+                                                          GLOBAL const float* planes, uint stride,
+                                                          WFloat3 positions,
+                                                          const ReceiverList* list) {
+    PacketEnclosingMedia packet;
     packet.above[0] = 0u;
     packet.above[1] = 0u;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         uint slot = list->slot[lane < list->count ? lane : 0u];
-        packet.inside[lane] =
-            HAS(params, FEATURE_MEDIA) ? as_bits(planes[RECEIVER_INSIDE * stride + slot]) : 0u;
+        packet.enclosing_media[lane] =
+            HAS(params, FEATURE_MEDIA) ? as_bits(planes[RECEIVER_ENCLOSING_MEDIA * stride + slot])
+                                       : 0u;
     }
     if (HAS(params, FEATURE_MEDIA)) find_above(params, media, positions, &packet);
     return packet;
 }
 
-/// Of the slots from `slot` on.
-static inline PacketInside load_inside(const RenderParams* params, const Media* media,
-                                       GLOBAL const float* planes, uint stride, WFloat3 positions,
-                                       uint slot) {
+/// The same for the slots from `slot` on.
+static inline PacketEnclosingMedia load_enclosing_media(const RenderParams* params,
+                                                        const Media* media,
+                                                        GLOBAL const float* planes, uint stride,
+                                                        WFloat3 positions, uint slot) {
     ReceiverList list;
     list.count = (uint)LANES;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) list.slot[lane] = slot + lane;
-    return listed_inside(params, media, planes, stride, positions, &list);
+    return listed_enclosing_media(params, media, planes, stride, positions, &list);
 }
 
 /// 1 where a plane of a convex boundary lies below a light and all of the packet.
-static inline int is_above(const Media* media, const PacketInside* packet, uint boundary,
+static inline int is_above(const Media* media, const PacketEnclosingMedia* packet, uint boundary,
                            float3 light) {
     uint first = boundary == 0u ? 0u : media->record->plane_end[boundary - 1u];
     for (uint i = first; i < media->record->plane_end[boundary]; ++i) {
@@ -99,39 +103,40 @@ static inline void set_lane(LaneVectors* lanes, uint lane, float3 v) {
     lanes->z[lane] = v.z;
 }
 
-/// Random numbers of the way from a place that is used for purpose `number`.
+/// The random numbers of a way from a place; `number` tells the ways of a place apart.
 static inline Random way_random(const RenderParams* params, float3 place, uint number) {
     uint key = hash_pair(hash_pair(as_bits(place.x), as_bits(place.y)), as_bits(place.z));
     return make_random(params->sampling.seed ^ 0x6A09E667u, key,
                        hash_pair(params->sampling.sample, number));
 }
 
-/// Multiplies what is left on ways from `places`, between `begin` and `end` of their lengths, by
-/// what the grid inside of a boundary leaves of it, in the lanes of `bits`.
+/// Multiplies `transmittance` by that of the grid inside a boundary, over the `segment` of ways
+/// from `places`, in the lanes of `bits`.
 static inline void track_grid(const RenderParams* params, const Media* media, uint boundary,
                               const LaneVectors* places, const LaneVectors* ways,
-                              WideStretch stretch, uint bits, Random* random, LaneVectors* left) {
+                              WideSegment segment, uint bits, Random* random,
+                              LaneVectors* transmittance) {
     DensityGrid grid;
     float3 sigma;
-    if (grid_inside(params, media, boundary, &grid, &sigma) == 0) return;
+    if (grid_within(params, media, boundary, &grid, &sigma) == 0) return;
     float begin[LANES], end[LANES];
-    wide_store(stretch.begin, begin, 0);
-    wide_store(stretch.end, end, 0);
+    wide_store(segment.begin, begin, 0);
+    wide_store(segment.end, end, 0);
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         if ((bits >> lane & 1u) == 0u || !(end[lane] > begin[lane])) continue;
         float3 way = lane_vector(ways, lane);
         float length = length3(way);
         set_lane(
-            left, lane,
-            lane_vector(left, lane) * tracked_transmittance(&grid, sigma, lane_vector(places, lane),
-                                                            way / length, begin[lane] * length,
-                                                            end[lane] * length, random + lane));
+            transmittance, lane,
+            lane_vector(transmittance, lane) *
+                tracked_transmittance(&grid, sigma, lane_vector(places, lane), way / length,
+                                      begin[lane] * length, end[lane] * length, random + lane));
     }
 }
 
 /// packet_transmittance where boundaries are convex.
 static inline WFloat3 convex_transmittance(const RenderParams* params, const Media* media,
-                                           WFloat3 positions, const PacketInside* packet,
+                                           WFloat3 positions, const PacketEnclosingMedia* packet,
                                            float3 light, WFloat3 d, uint number, WMask wanted) {
     WFloat one = WIDE(1.0f);
     WideLengths lengths = no_lengths(media, one);
@@ -139,52 +144,52 @@ static inline WFloat3 convex_transmittance(const RenderParams* params, const Med
     uint met = 0u;
     for (uint k = 0u; k < media->record->boundaries; ++k) {
         if (is_above(media, packet, k, light) != 0) continue;
-        WideStretch stretch = stretch_inside(media, k, positions, way, one);
-        WFloat length = stretch.end - stretch.begin;
+        WideSegment segment = segment_within(media, k, positions, way, one);
+        WFloat length = segment.end - segment.begin;
         if (!mask_any(length > WIDE(0.0f))) continue;
         met |= 1u << k;
         add_length(media, k, length, &lengths);
     }
     if (met == 0u && media->record->outside == NO_MEDIUM) return wide_same(1.0f);
-    WFloat3 left =
+    WFloat3 transmittance =
         wide_transmittance(depth_of(params, media, &lengths, wide_square_root(wide_dot(d, d))));
-    if (!HAS(params, FEATURE_DENSITY_GRIDS)) return left;
+    if (!HAS(params, FEATURE_DENSITY_GRIDS)) return transmittance;
     LaneVectors places = lanes_of(positions);
     LaneVectors ways = lanes_of(way);
-    LaneVectors lanes = lanes_of(left);
+    LaneVectors lanes = lanes_of(transmittance);
     Random random[LANES];
     for (uint lane = 0u; lane < (uint)LANES; ++lane)
         random[lane] = way_random(params, lane_vector(&places, lane), number);
     for (uint k = 0u; k < media->record->boundaries; ++k)
         if ((met >> k & 1u) != 0u)
             track_grid(params, media, k, &places, &ways,
-                       stretch_inside(media, k, positions, way, one), mask_bits(wanted), random,
+                       segment_within(media, k, positions, way, one), mask_bits(wanted), random,
                        &lanes);
     return wide_of(&lanes);
 }
 
-/// What media leave of light on its ways from a light to the lanes of `wanted`; `d` leads from it
-/// to their `positions`. `number` tells the ways of a lane apart. 1 in other lanes of media that
-/// are walked.
+/// Transmittance of media on the ways from a light to the lanes of `wanted`; `d` leads from the
+/// light to their `positions`. `number` tells the ways of a lane apart. Where media are walked,
+/// other lanes get 1.
 static inline WFloat3 packet_transmittance(const RenderParams* params, const Media* media,
-                                           WFloat3 positions, const PacketInside* packet,
+                                           WFloat3 positions, const PacketEnclosingMedia* packet,
                                            float3 from, WFloat3 d, uint number, WMask wanted) {
     if (HAS(params, FEATURE_CONVEX_MEDIA))
         return convex_transmittance(params, media, positions, packet, from, d, number, wanted);
     LaneVectors places = lanes_of(positions);
     LaneVectors ways = lanes_of(d);
-    LaneVectors left = lanes_of(wide_same(1.0f));
+    LaneVectors transmittance = lanes_of(wide_same(1.0f));
     uint bits = mask_bits(wanted);
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         if ((bits >> lane & 1u) == 0u) continue;
         float3 place = lane_vector(&places, lane);
         float3 way = -lane_vector(&ways, lane);
         Random random = way_random(params, place, number);
-        set_lane(&left, lane,
+        set_lane(&transmittance, lane,
                  ray_transmittance(params, media, place, normalize3(way), length3(way),
-                                   packet->inside[lane], &random));
+                                   packet->enclosing_media[lane], &random));
     }
-    return wide_of(&left);
+    return wide_of(&transmittance);
 }
 
 // Irradiance of LANES receivers.
@@ -203,16 +208,17 @@ static inline WideLight no_light(void) {
 /// Adds the light of a connection with geometry term `g` from a light that the lanes of `wanted`
 /// see; see packet_transmittance.
 static inline void add_connection(const RenderParams* params, const Media* media,
-                                  const ReceiverPacket* packet, const PacketInside* inside,
-                                  float3 from, float4 flux, WFloat g, WFloat3 d, uint number,
-                                  WMask wanted, WideLight* light) {
+                                  const ReceiverPacket* packet,
+                                  const PacketEnclosingMedia* enclosing_media, float3 from,
+                                  float4 flux, WFloat g, WFloat3 d, uint number, WMask wanted,
+                                  WideLight* light) {
     WFloat carried = SELECT(wanted, g, WIDE(0.0f));
     if (HAS(params, FEATURE_MEDIA)) {
-        WFloat3 left =
-            packet_transmittance(params, media, packet->position, inside, from, d, number, wanted);
-        light->red = light->red + carried * flux.x * left.x;
-        light->green = light->green + carried * flux.y * left.y;
-        light->blue = light->blue + carried * flux.z * left.z;
+        WFloat3 transmittance = packet_transmittance(params, media, packet->position,
+                                                     enclosing_media, from, d, number, wanted);
+        light->red = light->red + carried * flux.x * transmittance.x;
+        light->green = light->green + carried * flux.y * transmittance.y;
+        light->blue = light->blue + carried * flux.z * transmittance.z;
     } else {
         light->red = light->red + carried * flux.x;
         light->green = light->green + carried * flux.y;

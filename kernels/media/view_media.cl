@@ -1,12 +1,13 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What media do to the view ray of each pixel: what they leave of light from its end, what they
-// emit towards the camera, and which boundaries are around the end. All is known, not estimated.
+// Walks the view ray of each pixel through media: computes its transmittance, what media emit along
+// it towards the camera, and which boundaries enclose its end. All of it is exact, in grids as
+// well. One work-item per pixel.
 //
-// With FEATURE_AIRLIGHT also where light may be scattered into the ray, as a G-buffer of its own
-// whose surfaces are ends of view rays: what is scattered changes little from pixel to pixel
-// where they are about as long. Its planes, named as in gbuffer.h:
+// With FEATURE_AIRLIGHT it also stores where light may be scattered into the ray, as a G-buffer of
+// its own whose "surfaces" are ends of view rays: what is scattered changes little from pixel to
+// pixel where these are about as long. Its planes, named as in gbuffer.h:
 //   position  begin and end of what scatters, and a measure of length whose differences count
 //   normal    along that measure; w: how far it may differ
 //   albedo    such that irradiance is radiance; w: 1 where anything scatters
@@ -17,7 +18,7 @@
 #include "kernels/film/gbuffer.h"
 #include "kernels/media/medium_walk.h"
 
-// Optical depth from which on nothing is scattered to the camera that could be seen.
+// Optical depth beyond which light that is scattered to the camera is too faint to be visible.
 #define UNSEEN_DEPTH 14.0f
 // Length of a ray without end, kernel units: far beyond any scene, and its square is a float.
 #define VIEW_INFINITY 1e9f
@@ -33,8 +34,8 @@ typedef struct {
     int any;
 } Scattering;
 
-/// Adds a stretch of a medium.
-static inline void add_stretch(const RenderParams* params, const Media* media,
+/// Extends the range that scatters by a segment of a medium.
+static inline void add_segment(const RenderParams* params, const Media* media,
                                const MediumWalk* walk, const MediumRecord* medium,
                                Scattering* found) {
     if (found->depth >= UNSEEN_DEPTH) return;
@@ -61,15 +62,15 @@ static inline void add_stretch(const RenderParams* params, const Media* media,
 
 /// What a view ray has gone through so far.
 typedef struct {
-    float3 left;  // of light from beyond
-    float3 glow;  // radiance that media have added
+    float3 transmittance;  // of light from beyond
+    float3 emission;       // radiance that media have added
 } Passed;
 
-/// Goes through a stretch.
-static inline void pass_stretch(const RenderParams* params, const Media* media,
+/// Adds the emission of a segment, and multiplies in its transmittance.
+static inline void pass_segment(const RenderParams* params, const Media* media,
                                 const MediumWalk* walk, const MediumRecord* medium,
                                 Passed* passed) {
-    if (!(max_component(passed->left) > 0.0f)) return;
+    if (!(max_component(passed->transmittance) > 0.0f)) return;
     float3 sigma = xyz(medium->sigma_t);
     float depth = walk->end - walk->begin;
     if (has_grid(params, medium) != 0) {
@@ -78,10 +79,10 @@ static inline void pass_stretch(const RenderParams* params, const Media* media,
                              depth, M_INFINITY);
     }
     if (HAS(params, FEATURE_EMISSIVE_MEDIA))
-        passed->glow += passed->left * xyz(medium->emission) *
-                        f3(lit_length1(sigma.x, depth), lit_length1(sigma.y, depth),
-                           lit_length1(sigma.z, depth));
-    passed->left *= transmittance(sigma, depth);
+        passed->emission += passed->transmittance * xyz(medium->emission) *
+                            f3(lit_length1(sigma.x, depth), lit_length1(sigma.y, depth),
+                               lit_length1(sigma.z, depth));
+    passed->transmittance *= beer_transmittance(sigma, depth);
 }
 
 WEFT_KERNEL(view_media)
@@ -92,28 +93,29 @@ WEFT_KERNEL(view_media)
     float3 direction =
         camera_direction(&params, (float)(pixel % params.camera.width) + params.camera.jitter_x,
                          (float)(pixel / params.camera.width) + params.camera.jitter_y);
-    int met = gb_ids[2u * pixel] != NO_TRIANGLE ? 1 : 0;
+    int met = gb_ids[2u * pixel] != INVALID_INDEX ? 1 : 0;
     float length = met != 0 ? gb_position[pixel].w * length3(direction) : RAY_INFINITY;
     MediumWalk walk = start_walk(&through, xyz(params.camera.origin), normalize3(direction),
                                  through.record->around_camera);
     Passed passed = {f3(1.0f, 1.0f, 1.0f), f3(0.0f, 0.0f, 0.0f)};
     Scattering found = {0.0f, 0.0f, 0.0f, 0};
     int meets = may_meet_media(&through, walk.origin, walk.direction, length);
-    while (meets != 0 && next_stretch(&params, &through, &walk, length) != 0) {
+    while (meets != 0 && next_segment(&params, &through, &walk, length) != 0) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = through.media[walk.medium];
-        add_stretch(&params, &through, &walk, &medium, &found);
-        pass_stretch(&params, &through, &walk, &medium, &passed);
+        add_segment(&params, &through, &walk, &medium, &found);
+        pass_segment(&params, &through, &walk, &medium, &passed);
     }
-    view_left[pixel] = f4(passed.left.x, passed.left.y, passed.left.z, 0.0f);
+    view_transmittance[pixel] =
+        f4(passed.transmittance.x, passed.transmittance.y, passed.transmittance.z, 0.0f);
     if (HAS(&params, FEATURE_EMISSIVE_MEDIA))
-        view_glow[pixel] = f4(passed.glow.x, passed.glow.y, passed.glow.z, 0.0f);
-    view_inside[pixel] = walk.inside;
+        view_emission[pixel] = f4(passed.emission.x, passed.emission.y, passed.emission.z, 0.0f);
+    view_enclosing_media[pixel] = walk.enclosing_media;
     if (HAS(&params, FEATURE_AIRLIGHT)) {
         float end = m_min(found.end, VIEW_INFINITY);
         int any = found.any != 0 && end > found.begin ? 1 : 0;
         float slant = met != 0 ? LENGTH_PIXELS * gb_normal[pixel].w / length : 0.0f;
-        end_ids[2u * pixel] = any != 0 ? 0u : NO_TRIANGLE;
+        end_ids[2u * pixel] = any != 0 ? 0u : INVALID_INDEX;
         end_ids[2u * pixel + 1u] = end_ids[2u * pixel];
         end_position[pixel] =
             any != 0 ? f4(found.begin, end, m_log(end), end) : f4(0.0f, 0.0f, 0.0f, 0.0f);

@@ -8,7 +8,7 @@
 #include "kernels/film/camera.h"
 #include "kernels/media/packet_media.h"
 
-// All begin at the camera.
+// View rays of LANES pixels, all from the camera.
 typedef struct {
     float3 origin;
     WFloat3 direction;  // unit
@@ -30,7 +30,7 @@ static inline ViewRay view_ray(const RenderParams* params, GLOBAL const float4* 
     ray.begin = 0.0f;
     ray.end = 1.0f;
     ray.valid = 0;
-    if (pixel == NO_TRIANGLE || !(end_albedo[pixel].w > 0.0f)) return ray;
+    if (pixel == INVALID_INDEX || !(end_albedo[pixel].w > 0.0f)) return ray;
     ray.direction = normalize3(
         camera_direction(params, (float)(pixel % params->camera.width) + params->camera.jitter_x,
                          (float)(pixel / params->camera.width) + params->camera.jitter_y));
@@ -62,25 +62,26 @@ static inline ViewPacket load_views(const RenderParams* params, GLOBAL const uin
     return packet;
 }
 
-// Places on view rays, and the weight of what is found there for the whole of the rays.
+// Places on view rays at which they connect to a light, and the weight of each for its whole ray.
 typedef struct {
     WFloat t;
     WFloat3 d;        // from the light to the place
     WFloat distance;  // its length
     WFloat square;    // of the distance that the weight is for
     WFloat nearer;    // `square` over that of `distance`, finite
-    WFloat weight;    // 1 / (density of the place times `square`)
+    WFloat weight;    // 1 / (pdf of the place times `square`)
 } ViewPlaces;
 
-/// Places where a light's scattered light is looked for: about even over the angles under which
-/// it sees the rays (equi-angular sampling, Kulla and Fajardo 2012), so that the square of the
-/// distance cancels. With the tangent s of half the angle, evenly spread in place of the angle
+/// Samples the places at which view rays connect to a light: about evenly over the angles under
+/// which it sees the rays (equi-angular sampling, Kulla and Fajardo 2012), so that the square of
+/// the distance cancels. With the tangent s of half the angle, evenly spread in place of the angle
 /// itself, no trigonometry is needed, and weights differ by a factor of two at most. A light on a
 /// ray is taken to be a little beside it (ANGULAR_LEAST).
 ///
-/// Of a light whose 1 / square is bounded, little comes from places closer than the bound begins,
-/// and what comes from others has weights like 1 / (its distance from the ray). Angles are then
-/// those under which a point `apart` from the ray would see it, which weights make good.
+/// If 1 / square of a light is bounded, little light comes from places closer than the bound
+/// begins, and the light of other places would have weights like 1 / (the light's distance from the
+/// ray). Angles are then those under which a point `apart` from the ray would see it; weights
+/// correct for that.
 static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, float extent,
                                           float apart, float u) {
     float3 to = light - view->origin;
@@ -123,23 +124,23 @@ static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, 
 
 // Media at places on view rays.
 typedef struct {
-    WFloat3 scatters;  // scattering coefficient
-    WFloat3 left;      // what arrives at the camera of what is scattered, and of the light there
+    WFloat3 scatters;       // scattering coefficient
+    WFloat3 transmittance;  // from the light to the place, and from there to the camera
     WFloat g;
 } PlaceMedia;
 
-/// One lane's place: what scatters there, what media leave of it on the way to the camera, and of
-/// light on its way there from `way` beyond.
+/// Media at the place of one lane: the scattering coefficient and g there, and the transmittance
+/// from the light, which is `way` beyond, to the place and from there to the camera.
 static inline void walk_to_place(const RenderParams* params, const Media* media, float3 origin,
                                  float3 direction, float t, float3 way, uint number,
-                                 float3* scatters, float3* left, float* g) {
+                                 float3* scatters, float3* transmittance, float* g) {
     *scatters = f3(0.0f, 0.0f, 0.0f);
-    *left = f3(1.0f, 1.0f, 1.0f);
+    *transmittance = f3(1.0f, 1.0f, 1.0f);
     *g = 0.0f;
     float3 place = origin + direction * t;
     Random random = way_random(params, place, number);
     MediumWalk walk = start_walk(media, origin, direction, media->record->around_camera);
-    while (next_stretch(params, media, &walk, RAY_INFINITY) != 0) {
+    while (next_segment(params, media, &walk, RAY_INFINITY) != 0) {
         int last = t <= walk.end ? 1 : 0;
         float end = m_min(t, walk.end);
         if (walk.medium != NO_MEDIUM) {
@@ -147,22 +148,22 @@ static inline void walk_to_place(const RenderParams* params, const Media* media,
             float3 sigma = xyz(medium.sigma_t);
             if (has_grid(params, &medium) != 0) {
                 DensityGrid grid = grid_of(media, &medium);
-                *left *= tracked_transmittance(&grid, sigma, origin, direction, walk.begin, end,
-                                               &random);
+                *transmittance *= tracked_transmittance(&grid, sigma, origin, direction, walk.begin,
+                                                        end, &random);
                 if (last != 0) sigma = sigma * density_at_place(&grid, place);
             } else {
-                *left *= transmittance(sigma, end - walk.begin);
+                *transmittance *= beer_transmittance(sigma, end - walk.begin);
             }
             if (last != 0) {
                 *scatters = sigma * xyz(medium.albedo);
                 *g = medium.anisotropy;
             }
         }
-        if (last != 0 || !(max_component(*left) > 0.0f)) break;
+        if (last != 0 || !(max_component(*transmittance) > 0.0f)) break;
     }
-    if (!(max_component(*scatters * *left) > 0.0f)) return;
-    *left *= ray_transmittance(params, media, place, normalize3(way), length3(way), walk.inside,
-                               &random);
+    if (!(max_component(*scatters * *transmittance) > 0.0f)) return;
+    *transmittance *= ray_transmittance(params, media, place, normalize3(way), length3(way),
+                                        walk.enclosing_media, &random);
 }
 
 /// What the innermost medium about each place scatters there; with grids, for a density of 1.
@@ -186,7 +187,7 @@ static inline void scale_by_density(const RenderParams* params, const Media* med
                                     WFloat3 positions, uint bits, PlaceMedia* found) {
     DensityGrid grid;
     float3 sigma;
-    if (bits == 0u || grid_inside(params, media, boundary, &grid, &sigma) == 0) return;
+    if (bits == 0u || grid_within(params, media, boundary, &grid, &sigma) == 0) return;
     LaneVectors at = lanes_of(positions);
     LaneVectors scatters = lanes_of(found->scatters);
     for (uint lane = 0u; lane < (uint)LANES; ++lane)
@@ -197,7 +198,7 @@ static inline void scale_by_density(const RenderParams* params, const Media* med
     found->scatters = wide_of(&scatters);
 }
 
-/// Multiplies what is left by what grids leave on the ways of places to the camera and to the
+/// Multiplies the transmittance by that of grids on the ways from places to the camera and to the
 /// light.
 static inline void track_grids(const RenderParams* params, const Media* media,
                                const ViewPacket* view, const ViewPlaces* places, WFloat3 positions,
@@ -209,18 +210,18 @@ static inline void track_grids(const RenderParams* params, const Media* media,
     LaneVectors at = lanes_of(positions);
     LaneVectors backs = lanes_of(back);
     LaneVectors ways = lanes_of(way);
-    LaneVectors left = lanes_of(found->left);
+    LaneVectors transmittance = lanes_of(found->transmittance);
     Random random[LANES];
     for (uint lane = 0u; lane < (uint)LANES; ++lane)
         random[lane] = way_random(params, lane_vector(&at, lane), number);
     uint bits = mask_bits(wanted);
     for (uint k = 0u; k < media->record->boundaries; ++k) {
-        track_grid(params, media, k, &at, &backs, stretch_inside(media, k, positions, back, one),
-                   bits, random, &left);
-        track_grid(params, media, k, &at, &ways, stretch_inside(media, k, positions, way, one),
-                   bits, random, &left);
+        track_grid(params, media, k, &at, &backs, segment_within(media, k, positions, back, one),
+                   bits, random, &transmittance);
+        track_grid(params, media, k, &at, &ways, segment_within(media, k, positions, way, one),
+                   bits, random, &transmittance);
     }
-    found->left = wide_of(&left);
+    found->transmittance = wide_of(&transmittance);
 }
 
 /// media_at where boundaries are convex.
@@ -241,18 +242,18 @@ static inline PlaceMedia convex_media_at(const RenderParams* params, const Media
     WideLengths lit = no_lengths(media, one);
     // The last to say what is about a place is the innermost.
     for (uint k = media->record->boundaries; k-- > 0u;) {
-        WideStretch stretch = stretch_inside(media, k, origin, view->direction, places->t);
-        WMask here = (stretch.end >= places->t) & (stretch.end > stretch.begin);
-        scatters_at(media, media->record->inside[k], here, &found);
+        WideSegment segment = segment_within(media, k, origin, view->direction, places->t);
+        WMask here = (segment.end >= places->t) & (segment.end > segment.begin);
+        scatters_at(media, media->record->interior[k], here, &found);
         if (HAS(params, FEATURE_DENSITY_GRIDS))
             scale_by_density(params, media, k, place, mask_bits(wanted & here), &found);
-        add_length(media, k, stretch.end - stretch.begin, &seen);
-        stretch = stretch_inside(media, k, place, way, one);
-        add_length(media, k, stretch.end - stretch.begin, &lit);
+        add_length(media, k, segment.end - segment.begin, &seen);
+        segment = segment_within(media, k, place, way, one);
+        add_length(media, k, segment.end - segment.begin, &lit);
     }
     WFloat3 depth = depth_of(params, media, &seen, one);
     WFloat3 beyond = depth_of(params, media, &lit, places->distance);
-    found.left =
+    found.transmittance =
         wide_transmittance(wide_vector(depth.x + beyond.x, depth.y + beyond.y, depth.z + beyond.z));
     if (HAS(params, FEATURE_DENSITY_GRIDS))
         track_grids(params, media, view, places, place, number, wanted, &found);
@@ -267,7 +268,7 @@ static inline PlaceMedia media_at(const RenderParams* params, const Media* media
         return convex_media_at(params, media, view, places, number, wanted);
     WFloat zero = WIDE(0.0f);
     LaneVectors scatters = lanes_of(wide_same(0.0f));
-    LaneVectors left = scatters;
+    LaneVectors transmittance = scatters;
     LaneVectors directions = lanes_of(view->direction);
     LaneVectors ways = lanes_of(places->d);
     float t[LANES], g[LANES];
@@ -276,15 +277,16 @@ static inline PlaceMedia media_at(const RenderParams* params, const Media* media
     uint bits = mask_bits(wanted);
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         if ((bits >> lane & 1u) == 0u) continue;
-        float3 scatters_here, left_here;
+        float3 scatters_here, transmittance_here;
         walk_to_place(params, media, view->origin, lane_vector(&directions, lane), t[lane],
-                      -lane_vector(&ways, lane), number, &scatters_here, &left_here, g + lane);
+                      -lane_vector(&ways, lane), number, &scatters_here, &transmittance_here,
+                      g + lane);
         set_lane(&scatters, lane, scatters_here);
-        set_lane(&left, lane, left_here);
+        set_lane(&transmittance, lane, transmittance_here);
     }
     PlaceMedia found;
     found.scatters = wide_of(&scatters);
-    found.left = wide_of(&left);
+    found.transmittance = wide_of(&transmittance);
     found.g = wide_load(g, 0);
     return found;
 }

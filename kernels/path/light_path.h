@@ -1,11 +1,12 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Virtual point lights by a quasi-random walk (Keller 1997): set k of frame f always has the Halton
-// indices of block f sets + k, paths_per_set each. Fractional absorption: of a set's paths a fixed
-// number survives to each bounce, whatever they hit, and their flux is scaled up accordingly. Which
-// ones survive starts at a random place of the block: were they always its first, then in every
-// block whose length shares a factor with a base they would come from the same strata.
+// Light paths by a quasi-random walk, whose vertices become VPLs (Keller 1997): set k of frame f
+// always has the Halton indices of block f sets + k, paths_per_set each. Fractional absorption: of
+// a set's paths a fixed number survives to each bounce, whatever they hit, and their flux is scaled
+// up accordingly. The survivors begin at a random place of the block: were they always its first
+// paths, then wherever paths_per_set shares a factor with a base they would come from the same
+// strata in every block.
 //
 // In participating media a path may be scattered before it meets a surface; its VPL is then that
 // point of the medium.
@@ -19,8 +20,8 @@
 // A light path under way.
 typedef struct {
     float3 origin, direction;
-    float3 flux;  // W
-    uint inside;  // boundaries of media around the origin
+    float3 flux;           // W
+    uint enclosing_media;  // boundaries of media around the origin
 } LightPath;
 
 /// First segment of a path: flux is the light's power over the probability of choosing it.
@@ -40,11 +41,11 @@ static inline LightPath emit_path(const RenderParams* params, const Geometry* ge
     path.origin = ray.origin;
     path.direction = ray.direction;
     path.flux = ray.flux;
-    path.inside = light.inside;
+    path.enclosing_media = light.enclosing_media;
     return path;
 }
 
-/// Which path of all frames the `item`th is.
+/// Halton index of the `item`th path of the frame.
 static inline uint path_index(const RenderParams* params, uint item) {
     uint set = item / params->sampling.paths_per_set;
     uint path_in_set = item % params->sampling.paths_per_set;
@@ -54,7 +55,7 @@ static inline uint path_index(const RenderParams* params, uint item) {
            (path_in_set + turn) % params->sampling.paths_per_set;
 }
 
-// A path's place where it is scattered.
+// A vertex of a light path: where it is scattered.
 typedef struct {
     uint kind;
     float3 normal;  // of a surface; in media the direction in which light came
@@ -63,17 +64,18 @@ typedef struct {
     float g;        // of a medium's phase function
 } Vertex;
 
-/// Follows the path, which meets `hit` or nothing, to where it is scattered next, and its flux to
-/// what arrives there: what media scatter is scattered already. Returns 0 where nothing is.
-static inline int follow(const RenderParams* params, Hit hit, const Geometry* geometry,
-                         const Media* media, Random* random, LightPath* path, Vertex* vertex) {
-    int met = hit.triangle != NO_TRIANGLE ? 1 : 0;
+/// Follows the path, which meets `hit` or nothing, to its next vertex, and its flux to what arrives
+/// there: in a medium, times the medium's albedo. Returns 0 where the path has no further vertex.
+static inline int scatter(const RenderParams* params, Hit hit, const Geometry* geometry,
+                          const Media* media, Random* random, LightPath* path, Vertex* vertex) {
+    int met = hit.triangle != INVALID_INDEX ? 1 : 0;
     if (HAS(params, FEATURE_MEDIA)) {
         path->direction = normalize3(path->direction);
-        Flight flight = fly(params, media, path->origin, path->direction,
-                            met != 0 ? hit.t : RAY_INFINITY, path->inside, random);
+        Flight flight =
+            sample_free_path(params, media, path->origin, path->direction,
+                             met != 0 ? hit.t : RAY_INFINITY, path->enclosing_media, random);
         path->flux = path->flux * flight.weight;
-        path->inside = flight.inside;
+        path->enclosing_media = flight.enclosing_media;
         if (flight.collides != 0) {
             path->origin += path->direction * flight.t;
             vertex->kind = VPL_MEDIUM;
@@ -99,13 +101,14 @@ static inline float3 finite_flux(float3 flux) {
     return is_finite3(flux) != 0 ? flux : f3(0.0f, 0.0f, 0.0f);
 }
 
-/// Flux that a VPL at the vertex stands for: of a surface what it reflects diffusely.
+/// Flux of the VPL at the vertex: on a surface, what that reflects diffusely.
 static inline float3 vpl_flux(const LightPath* path, const Vertex* vertex) {
     if (vertex->kind != VPL_SURFACE) return finite_flux(path->flux);
     return finite_flux(path->flux * bsdf_diffuse_albedo(&vertex->bsdf));
 }
 
-/// Sends the path on from its vertex number `bounce`, and its flux to what is scattered there.
+/// Samples the direction in which the path leaves its vertex number `bounce`, and scales its flux
+/// by what is scattered that way.
 static inline void scatter_light_path(const RenderParams* params, const Vertex* vertex, uint bounce,
                                       uint index, LightPath* path) {
     float u = radical_inverse(bounce_primes[2u * bounce], index, params->sampling.seed);
@@ -114,12 +117,12 @@ static inline void scatter_light_path(const RenderParams* params, const Vertex* 
         // By reciprocity the way that light came takes the place of the way to the camera.
         float3 out = local_direction(normalize3(vertex->back), vertex->normal);
         BsdfSample sample = bsdf_sample(&vertex->bsdf, out, u, v);
-        path->direction = turn_to(sample.in, vertex->normal);
+        path->direction = to_world(sample.in, vertex->normal);
         path->flux = finite_flux(path->flux * sample.weight);
         return;
     }
-    float density;
-    path->direction = scatter_direction(vertex->g, vertex->normal, u, v, &density);
+    float pdf;
+    path->direction = scatter_direction(vertex->g, vertex->normal, u, v, &pdf);
     path->flux = finite_flux(path->flux);
 }
 

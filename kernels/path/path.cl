@@ -1,8 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The reference: path tracing without bounds or a longest path (path.h). A work-item traces
-// PathParams::samples samples of one pixel and adds them to the film's exact sums.
+// The reference: path tracing without a bound on geometry terms and without a longest path
+// (path.h). A work-item traces PathParams::samples samples of one pixel and adds them to the film's
+// exact sums.
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/film/camera.h"
@@ -25,7 +26,7 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
                                         (float)(pixel / params->camera.width) + y);
     Hit hit = trace_closest(world->scene, xyz(params->camera.origin), direction, RAY_INFINITY);
     ++*rays;
-    if (hit.triangle == NO_TRIANGLE) {
+    if (hit.triangle == INVALID_INDEX) {
         if (HAS(params, FEATURE_ENVIRONMENT))
             sample.emission = environment_radiance(params, direction);
         return sample;

@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A path from a surface on: next-event estimation and scattered rays, weighted against each other
-// (path_lights.h), without bounds or a longest path. Russian roulette ends it.
+// Follows a path from a surface on: next-event estimation and scattered rays, weighted against each
+// other (path_lights.h), without a bound on geometry terms. Only Russian roulette ends the path.
 #ifndef WEFT_KERNELS_PATH_PATH_H
 #define WEFT_KERNELS_PATH_PATH_H
 
@@ -18,7 +18,7 @@
 typedef struct {
     Surface surface;
     float3 origin;       // the surface's point, moved off
-    float3 throughput;   // of the path up to the surface, without what that does with light
+    float3 throughput;   // of the path up to the surface, without the surface's BSDF
     float survival;      // 1 over the probability of going on from here, by roulette
     float light_weight;  // of light that is added at this surface
     uint bounce;         // surfaces so far
@@ -48,18 +48,18 @@ static inline void add_light(const RenderParams* params, PathLight* sum, const P
     }
 }
 
-/// What comes of throughput at the vertex that is scattered by a factor `colour`.
+/// Throughput of the path after scattering at the vertex by the factor `colour`.
 static inline float3 scattered_throughput(const PathVertex* vertex, float3 colour) {
     return vertex->throughput * colour * vertex->survival;
 }
 
-/// The most of any channel that the vertex scatters, before roulette.
+/// Largest channel of the throughput that the vertex scatters, before roulette.
 static inline float most_scattered(const PathVertex* vertex) {
     return max_component(vertex->throughput *
                          bsdf_albedo(&vertex->surface.bsdf, surface_out(&vertex->surface)));
 }
 
-/// Moves to a surface that was hit. Returns 0 where nothing goes on from it.
+/// Moves to a surface that was hit. Returns 0 where it scatters nothing.
 static inline int enter_surface(const RenderParams* params, PathVertex* vertex, float3 throughput) {
     vertex->origin =
         vertex->surface.position +
@@ -70,7 +70,8 @@ static inline int enter_surface(const RenderParams* params, PathVertex* vertex, 
     return most_scattered(vertex) > 0.0f ? 1 : 0;
 }
 
-/// Light of one chosen light by the vertex.
+/// Next-event estimation: adds what one chosen light sends to the vertex, and that scatters into
+/// the path. Returns the number of shadow rays.
 static inline uint next_event(const RenderParams* params, const PathScene* world,
                               const PathVertex* vertex, Random* random, PathLight* sum) {
     float choice = next_random(random);
@@ -93,12 +94,12 @@ static inline uint next_event(const RenderParams* params, const PathScene* world
     return 1u;
 }
 
-/// Weight of emission that a scattered ray of density `density` met after `t`.
+/// MIS weight of emission that a scattered ray of pdf `pdf` met after `t`.
 static inline float emission_weight(const PathScene* world, const Surface* surface,
-                                    float3 direction, float t, float density) {
+                                    float3 direction, float t, float pdf) {
     float other = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
                                 direction, t);
-    return other > 0.0f ? power_heuristic(density, other) : 1.0f;
+    return other > 0.0f ? power_heuristic(pdf, other) : 1.0f;
 }
 
 /// Scatters the path and follows it to the next surface. Returns 0 where it ends.
@@ -107,13 +108,13 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
     float u = next_random(random);
     float v = next_random(random);
     BsdfSample sample = bsdf_sample(&vertex->surface.bsdf, surface_out(&vertex->surface), u, v);
-    float3 direction = normalize3(turn_to(sample.in, vertex->surface.shading));
+    float3 direction = normalize3(to_world(sample.in, vertex->surface.shading));
     LitPoint lit = lit_point(&vertex->surface);
     if (faces(&lit, direction) == 0) return 0;
     float3 throughput = scattered_throughput(vertex, sample.weight);
     Hit hit = trace_closest(world->scene, vertex->origin, direction, RAY_INFINITY);
     ++*rays;
-    if (hit.triangle == NO_TRIANGLE) {
+    if (hit.triangle == INVALID_INDEX) {
         if (HAS(params, FEATURE_ENVIRONMENT))
             add_light(params, sum, vertex, throughput * environment_radiance(params, direction));
         return 0;

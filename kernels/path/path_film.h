@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the film of path tracing keeps of a sample.
+// Adds samples of path tracing to the exact sums of the film (film_sums.h).
 #ifndef WEFT_KERNELS_PATH_PATH_FILM_H
 #define WEFT_KERNELS_PATH_PATH_FILM_H
 
@@ -9,7 +9,7 @@
 #include "kernels/film/film_sums.h"
 #include "kernels/path/path.h"
 
-// One sample: what the film keeps of it.
+// What the film sums of a sample.
 typedef struct {
     float3 emission;
     PathLight light;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Next-event estimation of path tracing: one light is chosen for a surface point, and one point on
-// it. Area lights are also met by scattered rays; both ways are weighted by the power heuristic
-// with exponent 2 (Veach and Guibas 1995).
+// it. Area lights are also met by scattered rays; both techniques are weighted by the power
+// heuristic with exponent 2 (Veach and Guibas 1995).
 #ifndef WEFT_KERNELS_PATH_PATH_LIGHTS_H
 #define WEFT_KERNELS_PATH_PATH_LIGHTS_H
 
@@ -11,9 +11,9 @@
 #include "kernels/bvh/visibility.h"
 #include "kernels/light/light.h"
 
-/// Weight of a technique of density `own` beside one of density `other`.
+/// Weight of a technique of pdf `own` beside one of pdf `other`.
 static inline float power_heuristic(float own, float other) {
-    // As a ratio: squares of densities overflow.
+    // As a ratio: squares of pdfs overflow.
     if (own >= other) {
         float ratio = other / own;
         return 1.0f / (1.0f + ratio * ratio);
@@ -22,7 +22,7 @@ static inline float power_heuristic(float own, float other) {
     return ratio * ratio / (1.0f + ratio * ratio);
 }
 
-/// The surface as lights see it.
+/// The surface as functions of lights take it.
 static inline LitPoint lit_point(const Surface* surface) {
     LitPoint lit;
     lit.position = surface->position;
@@ -32,7 +32,7 @@ static inline LitPoint lit_point(const Surface* surface) {
 }
 
 /// Irradiance that a sample of a light brings, weighted against scattered rays that may meet the
-/// light too; `scattered` is their density.
+/// light too; `scattered` is their pdf.
 static inline float3 weighted_irradiance(const LightSample* light, float scattered) {
     if (!(light->pdf > 0.0f)) return light->power * light->share;
     float weight = power_heuristic(light->pdf, scattered);

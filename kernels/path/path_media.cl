@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The reference for scenes with participating media: path tracing as in path.cl, with free paths,
-// scattering in media and transmittance towards lights (path_media.h), multiple scattering
-// and emission included. Scenes without media run path.cl.
+// scattering in media and transmittance towards lights (path_media.h), multiple scattering and
+// emission included. Scenes without media run path.cl. A work-item traces PathParams::samples
+// samples of one pixel.
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/film/camera.h"
@@ -22,72 +23,73 @@ static inline MediaPath camera_path(const RenderParams* params, const PathParams
         x = 0.5f;
         y = 0.5f;
     }
-    // Distances are what media know; a camera's directions are of any length.
+    // Media need t to be a distance, but the camera's directions are of any length.
     path.direction = normalize3(camera_direction(params, (float)(pixel % params->camera.width) + x,
                                                  (float)(pixel / params->camera.width) + y));
     path.origin = xyz(params->camera.origin);
     path.throughput = f3(1.0f, 1.0f, 1.0f);
     path.ratio = path.throughput;
-    path.inside = media->record->around_camera;
+    path.enclosing_media = media->record->around_camera;
     path.bounce = 0u;
     path.kind = RAY_OF_CAMERA;
-    path.density = 0.0f;
+    path.pdf = 0.0f;
     return path;
 }
 
-/// Scatters the path at `t` of the stretch, where it has been found by a free path.
+/// Scatters the path at `t` of the segment, where it has been found by a free path.
 static inline void scatter_in_medium(const RenderParams* params, const PathScene* world,
-                                     const Media* media, const Stretch* stretch, float t,
+                                     const Media* media, const MediumSegment* segment, float t,
                                      MediaPath* path, Random* random, PathLight* sum, uint* rays) {
     ++path->bounce;
     if (world->light_count != 0u) {
         ChosenPoint chosen = choose_point(world, random);
         add_scattered(params, sum, path->bounce,
-                      scattered_light(params, world, media, stretch, &chosen, t, random, rays));
+                      scattered_light(params, world, media, segment, &chosen, t, random, rays));
     }
     float u = next_random(random);
     float v = next_random(random);
-    path->free_density =
-        update_ratio(&path->ratio, stretch->sigma_t * transmittance(stretch->sigma_t, t));
-    scatter_path(stretch, t, u, v, path);
+    path->free_pdf =
+        update_ratio(&path->ratio, segment->sigma_t * beer_transmittance(segment->sigma_t, t));
+    scatter_path(segment, t, u, v, path);
 }
 
-/// Goes through a stretch of a homogeneous medium. Returns 1 where the path is scattered there, -1
+/// Goes through a segment of a homogeneous medium. Returns 1 where the path is scattered there, -1
 /// where it ends.
-static inline int cross_stretch(const RenderParams* params, const PathScene* world,
-                                const Media* media, const Stretch* stretch, MediaPath* path,
+static inline int cross_segment(const RenderParams* params, const PathScene* world,
+                                const Media* media, const MediumSegment* segment, MediaPath* path,
                                 Random* random, PathSample* sample, uint* rays) {
     PathLight* sum = &sample->light;
-    if (has_emission(params, &stretch->medium) != 0)
-        add_emitted(params, stretch, stretch->length, path, sample);
-    if (!(max_component(xyz(stretch->medium.albedo)) > 0.0f)) {
-        // Nothing to gain from chance: what absorbs only is known.
-        path->throughput = path->throughput * transmittance(stretch->sigma_t, stretch->length);
+    if (has_emission(params, &segment->medium) != 0)
+        add_emitted(params, segment, segment->length, path, sample);
+    if (!(max_component(xyz(segment->medium.albedo)) > 0.0f)) {
+        // The transmittance is known, so that media which only absorb need no sampling.
+        path->throughput = path->throughput * beer_transmittance(segment->sigma_t, segment->length);
         return max_component(path->throughput) > 0.0f ? 0 : -1;
     }
-    if (!(max_component(stretch->sigma_t) > 0.0f && stretch->length > 0.0f)) return 0;
+    if (!(max_component(segment->sigma_t) > 0.0f && segment->length > 0.0f)) return 0;
     int wanted = wants_bounce(params, path->bounce + 1u);
     if (wanted != 0 && world->light_count != 0u) {
         ChosenPoint chosen = choose_point(world, random);
         float u = next_random(random);
-        AngularView view = angular_view(stretch->origin, stretch->direction, stretch->length,
+        AngularView view = angular_view(segment->origin, segment->direction, segment->length,
                                         chosen.point.position);
         if (has_place(chosen.light) != 0 && view.distance > 0.0f)
             add_scattered(params, sum, path->bounce + 1u,
-                          scattered_light(params, world, media, stretch, &chosen,
-                                          angular_sample(view, stretch->length, u), random, rays));
+                          scattered_light(params, world, media, segment, &chosen,
+                                          angular_sample(view, segment->length, u), random, rays));
     }
     float choice = next_random(random);
     float u = next_random(random);
-    float t = free_path(stretch->sigma_t, path->ratio, choice, u);
-    if (t < stretch->length) {
+    float t = free_path(segment->sigma_t, path->ratio, choice, u);
+    if (t < segment->length) {
         if (wanted == 0) return -1;
-        scatter_in_medium(params, world, media, stretch, t, path, random, sum, rays);
-        return path->free_density > 0.0f && path->density > 0.0f ? 1 : -1;
+        scatter_in_medium(params, world, media, segment, t, path, random, sum, rays);
+        return path->free_pdf > 0.0f && path->pdf > 0.0f ? 1 : -1;
     }
-    float left = update_ratio(&path->ratio, transmittance(stretch->sigma_t, stretch->length));
-    // The ratio's mean is 1 again; its density cancels against the probability of passing.
-    return left > 0.0f ? 0 : -1;
+    float transmittance =
+        update_ratio(&path->ratio, beer_transmittance(segment->sigma_t, segment->length));
+    // The ratio's mean is 1 again; what it was divided by is the probability of passing.
+    return transmittance > 0.0f ? 0 : -1;
 }
 
 /// Goes through the media of a ray that ends after `length`. Returns 1 where the path is scattered
@@ -95,22 +97,22 @@ static inline int cross_stretch(const RenderParams* params, const PathScene* wor
 static inline int cross_media(const RenderParams* params, const PathScene* world,
                               const Media* media, MediaPath* path, float length, Random* random,
                               PathSample* sample, uint* rays) {
-    MediumWalk walk = start_walk(media, path->origin, path->direction, path->inside);
-    while (next_stretch(params, media, &walk, length) != 0) {
-        path->inside = walk.inside;
+    MediumWalk walk = start_walk(media, path->origin, path->direction, path->enclosing_media);
+    while (next_segment(params, media, &walk, length) != 0) {
+        path->enclosing_media = walk.enclosing_media;
         if (walk.medium == NO_MEDIUM) continue;
-        Stretch stretch;
-        stretch.medium = media->media[walk.medium];
-        stretch.sigma_t = xyz(stretch.medium.sigma_t);
-        stretch.length = walk.end - walk.begin;
-        stretch.origin = walk.origin + walk.direction * walk.begin;
-        stretch.direction = walk.direction;
-        stretch.throughput = path->throughput;
-        stretch.ratio = path->ratio;
-        stretch.inside = walk.inside;
-        int done = has_grid(params, &stretch.medium) != 0
-                       ? cross_grid(params, world, media, &stretch, path, random, sample, rays)
-                       : cross_stretch(params, world, media, &stretch, path, random, sample, rays);
+        MediumSegment segment;
+        segment.medium = media->media[walk.medium];
+        segment.sigma_t = xyz(segment.medium.sigma_t);
+        segment.length = walk.end - walk.begin;
+        segment.origin = walk.origin + walk.direction * walk.begin;
+        segment.direction = walk.direction;
+        segment.throughput = path->throughput;
+        segment.ratio = path->ratio;
+        segment.enclosing_media = walk.enclosing_media;
+        int done = has_grid(params, &segment.medium) != 0
+                       ? cross_grid(params, world, media, &segment, path, random, sample, rays)
+                       : cross_segment(params, world, media, &segment, path, random, sample, rays);
         if (done != 0) return done;
     }
     return 0;
@@ -131,8 +133,8 @@ static inline int scatter_on_surface(const RenderParams* params, const PathScene
     float u = next_random(random);
     float v = next_random(random);
     BsdfSample scattered = bsdf_sample(&path->surface.bsdf, surface_out(&path->surface), u, v);
-    path->direction = normalize3(turn_to(scattered.in, path->surface.shading));
-    path->density = scattered.pdf;
+    path->direction = normalize3(to_world(scattered.in, path->surface.shading));
+    path->pdf = scattered.pdf;
     path->origin = vertex.origin;
     path->throughput = scattered_throughput(&vertex, scattered.weight);
     path->kind = RAY_OF_SURFACE;
@@ -141,11 +143,11 @@ static inline int scatter_on_surface(const RenderParams* params, const PathScene
 }
 
 /// Follows the path to where it is scattered next. Returns 0 where it ends.
-static inline int go_on(const RenderParams* params, const PathScene* world, const Media* media,
-                        MediaPath* path, Random* random, PathSample* sample, uint* rays) {
+static inline int advance(const RenderParams* params, const PathScene* world, const Media* media,
+                          MediaPath* path, Random* random, PathSample* sample, uint* rays) {
     Hit hit = trace_closest(world->scene, path->origin, path->direction, RAY_INFINITY);
     ++*rays;
-    int met = hit.triangle != NO_TRIANGLE ? 1 : 0;
+    int met = hit.triangle != INVALID_INDEX ? 1 : 0;
     if (met != 0) {
         float angle = path->kind == RAY_OF_CAMERA ? params->camera.texture_angle : 0.0f;
         path->surface = surface_at(params, &world->geometry, hit, path->direction, angle);
@@ -159,9 +161,9 @@ static inline int go_on(const RenderParams* params, const PathScene* world, cons
                                 sample, rays);
     if (scattered < 0) return 0;
     if (scattered > 0)
-        return path_survives(path, ROULETTE_START,
-                             path->inside != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST,
-                             random);
+        return path_survives(
+            path, ROULETTE_START,
+            path->enclosing_media != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST, random);
     float3 light = f3(0.0f, 0.0f, 0.0f);
     if (met == 0 && HAS(params, FEATURE_ENVIRONMENT))
         light = environment_radiance(params, path->direction);
@@ -188,7 +190,7 @@ WEFT_KERNEL(path_media)
         Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
         PathSample sample = no_path_sample();
         MediaPath path = camera_path(&params, &path_params, &through, pixel, &random);
-        while (go_on(&params, &world, &through, &path, &random, &sample, &rays) != 0) continue;
+        while (advance(&params, &world, &through, &path, &random, &sample, &rays) != 0) continue;
         add_sample(path_params.film_scale, sums, pixels, pixel, &sample, nonfinite);
     }
     count_rays(counters + range.counter, rays);

@@ -1,63 +1,64 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A path through participating media: what it has gone through, and light that media scatter into
-// it. Three ways find light of an area light that is scattered at a point of a stretch: the point
-// by a free path and the light by next-event estimation, the point by equi-angular sampling and the
-// light likewise, and the point by a free path and the light by a scattered ray that meets it. They
-// are weighted by the balance heuristic (Veach and Guibas 1995); lights without area are found by
-// the first two alone, directional ones by the first alone. In media with grids the density of free
-// paths is not known, and something like it takes its place: see path_grid.h.
+// A path through participating media, and the light that media scatter into it. Three techniques
+// find light of an area light that is scattered at a point of a segment:
+//   1  the point by a free path, the light by next-event estimation;
+//   2  the point by equi-angular sampling, the light by next-event estimation;
+//   3  the point by a free path, the light by a scattered ray that meets it.
+// They are weighted by the balance heuristic (Veach and Guibas 1995). Lights without area are found
+// by the first two alone, directional ones by the first alone. In media with grids the pdf of free
+// paths is not known, and a stand-in takes its place (path_grid.h).
 //
-// Light that media emit is found by the paths alone: every stretch adds all of what reaches its
-// start from it, which is known, before a free path is looked for.
+// Emission of media is found by the paths alone: every segment adds all of the emission that
+// reaches its start, which is known, before a free path is sampled.
 #ifndef WEFT_KERNELS_PATH_PATH_MEDIA_H
 #define WEFT_KERNELS_PATH_PATH_MEDIA_H
 
 #include "kernels/media/medium_walk.h"
 #include "kernels/path/path_film.h"
 
-// How a ray of a path has come to be.
+// Where a ray of a path comes from.
 #define RAY_OF_CAMERA 0u
 #define RAY_OF_SURFACE 1u
 #define RAY_OF_MEDIUM 2u
 
-// Roulette after scattering in a medium. Higher than ROULETTE_MOST: a path into a thick white
-// medium scatters as often as the square of its depth, and what it brings must not be multiplied
-// by what roulette takes.
+// Largest survival probability of roulette after scattering in a medium. It is higher than
+// ROULETTE_MOST, since a path into a thick white medium scatters as often as the square of its
+// optical depth, and must not gain weight at each scattering.
 #define MEDIUM_ROULETTE_MOST 0.999755859375f  // 1 - 2^-12
 // Outside of all boundaries, where a path in a white medium never ends and brings less and less.
 #define OUTER_ROULETTE_MOST 0.99f
 
-// What a stretch emits is at most that: a path of many such stretches has a variance that is a
-// float.
+// Largest radiance that a segment emits, so that the variance of a path of many such segments still
+// fits a float.
 #define MEDIUM_RADIANCE_MOST 7.20575940e16f  // 2^56
 
-// A stretch of a ray in one medium, and the state of the path at its start.
+// A segment of a ray in one medium, and the state of the path at its start.
 typedef struct {
     float3 origin, direction;
     float length;
     float3 throughput, ratio;  // see update_ratio
     float3 sigma_t;
     MediumRecord medium;
-    uint inside;
-} Stretch;
+    uint enclosing_media;
+} MediumSegment;
 
 // A path under way.
 typedef struct {
     float3 origin, direction;
     float3 throughput, ratio;
-    uint inside;         // boundaries around the origin
-    uint bounce;         // scattered so far
-    uint kind;           // RAY_OF_*
-    float density;       // of the direction
-    Surface surface;     // that it left, of RAY_OF_SURFACE
-    Stretch stretch;     // that it was scattered in, of RAY_OF_MEDIUM
-    float along;         // where on it
-    float free_density;  // and its density by free paths, or what stands for it
+    uint enclosing_media;   // boundaries around the origin
+    uint bounce;            // scattered so far
+    uint kind;              // RAY_OF_*
+    float pdf;              // of the direction
+    Surface surface;        // that it left, of RAY_OF_SURFACE
+    MediumSegment segment;  // that it was scattered in, of RAY_OF_MEDIUM
+    float along;            // where on it
+    float free_pdf;         // and its pdf by free paths, or the stand-in for that
 } MediaPath;
 
-/// Light that arrives after `bounce` scatterings.
+/// Adds light that arrives after `bounce` scatterings.
 static inline void add_scattered(const RenderParams* params, PathLight* sum, uint bounce,
                                  float3 light) {
     if (bounce > 1u)
@@ -66,7 +67,8 @@ static inline void add_scattered(const RenderParams* params, PathLight* sum, uin
         sum->direct += light;
 }
 
-/// Light that arrives where the path has been scattered last, as often as it was.
+/// Adds light that arrives where the path has been scattered last, after as many scatterings as it
+/// has had.
 static inline void add_met(const RenderParams* params, const MediaPath* path, float3 light,
                            PathSample* sample) {
     float3 arrives = light * path->throughput * path->ratio;
@@ -82,30 +84,29 @@ static inline int has_emission(const RenderParams* params, const MediumRecord* m
                                                                                               : 0;
 }
 
-/// Radiance of one channel that a stretch emits towards its start. What has no end and takes
-/// nothing from light is a boundary that is open, or that a ray has missed by rounding, and no
-/// light.
+/// Radiance of one channel that a segment emits towards its start. A segment without end and
+/// without extinction emits nothing: its boundary is open, or the ray has missed it by rounding.
 static inline float emitted1(float emission, float sigma, float depth) {
     if (!(emission > 0.0f)) return 0.0f;
     if (!(sigma > 0.0f) && !(depth < RAY_INFINITY)) return 0.0f;
     return m_min(emission * lit_length1(sigma, depth), MEDIUM_RADIANCE_MOST);
 }
 
-/// What the medium of a stretch emits into the path, by the integral of its density over the
-/// stretch: its length where it is homogeneous. Extinction and emission go with the same density,
-/// so that the integral of emission times transmittance is known for any. Free paths have nothing
-/// to do with it: this belongs to their start, wherever they end.
-static inline void add_emitted(const RenderParams* params, const Stretch* stretch, float depth,
-                               const MediaPath* path, PathSample* sample) {
-    float3 emission = xyz(stretch->medium.emission);
+/// Adds what the medium of a segment emits into the path, by `depth`, the integral of its density
+/// over the segment: the length where it is homogeneous. Extinction and emission are proportional
+/// to the same density, so that the integral of emission times transmittance is known for any. It
+/// is weighted with the path up to the segment, and independent of where a free path ends.
+static inline void add_emitted(const RenderParams* params, const MediumSegment* segment,
+                               float depth, const MediaPath* path, PathSample* sample) {
+    float3 emission = xyz(segment->medium.emission);
     add_met(params, path,
-            f3(emitted1(emission.x, stretch->sigma_t.x, depth),
-               emitted1(emission.y, stretch->sigma_t.y, depth),
-               emitted1(emission.z, stretch->sigma_t.z, depth)),
+            f3(emitted1(emission.x, segment->sigma_t.x, depth),
+               emitted1(emission.y, segment->sigma_t.y, depth),
+               emitted1(emission.z, segment->sigma_t.z, depth)),
             sample);
 }
 
-/// 1 where light that arrives after `bounce` scatterings is asked for.
+/// 1 where light that arrives after `bounce` scatterings is to be computed.
 static inline int wants_bounce(const RenderParams* params, uint bounce) {
     return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
 }
@@ -120,77 +121,78 @@ static inline ChosenPoint choose_point(const PathScene* world, Random* random) {
                           v);
 }
 
-// A point of a stretch that a path may be scattered at, and the weights of the ways to find it.
+// A point of a segment that a path may be scattered at, and its pdfs by free paths and equi-angular
+// sampling. `value` and `free` may be in any common unit.
 typedef struct {
-    float t;        // of the stretch
-    float3 value;   // throughput times the source that scatters there, times `free`'s unit
-    float free;     // density by free paths
-    float angular;  // unit of densities by equi-angular sampling, in that of `free`
+    float t;        // distance from the segment's start
+    float3 value;   // throughput times the source that scatters there, in the unit of `free`
+    float free;     // pdf by free paths
+    float angular;  // factor that brings pdfs by equi-angular sampling to the unit of `free`
 } ScatterPoint;
 
-/// Light of a chosen point that is scattered into the path at a point of the stretch, weighted.
-/// Which of the two ways of next-event estimation has found the point makes no difference.
+/// Light of a chosen point on a light that is scattered into the path at a point of the segment,
+/// weighted. It is the same for both techniques that use next-event estimation.
 static inline float3 light_scattered_at(const RenderParams* params, const PathScene* world,
-                                        const Media* media, const Stretch* stretch,
+                                        const Media* media, const MediumSegment* segment,
                                         const ChosenPoint* chosen, const ScatterPoint* at,
                                         Random* random, uint* rays) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     if (!(max_component(at->value) > 0.0f)) return none;
-    float3 place = stretch->origin + stretch->direction * at->t;
+    float3 place = segment->origin + segment->direction * at->t;
     PlaceLight light = light_at_place(params, chosen, place);
     if (!(max_component(light.irradiance) > 0.0f)) return none;
-    // Densities of the place times the light's, over the light's by next-event estimation.
-    float density = at->free;
+    // The sum of the techniques' pdfs, over the light's pdf by next-event estimation.
+    float pdf = at->free;
     if (light.distance < RAY_INFINITY)
-        density +=
-            at->angular * angular_density(angular_view(stretch->origin, stretch->direction,
-                                                       stretch->length, chosen->point.position),
-                                          at->t);
-    float phase = phase_function(stretch->medium.anisotropy, stretch->direction, light.direction);
-    if (light.pdf > 0.0f) density += at->free * (phase / light.pdf);
-    if (!(density > 0.0f)) return none;
+        pdf += at->angular * angular_pdf(angular_view(segment->origin, segment->direction,
+                                                      segment->length, chosen->point.position),
+                                         at->t);
+    float phase = phase_function(segment->medium.anisotropy, segment->direction, light.direction);
+    if (light.pdf > 0.0f) pdf += at->free * (phase / light.pdf);
+    if (!(pdf > 0.0f)) return none;
     ++*rays;
     int seen = light.distance < RAY_INFINITY
                    ? sees_point(world->scene, params, place, light.target - place)
                    : sees_infinity(world->scene, params, place, light.direction);
     if (seen == 0) return none;
     float3 arrives = ray_transmittance(params, media, place, light.direction, light.distance,
-                                       stretch->inside, random);
-    return at->value * light.irradiance * arrives * (phase / density);
+                                       segment->enclosing_media, random);
+    return at->value * light.irradiance * arrives * (phase / pdf);
 }
 
-/// The same in a homogeneous medium, where transmittance and densities are known.
+/// The same in a homogeneous medium, where transmittance and pdfs are known.
 static inline float3 scattered_light(const RenderParams* params, const PathScene* world,
-                                     const Media* media, const Stretch* stretch,
+                                     const Media* media, const MediumSegment* segment,
                                      const ChosenPoint* chosen, float t, Random* random,
                                      uint* rays) {
-    float3 left = transmittance(stretch->sigma_t, t);
-    float3 source = stretch->ratio * stretch->sigma_t * left;
+    float3 transmittance = beer_transmittance(segment->sigma_t, t);
+    float3 source = segment->ratio * segment->sigma_t * transmittance;
     ScatterPoint at;
     at.t = t;
-    at.value = stretch->throughput * source * xyz(stretch->medium.albedo);
+    at.value = segment->throughput * source * xyz(segment->medium.albedo);
     at.free = (source.x + source.y + source.z) * 0.333333333f;
     at.angular = 1.0f;
-    return light_scattered_at(params, world, media, stretch, chosen, &at, random, rays);
+    return light_scattered_at(params, world, media, segment, chosen, &at, random, rays);
 }
 
-/// Weight of emission of a surface that a ray of the path met after `t`.
+/// MIS weight of the emission of a surface that a ray of the path met after `t`.
 static inline float met_weight(const PathScene* world, const MediaPath* path,
                                const Surface* surface, float t) {
     if (path->kind == RAY_OF_CAMERA) return 1.0f;
     if (path->kind == RAY_OF_SURFACE)
-        return emission_weight(world, surface, path->direction, t, path->density);
+        return emission_weight(world, surface, path->direction, t, path->pdf);
     float pdf = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
                               path->direction, t);
     if (!(pdf > 0.0f)) return 1.0f;
-    float angular = angular_density(angular_view(path->stretch.origin, path->stretch.direction,
-                                                 path->stretch.length, surface->position),
-                                    path->along);
-    float other = pdf / path->density;
-    return 1.0f / (1.0f + other + other * (angular / path->free_density));
+    float angular = angular_pdf(angular_view(path->segment.origin, path->segment.direction,
+                                             path->segment.length, surface->position),
+                                path->along);
+    float other = pdf / path->pdf;
+    return 1.0f / (1.0f + other + other * (angular / path->free_pdf));
 }
 
-/// Light of one chosen light by a surface that the path has come to, through media.
+/// Next-event estimation at a surface, through media: adds what one chosen light sends to it, and
+/// that scatters into the path. Returns the number of shadow rays.
 static inline uint surface_light(const RenderParams* params, const PathScene* world,
                                  const Media* media, const MediaPath* path,
                                  const PathVertex* vertex, Random* random, PathLight* sum) {
@@ -209,25 +211,25 @@ static inline uint surface_light(const RenderParams* params, const PathScene* wo
                                   : sees_point(world->scene, params, light.origin, light.towards);
     if (seen == 0) return 1u;
     float length = light.distant != 0 ? RAY_INFINITY : length3(light.towards);
-    float3 left = ray_transmittance(params, media, light.origin, normalize3(light.towards), length,
-                                    path->inside, random);
+    float3 transmittance = ray_transmittance(params, media, light.origin, normalize3(light.towards),
+                                             length, path->enclosing_media, random);
     BsdfValue value = bsdf_eval(bsdf, out, light.in);
-    add_scattered(
-        params, sum, path->bounce,
-        scattered_throughput(vertex, value.colour) * path->ratio * irradiance * left * value.share);
+    add_scattered(params, sum, path->bounce,
+                  scattered_throughput(vertex, value.colour) * path->ratio * irradiance *
+                      transmittance * value.share);
     return 1u;
 }
 
-/// Leaves the stretch at `t`, in a direction of the phase function.
-static inline void scatter_path(const Stretch* stretch, float t, float u, float v,
+/// Leaves the segment at `t`, in a direction of the phase function.
+static inline void scatter_path(const MediumSegment* segment, float t, float u, float v,
                                 MediaPath* path) {
-    path->throughput = path->throughput * xyz(stretch->medium.albedo);
-    path->stretch = *stretch;
+    path->throughput = path->throughput * xyz(segment->medium.albedo);
+    path->segment = *segment;
     path->along = t;
-    path->origin = stretch->origin + stretch->direction * t;
+    path->origin = segment->origin + segment->direction * t;
     path->direction =
-        scatter_direction(stretch->medium.anisotropy, stretch->direction, u, v, &path->density);
-    path->inside = stretch->inside;
+        scatter_direction(segment->medium.anisotropy, segment->direction, u, v, &path->pdf);
+    path->enclosing_media = segment->enclosing_media;
     path->kind = RAY_OF_MEDIUM;
 }
 

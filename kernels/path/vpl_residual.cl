@@ -1,18 +1,18 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What VPLs leave out, by path tracing (Kollig and Keller 2004). Virtual lights stand for the light
-// of surface y that falls on x, with the geometry term G(x, y) cut off at a bound b. The rest,
-// max(0, G - b), is the share max(0, 1 - b / G) of what a scattered ray from x finds at y: of light
-// by up to SamplingParams::bounces surfaces before x. Light by more surfaces has no virtual lights
-// at all, so its share is 1. Samples on area lights have bounds of their own.
+// Computes the light that VPLs leave out, by path tracing (Kollig and Keller 2004). Virtual lights
+// stand for the light of surface y that falls on x, with the geometry term G(x, y) cut off at a
+// bound b. The rest, max(0, G - b), is the share max(0, 1 - b / G) of what a scattered ray from x
+// finds at y: of light by up to SamplingParams::bounces surfaces before x. Light by more surfaces
+// has no virtual lights at all, so its share is 1. Samples on area lights have bounds of their own.
 //
 // A work-item adds one path to the irradiance of one receiver: to the direct part where bit 0 of
 // `parts` is set, to the indirect part where bit 1 is.
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/core/receiver_values.h"
-#include "kernels/light/near_lamp_limit.h"
+#include "kernels/light/analytic_area_light_limit.h"
 #include "kernels/path/path.h"
 
 /// Share of a connection over `distance` between surfaces at these cosines that `bound` cuts off.
@@ -23,18 +23,20 @@ static inline float share_beyond(float bound, float distance, float cosine_x, fl
     return m_max(share, 0.0f);
 }
 
-/// Share of a lamp's light that its samples leave out; all of it where they know nothing of it, and
-/// nothing where near_lamp.h makes up for it.
-static inline float lamp_share(const RenderParams* params, const PathScene* world, uint instance,
-                               float distance, float cosine_x, float cosine_y) {
+/// Share of the light of an emitting surface that samples on area lights leave out: all of it where
+/// it has no samples, none where analytic_area_light.h makes up for their bound.
+static inline float area_light_share(const RenderParams* params, const PathScene* world,
+                                     uint instance, float distance, float cosine_x,
+                                     float cosine_y) {
     uint index = world->geometry.instances[instance].light;
-    if (index == NO_TRIANGLE) return 1.0f;
+    if (index == INVALID_INDEX) return 1.0f;
     if (has_closed_form(params, world->lights + index) != 0) return 0.0f;
     return share_beyond(params->sampling.lights.bound_scale / world->lights[index].area, distance,
                         cosine_x, cosine_y);
 }
 
-/// Follows a ray from the receiver to the first surface, and from there the path of all light.
+/// Traces a ray from the receiver to the first surface and a path from there on, and weights the
+/// light that these find by the share that virtual lights leave out.
 static inline PathLight trace_residual(const RenderParams* params, const PathScene* world,
                                        uint parts, float3 position, float3 normal, float3 shading,
                                        Random* random, uint* rays) {
@@ -43,21 +45,22 @@ static inline PathLight trace_residual(const RenderParams* params, const PathSce
     sum.indirect = sum.direct;
     float u = next_random(random);
     float v = next_random(random);
-    float3 about_z = cosine_direction(u, v);
-    float3 direction = normalize3(turn_to(about_z, shading));
+    float3 local_vector = cosine_direction(u, v);
+    float3 direction = normalize3(to_world(local_vector, shading));
     if (!(dot3(direction, normal) > 0.0f)) return sum;
     Hit hit = trace_closest(world->scene, position, direction, RAY_INFINITY);
     ++*rays;
-    if (hit.triangle == NO_TRIANGLE) return sum;
+    if (hit.triangle == INVALID_INDEX) return sum;
     PathVertex vertex;
     vertex.bounce = 1u;
     vertex.surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
     float facing = -dot3(direction, vertex.surface.normal);
     if ((parts & 1u) != 0u && max_component(vertex.surface.emission) > 0.0f)
-        sum.direct = vertex.surface.emission *
-                     lamp_share(params, world, vertex.surface.instance, hit.t, about_z.z, facing);
+        sum.direct =
+            vertex.surface.emission *
+            area_light_share(params, world, vertex.surface.instance, hit.t, local_vector.z, facing);
     if ((parts & 2u) == 0u) return sum;
-    float share = share_beyond(params->sampling.vpl_bound, hit.t, about_z.z, facing);
+    float share = share_beyond(params->sampling.vpl_bound, hit.t, local_vector.z, facing);
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
     while (goes_on != 0) {
         vertex.light_weight = vertex.bounce <= params->sampling.bounces + 1u ? share : 1.0f;

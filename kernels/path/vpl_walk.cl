@@ -1,15 +1,15 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Virtual point lights along the light paths of a frame (light_path.h). Paths that outlast their
-// frame (FEATURE_TEMPORAL) keep what their segments hit: only segments in doubt are traced again
-// (vpl_doubts.cl).
+// Traces the light paths of a frame and leaves virtual point lights at their vertices
+// (light_path.h). With FEATURE_TEMPORAL the hits of segments are stored from frame to frame, and
+// only invalid segments are traced again (vpl_invalidation.cl). One work-item per light path.
 #include "kernels/bvh/trace.h"
 #include "kernels/cache/cache.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/path/light_path.h"
-#include "kernels/path/path_memory.h"
+#include "kernels/path/light_path_cache.h"
 
 static inline void store_vpl(GLOBAL Vpl* vpl, uint kind, float3 position, float3 normal,
                              float3 flux, float bound, float roulette) {
@@ -19,20 +19,21 @@ static inline void store_vpl(GLOBAL Vpl* vpl, uint kind, float3 position, float3
     vpl->cone = f4(0.0f, 0.0f, 0.0f, 0.0f);
 }
 
-/// A slot whose path has ended: no VPL of an earlier frame stays there.
+/// Empties the slot of a path that has ended, so that no VPL of an earlier frame stays there.
 static inline void store_no_vpl(GLOBAL Vpl* vpl) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     store_vpl(vpl, VPL_SURFACE, none, f3(0.0f, 0.0f, 1.0f), none, 0.0f, 1.0f);
 }
 
-/// Number of a VPL in (0, 1]: those of consecutive VPLs, and so of a pixel's, cover it evenly.
+/// Random number of a VPL for roulette, in (0, 1]. Those of consecutive VPLs, and so of a pixel's,
+/// cover it evenly.
 static inline float roulette_number(uint seed, uint vpl) {
     uint bits = hash_bits(seed) + vpl * 2654435769u;  // 2^32 over the golden ratio
     return (float)((bits >> 8) + 1u) * 5.9604645e-8f;
 }
 
-/// Stores what the path scatters at a vertex: number `number` of all, `share` of its flux. Of a
-/// surface that is kept as the radiance it makes.
+/// Stores the VPL of a vertex, number `number` of all, with `share` of the path's flux. On a
+/// surface that is divided by pi, as the radiance that the flux makes.
 static inline void store_vertex(const RenderParams* params, GLOBAL Vpl* vpl, const LightPath* path,
                                 const Vertex* vertex, float share, uint number) {
     float scale = vertex->kind == VPL_SURFACE ? LAMBERT_REFLECTANCE(share) : share;
@@ -61,7 +62,8 @@ static inline Vpl no_vpl(void) {
     return vpl;
 }
 
-/// What has become of a VPL (cache.h). Of one that was dark it is not known what sees it.
+/// How a VPL has changed: VPL_* of cache.h. One that was dark counts as moved, since it is not
+/// known which records see it.
 static inline uint change_of(const Vpl* before, GLOBAL const Vpl* vpl) {
     uint change = differ(before->flux, vpl->flux) != 0 ? VPL_RECOLOURED : 0u;
     if (differ(before->position, vpl->position) != 0 || differ(before->normal, vpl->normal) != 0 ||
@@ -87,7 +89,7 @@ WEFT_KERNEL(vpl_walk)
     uint known = 0u;
     if (HAS(&params, FEATURE_TEMPORAL)) {
         known = known_segments[item];
-        remember_start(&path, item, path_memory);
+        store_start(&path, item, light_path_cache);
     }
     uint rays = 0u;
     int alive = 1;
@@ -102,14 +104,14 @@ WEFT_KERNEL(vpl_walk)
         Hit hit = no_segment();
         if (alive != 0) {
             if (bounce < known) {
-                hit = recall_hit(&params, set, place, path_memory);
+                hit = load_hit(&params, set, place, light_path_cache);
             } else {
                 ++rays;
                 hit = trace_closest(scene, path.origin, path.direction, RAY_INFINITY);
             }
-            alive = follow(&params, hit, &geometry, &through, &random, &path, &vertex);
+            alive = scatter(&params, hit, &geometry, &through, &random, &path, &vertex);
         }
-        if (HAS(&params, FEATURE_TEMPORAL)) remember_hit(&params, hit, set, place, path_memory);
+        if (HAS(&params, FEATURE_TEMPORAL)) store_hit(&params, hit, set, place, light_path_cache);
         if (alive == 0) {
             store_no_vpl(vpl);
         } else {

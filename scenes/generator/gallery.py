@@ -7,11 +7,11 @@ import math
 from . import gallery_parts as parts
 from . import gallery_plan as plan
 from .builder import Builder, light_quad
-from .picture import inscription, tiles
+from .texture_images import inscription, tiles
 from .solids import box, finish, sphere, unit
 
 REPEAT, CLAMP = 10497, 33071
-TILE_PAIR = 1.6  # metres that one repeat of the tile picture covers
+TILE_PAIR = 1.6  # metres that one repeat of the tile image covers
 MOSAIC = ((-1.8, -0.02, 3.2), (1.8, 0.03, 5.6))
 WINDOWS = ((-2.55, -1.65, 2.9, 6.5), (1.65, 2.55, 2.9, 6.5))
 KNOT, STONE, VASE = (0.0, 3.18, -9.7), (-2.25, 1.52, 0.4), (2.3, 0.9, -2.6)
@@ -50,7 +50,7 @@ def _floor_uv(position, _):
 
 
 def _mosaic_uv(position, _):
-    """The picture's top edge (v = 0) lies away from the camera, its left edge at -x."""
+    """The image's top edge (v = 0) lies away from the camera, its left edge at -x."""
     (x0, _, z0), (x1, _, z1) = MOSAIC
     return (position[0] - x0) / (x1 - x0), (position[2] - z0) / (z1 - z0)
 

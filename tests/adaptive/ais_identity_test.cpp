@@ -18,24 +18,25 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
+using test::TestBackend;
 
 /// What lights a room with a smooth ball and a screen.
 enum class Lights : std::uint8_t {
-    lamps,        ///< two area lights
-    many_lamps,   ///< 40 area lights, more than a word has bits
-    chosen,       ///< 80 area lights, chosen by power
-    mixed,        ///< an area light, a point light, a spot and a distant light
-    surroundings  ///< an area light and an environment
+    area_lights,       ///< two area lights
+    many_area_lights,  ///< 40 area lights, more than a word has bits
+    chosen,            ///< 80 area lights, chosen by power
+    mixed,             ///< an area light, a point light, a spot and a distant light
+    surroundings       ///< an area light and an environment
 };
-constexpr std::pair<Lights, const char*> all_lights[] = {{Lights::lamps, "lamps"},
-                                                         {Lights::many_lamps, "many lamps"},
-                                                         {Lights::chosen, "chosen lamps"},
-                                                         {Lights::mixed, "mixed lights"},
-                                                         {Lights::surroundings, "surroundings"}};
+constexpr std::pair<Lights, const char*> all_lights[] = {
+    {Lights::area_lights, "area lights"},
+    {Lights::many_area_lights, "many area lights"},
+    {Lights::chosen, "chosen area lights"},
+    {Lights::mixed, "mixed lights"},
+    {Lights::surroundings, "surroundings"}};
 
-void add_lamps(test::SceneBuilder& builder, std::uint32_t count) {
+void add_area_lights(test::SceneBuilder& builder, std::uint32_t count) {
     const auto columns = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
     const float cell = 1.6F / static_cast<float>(columns);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -58,17 +59,17 @@ Scene room(Lights lights) {
                 test::placement(0.35, {-0.4, -0.6, -0.2}));
     test::add_screen(builder);
     switch (lights) {
-        case Lights::lamps:
-            add_lamps(builder, 2);
+        case Lights::area_lights:
+            add_area_lights(builder, 2);
             break;
-        case Lights::many_lamps:
-            add_lamps(builder, 40);
+        case Lights::many_area_lights:
+            add_area_lights(builder, 40);
             break;
         case Lights::chosen:
-            add_lamps(builder, 80);
+            add_area_lights(builder, 80);
             break;
         case Lights::mixed: {
-            add_lamps(builder, 1);
+            add_area_lights(builder, 1);
             builder.light(LightType::point, {0.5, 0.4, 0.6}, {0.3F, 0.4F, 0.3F});
             PunctualLight& spot = builder.light(LightType::spot, {0.0, 0.9, 0.8},
                                                 {2.0F, 1.5F, 1.0F}, {0.1, -1.0, -0.6});
@@ -78,7 +79,7 @@ Scene room(Lights lights) {
             break;
         }
         case Lights::surroundings:
-            add_lamps(builder, 1);
+            add_area_lights(builder, 1);
             builder.scene.environment = Environment{{0.2F, 0.3F, 0.4F}};
             break;
     }
@@ -133,12 +134,12 @@ std::string text_of(const Size& size) {
 
 TEST(AisIdentity, TheScenesShowAllLevelsAndLight) {
     for (const auto& [lights, name] : all_lights) {
-        const Rendering rendering = render_room(test::shared_executor(Backend::own_bvh), lights,
+        const Rendering rendering = render_room(test::shared_executor(TestBackend::own_bvh), lights,
                                                 settings_of(Algorithm::ais, 128, 96));
         test::expect_clean(rendering);
         for (const char* layer : {"direct", "indirect"})
             EXPECT_GT(test::mean_of(rendering.layer(layer)), 0.01) << name << ' ' << layer;
-        const Rendering full = render_room(test::shared_executor(Backend::own_bvh), lights,
+        const Rendering full = render_room(test::shared_executor(TestBackend::own_bvh), lights,
                                            settings_of(Algorithm::amax, 128, 96));
         EXPECT_LT(rays_of(rendering), rays_of(full)) << name;
         // Lights that are chosen by power are sampled in full.
@@ -153,7 +154,7 @@ TEST(AisIdentity, TheScenesShowAllLevelsAndLight) {
 }
 
 TEST(AisIdentity, AmaxIsInterleavedSampling) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const auto& [lights, name] : all_lights) {
             Executor& executor = test::shared_executor(backend);
             const Rendering igi =
@@ -166,17 +167,17 @@ TEST(AisIdentity, AmaxIsInterleavedSampling) {
         }
 }
 
-/// The picture without what only ais tells of itself.
+/// The image without what only ais tells of itself.
 Image without_levels(Image image) {
     std::erase_if(image.layers, [](const Layer& layer) { return is_overlay_layer(layer.name); });
     return image;
 }
 
 TEST(AisIdentity, ThresholdZeroIsFullSampling) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const auto& [lights, name] : all_lights)
             for (const Size& size : {Size{64, 48}, Size{61, 43}, Size{1, 1}, Size{7, 5}}) {
-                if (size.first == 64 && backend != Backend::own_bvh) continue;
+                if (size.first == 64 && backend != TestBackend::own_bvh) continue;
                 Executor& executor = test::shared_executor(backend);
                 const Rendering amax = render_room(
                     executor, lights, settings_of(Algorithm::amax, size.first, size.second), 3);
@@ -188,18 +189,18 @@ TEST(AisIdentity, ThresholdZeroIsFullSampling) {
             }
 }
 
-TEST(AisIdentity, SmallAndOddPicturesAreClean) {
+TEST(AisIdentity, SmallAndOddImagesAreClean) {
     for (const double threshold : {0.5, 12.0, 1e9})
         for (const Size& size : {Size{1, 1}, Size{1, 9}, Size{9, 1}, Size{2, 2}, Size{7, 5},
                                  Size{8, 8}, Size{9, 9}, Size{3, 64}, Size{65, 17}}) {
             SCOPED_TRACE(text_of(size));
             const Rendering rendering =
-                render_room(test::shared_executor(Backend::own_bvh), Lights::mixed,
+                render_room(test::shared_executor(TestBackend::own_bvh), Lights::mixed,
                             settings_of(Algorithm::ais, size.first, size.second, threshold), 2);
             test::expect_clean(rendering);
             // Where the surface is lit by any light at all no pixel may be left out.
             const Rendering full =
-                render_room(test::shared_executor(Backend::own_bvh), Lights::mixed,
+                render_room(test::shared_executor(TestBackend::own_bvh), Lights::mixed,
                             settings_of(Algorithm::amax, size.first, size.second), 2);
             std::size_t lost = 0;
             for (std::size_t i = 0; i < full.layer("indirect").size(); ++i)
@@ -208,7 +209,8 @@ TEST(AisIdentity, SmallAndOddPicturesAreClean) {
         }
 }
 
-/// A floor under a lamp so far above that every pixel gets the same light from every point of it.
+/// A floor under an area light so far above that every pixel gets the same light from every point
+/// of it.
 Scene constant_light() {
     test::SceneBuilder builder;
     builder.add(test::quad_mesh({-0.5F, 0, -0.5F}, {0, 0, 1}, {1, 0, 0}),
@@ -219,10 +221,10 @@ Scene constant_light() {
 }
 
 TEST(AisIdentity, ConstantLightIsTheUnionOfAllSets) {
-    // Over the floor and the lamp cosines and distances differ by less than (1 / 2000)^2.
+    // Over the floor and the area light cosines and distances differ by less than (1 / 2000)^2.
     const Scene scene = constant_light();
     const Camera above = test::look_at({0, 2, 0}, {0, 0, 0}, 0.3);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Size& size : {Size{61, 43}, Size{64, 48}, Size{7, 5}}) {
             SCOPED_TRACE(std::string(test::backend_name(backend)) + ' ' + text_of(size));
             const auto direct_of = [&](Algorithm algorithm, double threshold) {
@@ -262,7 +264,7 @@ TEST(AisIdentity, InASphereTheMeanStaysAtAnyThreshold) {
         // All VPLs add alike, so that chance would decide on every one of them.
         settings.sampling.roulette = 0.0;
         const Rendering rendering =
-            test::render_flat(test::shared_executor(Backend::own_bvh), flat, inside, settings);
+            test::render_flat(test::shared_executor(TestBackend::own_bvh), flat, inside, settings);
         test::expect_clean(rendering);
         double sum = 0.0;
         for (std::uint32_t y = 0; y < 43; ++y)
@@ -278,9 +280,9 @@ TEST(AisIdentity, OpenClEqualsTheNativeKernelsBitForBit) {
         for (const double threshold : {0.5, 12.0, 40.0}) {
             const RenderSettings settings = settings_of(Algorithm::ais, 97, 70, threshold);
             const Rendering native =
-                render_room(test::shared_executor(Backend::own_bvh), lights, settings, 2);
+                render_room(test::shared_executor(TestBackend::own_bvh), lights, settings, 2);
             const Rendering opencl =
-                render_room(test::shared_executor(Backend::opencl), lights, settings, 2);
+                render_room(test::shared_executor(TestBackend::opencl), lights, settings, 2);
             EXPECT_EQ(test::differing_values(native.image, opencl.image), 0U)
                 << name << " threshold " << threshold;
             EXPECT_EQ(rays_of(native), rays_of(opencl)) << name << " threshold " << threshold;
@@ -292,9 +294,9 @@ TEST(AisIdentity, EmbreeDiffersAtAlmostNoPixel) {
     for (const auto& [lights, name] : all_lights) {
         const RenderSettings settings = settings_of(Algorithm::ais, 200, 150);
         const Rendering own =
-            render_room(test::shared_executor(Backend::own_bvh), lights, settings);
+            render_room(test::shared_executor(TestBackend::own_bvh), lights, settings);
         const Rendering embree =
-            render_room(test::shared_executor(Backend::embree), lights, settings);
+            render_room(test::shared_executor(TestBackend::embree), lights, settings);
         const std::size_t pixels = std::size_t{200} * 150;
         std::size_t different = 0;
         for (std::size_t i = 0; i < pixels; ++i) {
@@ -307,15 +309,16 @@ TEST(AisIdentity, EmbreeDiffersAtAlmostNoPixel) {
             }
             different += same ? 0 : 1;
         }
-        // Rays that graze the ball may differ, and with them whole tiles; of many lamps many do.
-        const bool many = lights == Lights::many_lamps || lights == Lights::chosen;
-        // A first look counts in 6 x 6 pixels' windows, by the filter in 64 pixels.
+        // Rays that graze the ball may differ, and with them whole tiles; of many area lights many
+        // do.
+        const bool many = lights == Lights::many_area_lights || lights == Lights::chosen;
+        // A first look counts in 6 x 6 pixels' footprints, by the filter in 64 pixels.
         EXPECT_LE(different, many ? pixels / 30 : std::size_t{64}) << name;
     }
 }
 
 TEST(AisIdentity, TilesOfTheWorkListDoNotMatter) {
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     for (const auto& [lights, name] : all_lights) {
         RenderSettings settings = settings_of(Algorithm::ais, 97, 70);
         const Rendering reference = render_room(executor, lights, settings);
@@ -329,7 +332,7 @@ TEST(AisIdentity, TilesOfTheWorkListDoNotMatter) {
 }
 
 TEST(AisIdentity, PacketWidthsDoNotMatter) {
-    for (const Backend backend : {Backend::own_bvh, Backend::embree}) {
+    for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::embree}) {
         std::map<Lights, Rendering> reference;
         for (const std::uint32_t lanes : {1U, 4U, 8U, 16U}) {
             const auto executor = test::make_executor(backend, lanes);
@@ -348,13 +351,13 @@ TEST(AisIdentity, PacketWidthsDoNotMatter) {
 }
 
 TEST(AisIdentity, ThreadsAndRepetitionDoNotMatter) {
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const RenderSettings settings = settings_of(Algorithm::ais, 97, 70);
         const Rendering one =
-            render_room(*test::make_executor(backend, 0, 1), Lights::many_lamps, settings, 2);
+            render_room(*test::make_executor(backend, 0, 1), Lights::many_area_lights, settings, 2);
         const auto executor = test::make_executor(backend, 0, 2);
         for (int i = 0; i < 2; ++i) {
-            const Rendering two = render_room(*executor, Lights::many_lamps, settings, 2);
+            const Rendering two = render_room(*executor, Lights::many_area_lights, settings, 2);
             EXPECT_EQ(test::differing_values(one.image, two.image), 0U)
                 << test::backend_name(backend);
         }

@@ -21,9 +21,9 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Estimate;
 using test::Rendering;
+using test::TestBackend;
 
 constexpr std::size_t comparisons = 40;  // a few more than there are
 
@@ -42,7 +42,7 @@ RenderSettings settings_of(Algorithm algorithm, bool compensation, double thresh
     return settings;
 }
 
-Rendering render(Backend backend, const ShippedScene& scene, const RenderSettings& settings,
+Rendering render(TestBackend backend, const ShippedScene& scene, const RenderSettings& settings,
                  std::uint32_t frames = 1) {
     Rendering rendering = test::render_flat(test::shared_executor(backend), scene.flat,
                                             scene.camera, settings, frames);
@@ -62,7 +62,7 @@ std::vector<double> added(const Rendering& with, const Rendering& without, const
 TEST(FilterResidual, WhatItAddsIsWhatItAddsToFullSampling) {
     for (const char* const file : {"cornell-box.gltf", "gallery.gltf"}) {
         const ShippedScene scene(file);
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             const auto pair = [&](Algorithm algorithm) {
                 return std::array{render(backend, scene, settings_of(algorithm, true)),
                                   render(backend, scene, settings_of(algorithm, false))};
@@ -85,7 +85,7 @@ TEST(FilterResidual, WhatItAddsIsWhatItAddsToFullSampling) {
                     ASSERT_NEAR(found[i], expected[i], rounding) << "value " << i;
                     largest = std::max(largest, found[i]);
                 }
-                // So few rays meet the lamp of the Cornell box that none here counts.
+                // So few rays meet the area light of the Cornell box that none here counts.
                 const bool rare = layer == std::string("direct") && scene.flat.area_lights == 1;
                 EXPECT_GT(largest, rare ? -1.0 : 1000.0 * rounding) << "nothing was added";
             }
@@ -96,7 +96,7 @@ TEST(FilterResidual, WhatItAddsIsWhatItAddsToFullSampling) {
 TEST(FilterResidual, LevelsDoNotDependOnIt) {
     for (const double threshold : {2.0, 12.0}) {
         const auto levels = [&](bool compensation) {
-            return render(Backend::own_bvh, cornell_box(),
+            return render(TestBackend::own_bvh, cornell_box(),
                           settings_of(Algorithm::ais, compensation, threshold), 2)
                 .stats.back()
                 .levels;
@@ -111,8 +111,8 @@ TEST(FilterResidual, LevelsDoNotDependOnIt) {
     }
 }
 
-TEST(FilterResidual, WithThresholdZeroThePictureIsThatOfAmax) {
-    for (const Backend backend : test::backends()) {
+TEST(FilterResidual, WithThresholdZeroTheImageIsThatOfAmax) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering amax =
             render(backend, cornell_box(), settings_of(Algorithm::amax, true), 2);
         Image ais = render(backend, cornell_box(), settings_of(Algorithm::ais, true, 0.0), 2).image;
@@ -124,15 +124,15 @@ TEST(FilterResidual, WithThresholdZeroThePictureIsThatOfAmax) {
 TEST(FilterResidual, OpenClEqualsTheNativeKernelsBitForBit) {
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
     const RenderSettings settings = settings_of(Algorithm::ais, true);
-    const Rendering native = render(Backend::own_bvh, cornell_box(), settings, 2);
-    const Rendering opencl = render(Backend::opencl, cornell_box(), settings, 2);
+    const Rendering native = render(TestBackend::own_bvh, cornell_box(), settings, 2);
+    const Rendering opencl = render(TestBackend::opencl, cornell_box(), settings, 2);
     EXPECT_EQ(test::differing_values(native.image, opencl.image), 0U);
 }
 
 // An integrating sphere about a point light (see vpl_residual_test): irradiance is the same
 // everywhere, so no interpolation errs, and the residual is what the bound cuts off and all later
-// orders. Pixels' paths are independent but for the filter's 3 x 3 windows: the error of the mean
-// is that of a ninth of the pixels at most.
+// orders. Pixels' paths are independent but for the filter's 3 x 3 footprints: the error of the
+// mean is that of a ninth of the pixels at most.
 TEST(FilterResidual, InASphereTheMeanIsThatOfAllOrders) {
     constexpr float reflectance = 0.8F;
     constexpr std::uint32_t width = 160;
@@ -151,7 +151,7 @@ TEST(FilterResidual, InASphereTheMeanIsThatOfAllOrders) {
         settings.sampling.bound_spacing =
             std::sqrt(9.0 * plan_for(flat, settings).vpls_per_set / 0.3);
         const Rendering rendering =
-            test::render_flat(test::shared_executor(Backend::own_bvh), flat, camera, settings);
+            test::render_flat(test::shared_executor(TestBackend::own_bvh), flat, camera, settings);
         test::expect_clean(rendering);
         std::vector<double> irradiance = test::channel_of(rendering, "indirect", 0);
         for (double& value : irradiance)
@@ -167,7 +167,7 @@ TEST(FilterResidual, InASphereTheMeanIsThatOfAllOrders) {
     }
 }
 
-// Means over the picture of 64 seeds, of three frames each, against as many of path tracing. The
+// Means over the image of 64 seeds, of three frames each, against as many of path tracing. The
 // filter's blur and the undersampling that is let pass here cost less than 0.4 %.
 TEST(FilterResidual, TheMeanOverFramesIsThatOfPathTracing) {
     constexpr std::uint32_t edge = 64;
@@ -184,12 +184,12 @@ TEST(FilterResidual, TheMeanOverFramesIsThatOfPathTracing) {
         settings.direct = false;
         for (const bool compensation : {false, true}) {
             settings.sampling.compensation = compensation;
-            const Rendering rendering = render(Backend::embree, box, settings, 3);
+            const Rendering rendering = render(TestBackend::embree, box, settings, 3);
             (compensation ? found : without).push_back(test::mean_of(rendering.layer("indirect")));
         }
         const PathSettings path = test::path_settings(edge, edge, 16, 7000 + seed);
         traced.push_back(test::mean_of(
-            test::path_picture(test::shared_executor(Backend::embree), box.flat, box.camera, path)
+            test::path_image(test::shared_executor(TestBackend::embree), box.flat, box.camera, path)
                 .layer("indirect")));
     }
     const Estimate reference = test::estimate(traced);
@@ -202,7 +202,7 @@ TEST(FilterResidual, TheMeanOverFramesIsThatOfPathTracing) {
 TEST(FilterResidual, IsThereWhereItIsAskedForAndSamplesAreFew) {
     const ShippedScene& box = cornell_box();
     const auto has_it = [&](const RenderSettings& settings) {
-        test::CountingExecutor executor(test::make_executor(Backend::own_bvh));
+        test::CountingExecutor executor(test::make_executor(TestBackend::own_bvh));
         const Renderer renderer(executor, box.flat, box.camera, settings);
         const bool builds = std::ranges::count(executor.kernels(), "filter_residual") > 0;
         const bool allocates = std::ranges::count(executor.allocations(), "VPL residual",

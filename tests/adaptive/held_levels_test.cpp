@@ -12,14 +12,14 @@
 #include "adaptive/level_scheduler.h"
 #include "tests/testing/made_up_frames.h"
 
-// The scheduler with levels that earlier pictures hold, and the verdicts that it gives to them.
+// The scheduler with levels that earlier images hold, and the verdicts that it gives to them.
 namespace weft {
 namespace {
 
 using test::Frame;
-using test::Picture;
+using test::MadeUpImage;
 using test::plain;
-using test::random_picture;
+using test::random_image;
 using test::random_signal;
 using test::run_frame;
 using test::Signal;
@@ -34,12 +34,12 @@ std::vector<Level> random_levels(const TileGrid& grid, Uniform& random) {
 
 TEST(HeldLevels, NothingHeldChangesNothing) {
     Uniform random(1);
-    for (const TileGrid& grid : test::small_pictures()) {
-        const Picture picture = random_picture(grid, random);
+    for (const TileGrid& grid : test::small_images()) {
+        const MadeUpImage image = random_image(grid, random);
         const Signal signal = random_signal(random);
         const std::vector<Level> nothing(grid.tiles(), Level::coarse);
-        const Frame free = run_frame(picture, 1.0, signal);
-        const Frame held = run_frame(picture, 1.0, signal, false, {}, nothing);
+        const Frame free = run_frame(image, 1.0, signal);
+        const Frame held = run_frame(image, 1.0, signal, false, {}, nothing);
         for (std::size_t round = 0; round < free.rounds.size(); ++round)
             EXPECT_EQ(free.rounds[round].pixels, held.rounds[round].pixels);
     }
@@ -48,14 +48,14 @@ TEST(HeldLevels, NothingHeldChangesNothing) {
 TEST(HeldLevels, AreLeastLevelsThatDoNotSpeakForThemselves) {
     // With all signals at hand a tile is judged as without a memory.
     Uniform random(2);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.03, 0.3, 3.0}) {
-            const Picture picture = random_picture(grid, random);
+            const MadeUpImage image = random_image(grid, random);
             const Signal signal = random_signal(random);
             const std::vector<Level> memory = random_levels(grid, random);
             const std::vector<Level> least = random_levels(grid, random);
-            const Frame free = run_frame(picture, threshold, signal, true, least);
-            const Frame held = run_frame(picture, threshold, signal, true, least, memory);
+            const Frame free = run_frame(image, threshold, signal, true, least);
+            const Frame held = run_frame(image, threshold, signal, true, least, memory);
             EXPECT_EQ(held.verdict.asked, free.verdict.asked);
             for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
                 ASSERT_EQ(held.levels[tile], std::max(free.levels[tile], memory[tile])) << tile;
@@ -65,13 +65,13 @@ TEST(HeldLevels, AreLeastLevelsThatDoNotSpeakForThemselves) {
 TEST(HeldLevels, VerdictsAreThoseOfTwoThresholds) {
     Uniform random(3);
     std::size_t between = 0;
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.03, 0.3, 3.0}) {
-            const Picture picture = random_picture(grid, random);
+            const MadeUpImage image = random_image(grid, random);
             const Signal signal = random_signal(random);
             const std::vector<Level> all(grid.tiles(), Level::full);
-            const Frame frame = run_frame(picture, threshold, signal, true, {}, all);
-            const Frame lower = run_frame(picture, release_share * threshold, signal, true);
+            const Frame frame = run_frame(image, threshold, signal, true, {}, all);
+            const Frame lower = run_frame(image, release_share * threshold, signal, true);
             EXPECT_EQ(frame.verdict.kept, lower.verdict.asked);
             for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
                 ASSERT_LE(frame.verdict.asked[tile], frame.verdict.kept[tile]);
@@ -84,10 +84,10 @@ TEST(HeldLevels, VerdictsAreThoseOfTwoThresholds) {
 TEST(HeldLevels, WhatOnlyGeometryOrShadowsAskForIsNoVerdict) {
     // Even light: nothing errs, whatever level the tiles are sampled at.
     Uniform random(4);
-    for (const TileGrid& grid : test::small_pictures()) {
-        const Picture picture = random_picture(grid, random);
+    for (const TileGrid& grid : test::small_images()) {
+        const MadeUpImage image = random_image(grid, random);
         const Frame frame = run_frame(
-            picture, 0.5, [](auto, auto) { return 1.0F; }, false, random_levels(grid, random),
+            image, 0.5, [](auto, auto) { return 1.0F; }, false, random_levels(grid, random),
             random_levels(grid, random));
         for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
             EXPECT_EQ(frame.verdict.asked[tile], Level::coarse);
@@ -105,18 +105,18 @@ TEST(HeldLevels, WhatIsNotFiniteAsksForFull) {
     EXPECT_EQ(frame.verdict.kept[4], Level::full);
 }
 
-TEST(HeldLevels, AStillPictureKeepsItsRounds) {
+TEST(HeldLevels, AStillImageKeepsItsRounds) {
     // Signals only where there are samples: what is held must not let others be judged otherwise.
     Uniform random(5);
-    for (const TileGrid& grid : test::small_pictures()) {
-        const Picture picture = random_picture(grid, random);
+    for (const TileGrid& grid : test::small_images()) {
+        const MadeUpImage image = random_image(grid, random);
         const Signal signal = random_signal(random);
-        const Frame first = run_frame(picture, 0.3, signal);
+        const Frame first = run_frame(image, 0.3, signal);
         LevelHysteresis memory(grid.tiles());
         memory.add(first.verdict);
         for (int i = 0; i < 8; ++i) {
-            memory.begin_picture();
-            const Frame frame = run_frame(picture, 0.3, signal, false, {}, memory.held());
+            memory.begin_image();
+            const Frame frame = run_frame(image, 0.3, signal, false, {}, memory.held());
             memory.add(frame.verdict);
             ASSERT_EQ(frame.levels, first.levels) << i;
             for (std::size_t round = 0; round < first.rounds.size(); ++round)

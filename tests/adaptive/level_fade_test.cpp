@@ -15,14 +15,14 @@
 #include "tests/testing/room_scenes.h"
 
 // Tiles that fade to a coarser level: their heights against a closed form, the samples that they
-// need, and what pictures show of them.
+// need, and what images show of them.
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Frame;
-using test::Picture;
+using test::MadeUpImage;
 using test::room_with_ball;
+using test::TestBackend;
 using test::Uniform;
 
 TEST(LevelFade, HeightsRiseAtOnceAndFallBySteps) {
@@ -30,13 +30,13 @@ TEST(LevelFade, HeightsRiseAtOnceAndFallBySteps) {
     for (int run = 0; run < 100; ++run) {
         std::vector<Level> wanted;
         float height = 0.0F;
-        for (int picture = 0; picture < 80; ++picture) {
+        for (int image = 0; image < 80; ++image) {
             const bool changes = random.below(12) == 0;
             wanted.push_back(wanted.empty() || changes ? static_cast<Level>(random.below(3))
                                                        : wanted.back());
             height =
                 wanted.size() == 1 ? height_of(wanted.back()) : faded_height(height, wanted.back());
-            // What was wanted in any picture so far, less a step for each since then.
+            // What was wanted in any image so far, less a step for each since then.
             float expected = 0.0F;
             for (std::size_t i = 0; i < wanted.size(); ++i)
                 expected =
@@ -50,22 +50,22 @@ TEST(LevelFade, HeightsRiseAtOnceAndFallBySteps) {
     }
 }
 
-TEST(LevelFade, GoesOnFromTheLastWholePicture) {
+TEST(LevelFade, GoesOnFromTheLastWholeImage) {
     LevelFade fade;
     fade.begin_sequence();
     EXPECT_TRUE(fade.earlier().empty());
     fade.show({2.0F});
     fade.show({1.0F});
-    EXPECT_TRUE(fade.earlier().empty()) << "frames of one picture";
-    fade.begin_picture();
+    EXPECT_TRUE(fade.earlier().empty()) << "frames of one image";
+    fade.begin_image();
     ASSERT_EQ(fade.earlier().size(), 1U);
     EXPECT_EQ(fade.earlier()[0], 1.0F);
-    fade.begin_picture();  // after one without a whole frame
+    fade.begin_image();  // after one without a whole frame
     ASSERT_EQ(fade.earlier().size(), 1U);
     EXPECT_EQ(fade.earlier()[0], 1.0F);
     fade.begin_sequence();
     EXPECT_TRUE(fade.earlier().empty());
-    fade.begin_picture();
+    fade.begin_image();
     EXPECT_TRUE(fade.earlier().empty());
 }
 
@@ -79,13 +79,13 @@ std::vector<float> random_heights(const TileGrid& grid, Uniform& random) {
 TEST(LevelFade, SamplesServeBothLevelsAndNothingIsJudgedOtherwise) {
     Uniform random(2);
     std::size_t between = 0;
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.03, 0.3, 3.0}) {
-            const Picture picture = test::random_picture(grid, random);
+            const test::MadeUpImage image = test::random_image(grid, random);
             const test::Signal signal = test::random_signal(random);
             const std::vector<float> earlier = random_heights(grid, random);
-            const Frame free = test::run_frame(picture, threshold, signal);
-            const Frame faded = test::run_frame(picture, threshold, signal, false, {}, {}, earlier);
+            const Frame free = test::run_frame(image, threshold, signal);
+            const Frame faded = test::run_frame(image, threshold, signal, false, {}, {}, earlier);
             EXPECT_EQ(faded.levels, free.levels);
             EXPECT_EQ(faded.verdict.asked, free.verdict.asked);
             EXPECT_EQ(faded.verdict.kept, free.verdict.kept);
@@ -104,7 +104,7 @@ TEST(LevelFade, SamplesServeBothLevelsAndNothingIsJudgedOtherwise) {
             const std::vector<TileMask> coarser = required_masks(grid, below);
             const std::vector<TileMask> finer = required_masks(grid, above);
             for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
-                const TileMask needed = (coarser[tile] | finer[tile]) & picture.lit[tile];
+                const TileMask needed = (coarser[tile] | finer[tile]) & image.lit[tile];
                 ASSERT_EQ(needed & ~faded.sampled[tile], 0U) << "tile " << tile;
             }
         }
@@ -122,12 +122,12 @@ RenderSettings settings() {
     return small;
 }
 
-/// A picture from one side, and then some from the other.
-std::vector<Image> sequence(Backend backend, int pictures) {
+/// An image from one side, and then some from the other.
+std::vector<Image> sequence(TestBackend backend, int count) {
     Renderer renderer(test::shared_executor(backend), room_with_ball(), from_the_left, settings());
     EXPECT_TRUE(renderer.render_frame({}));
     std::vector<Image> images;
-    for (int picture = 0; picture < pictures; ++picture) {
+    for (int image = 0; image < count; ++image) {
         renderer.move_camera(from_the_right);
         EXPECT_TRUE(renderer.render_frame({}));
         images.push_back(renderer.image());
@@ -137,17 +137,17 @@ std::vector<Image> sequence(Backend backend, int pictures) {
 
 TEST(LevelFade, OpenClEqualsTheNativeKernelsBitForBit) {
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    const std::vector<Image> native = sequence(Backend::own_bvh, 24);
-    const std::vector<Image> opencl = sequence(Backend::opencl, 24);
+    const std::vector<Image> native = sequence(TestBackend::own_bvh, 24);
+    const std::vector<Image> opencl = sequence(TestBackend::opencl, 24);
     for (std::size_t i = 0; i < native.size(); ++i)
         EXPECT_EQ(test::differing_values(native[i], opencl[i]), 0U) << i;
 }
 
-// From level to level takes 16 pictures, and with what is held no two tiles are more than
-// quiet_pictures apart: from the 8th to the 15th picture all that fade are between the same two
-// levels, and pictures change evenly. In the end nothing fades any more.
-TEST(LevelFade, PicturesChangeEvenlyAndThenNoMore) {
-    const std::vector<Image> images = sequence(Backend::own_bvh, 48);
+// From level to level takes 16 images, and with what is held no two tiles are more than
+// quiet_images apart: from the 8th to the 15th image all that fade are between the same two
+// levels, and images change evenly. In the end nothing fades any more.
+TEST(LevelFade, ImagesChangeEvenlyAndThenNoMore) {
+    const std::vector<Image> images = sequence(TestBackend::own_bvh, 48);
     std::size_t fading = 0;
     for (std::size_t i = 8; i < 14; ++i) {
         const auto& before = images[i - 1].find("indirect")->values;
@@ -155,7 +155,7 @@ TEST(LevelFade, PicturesChangeEvenlyAndThenNoMore) {
         const auto& after = images[i + 1].find("indirect")->values;
         for (std::size_t k = 0; k < now.size(); ++k) {
             const float change = now[k] - before[k];
-            ASSERT_NEAR(after[k] - now[k], change, 4e-6F * now[k]) << "picture " << i;
+            ASSERT_NEAR(after[k] - now[k], change, 4e-6F * now[k]) << "image " << i;
             fading += std::abs(change) > 1e-4F * now[k] ? 1U : 0U;
         }
     }

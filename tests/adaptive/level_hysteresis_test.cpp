@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
 namespace weft {
 namespace {
@@ -18,7 +18,7 @@ constexpr Level coarse = Level::coarse;
 constexpr Level middle = Level::middle;
 constexpr Level full = Level::full;
 
-/// A picture of one frame and one tile.
+/// An image of one frame and one tile.
 struct Said {
     Level asked = coarse;
     Level kept = coarse;
@@ -26,7 +26,7 @@ struct Said {
 
 Level after(LevelHysteresis& memory, const Said& said) {
     memory.add({{said.asked}, {said.kept}});
-    memory.begin_picture();
+    memory.begin_image();
     return memory.held().front();
 }
 
@@ -35,8 +35,8 @@ Said said_of(Level level, double error) {
     return {error >= 1.0 ? level : coarse, error >= release_share ? level : coarse};
 }
 
-/// What is held after `history`, told from the definition: some picture asked for the level, and
-/// since then there were no `quiet_pictures` in a row that did not keep it.
+/// What is held after `history`, told from the definition: some image asked for the level, and
+/// since then there were no `quiet_images` in a row that did not keep it.
 Level held_by_definition(const std::vector<Said>& history) {
     for (const Level level : {full, middle})
         for (std::size_t asker = 0; asker < history.size(); ++asker) {
@@ -47,7 +47,7 @@ Level held_by_definition(const std::vector<Said>& history) {
                 row = history[i].kept >= level ? 0 : row + 1;
                 longest = std::max(longest, row);
             }
-            if (longest < quiet_pictures) return level;
+            if (longest < quiet_images) return level;
         }
     return coarse;
 }
@@ -57,7 +57,7 @@ TEST(LevelHysteresis, HoldsWhatTheDefinitionSays) {
     std::uint32_t held_tiles = 0;
     for (std::uint32_t length = 1; length <= 24; ++length)
         for (std::uint32_t run = 0; run < 200; ++run) {
-            // Quiet pictures are common, so that rows of them are of every length.
+            // Quiet images are common, so that rows of them are of every length.
             const std::uint32_t quiet_share = 1 + random.below(4);
             LevelHysteresis memory(1);
             std::vector<Said> history;
@@ -69,20 +69,20 @@ TEST(LevelHysteresis, HoldsWhatTheDefinitionSays) {
                 }
                 history.push_back(said);
                 const Level held = after(memory, said);
-                ASSERT_EQ(held, held_by_definition(history)) << "picture " << i;
+                ASSERT_EQ(held, held_by_definition(history)) << "image " << i;
                 held_tiles += held != coarse ? 1U : 0U;
             }
         }
     EXPECT_GT(held_tiles, 1000U);
 }
 
-TEST(LevelHysteresis, IsRaisedAtOnceAndLoweredAfterFourQuietPictures) {
+TEST(LevelHysteresis, IsRaisedAtOnceAndLoweredAfterFourQuietImages) {
     for (const Level level : {middle, full}) {
         LevelHysteresis memory(1);
         EXPECT_EQ(memory.held().front(), coarse);
         EXPECT_EQ(after(memory, said_of(level, 0.99)), coarse) << "no error asked for it";
         EXPECT_EQ(after(memory, said_of(level, 1.0)), level);
-        for (std::uint32_t i = 1; i < quiet_pictures; ++i)
+        for (std::uint32_t i = 1; i < quiet_images; ++i)
             EXPECT_EQ(after(memory, said_of(level, 0.69)), level) << i;
         EXPECT_EQ(after(memory, said_of(level, 0.69)), coarse);
         EXPECT_EQ(after(memory, said_of(level, 0.99)), coarse) << "what keeps does not raise";
@@ -90,12 +90,12 @@ TEST(LevelHysteresis, IsRaisedAtOnceAndLoweredAfterFourQuietPictures) {
 }
 
 TEST(LevelHysteresis, AnErrorThatWaversChangesNothing) {
-    // Without a memory the level would change in every picture.
+    // Without a memory the level would change in every image.
     LevelHysteresis memory(1);
     for (std::uint32_t i = 0; i < 40; ++i)
         EXPECT_EQ(after(memory, said_of(full, i % 2 == 0 ? 1.05 : 0.75)), full) << i;
     for (std::uint32_t i = 0; i < 40; ++i)
-        EXPECT_EQ(after(memory, said_of(full, i % quiet_pictures == 0 ? 0.75 : 0.1)), full) << i;
+        EXPECT_EQ(after(memory, said_of(full, i % quiet_images == 0 ? 0.75 : 0.1)), full) << i;
 }
 
 TEST(LevelHysteresis, FallsLevelByLevel) {
@@ -107,27 +107,27 @@ TEST(LevelHysteresis, FallsLevelByLevel) {
     EXPECT_EQ(held, (std::vector<Level>{full, full, full, middle, middle, coarse, coarse}));
 }
 
-TEST(LevelHysteresis, FramesOfAPictureSpeakTogetherAndSeeTheSame) {
+TEST(LevelHysteresis, FramesOfAnImageSpeakTogetherAndSeeTheSame) {
     LevelHysteresis memory(3);
     memory.add({{full, coarse, coarse}, {full, middle, coarse}});
-    EXPECT_EQ(memory.held(), (std::vector<Level>{coarse, coarse, coarse})) << "of this picture";
+    EXPECT_EQ(memory.held(), (std::vector<Level>{coarse, coarse, coarse})) << "of this image";
     memory.add({{coarse, middle, coarse}, {coarse, middle, full}});
-    memory.begin_picture();
+    memory.begin_image();
     const std::vector<Level> held{full, middle, coarse};
     EXPECT_EQ(memory.held(), held);
     for (int frame = 0; frame < 10; ++frame) {
         memory.add({{coarse, coarse, coarse}, {coarse, coarse, coarse}});
         EXPECT_EQ(memory.held(), held);
     }
-    memory.begin_picture();
-    EXPECT_EQ(memory.held(), held) << "one quiet picture, however many frames";
+    memory.begin_image();
+    EXPECT_EQ(memory.held(), held) << "one quiet image, however many frames";
 }
 
-TEST(LevelHysteresis, APictureWithoutAFrameSaysNothing) {
+TEST(LevelHysteresis, AnImageWithoutAFrameSaysNothing) {
     LevelHysteresis memory(1);
     EXPECT_EQ(after(memory, {full, full}), full);
     for (int i = 0; i < 10; ++i) {
-        memory.begin_picture();
+        memory.begin_image();
         EXPECT_EQ(memory.held().front(), full);
     }
 }
@@ -135,11 +135,11 @@ TEST(LevelHysteresis, APictureWithoutAFrameSaysNothing) {
 TEST(LevelHysteresis, ASequenceBeginsWithoutMemory) {
     LevelHysteresis memory(2);
     memory.add({{full, middle}, {full, full}});
-    memory.begin_picture();
+    memory.begin_image();
     memory.add({{full, middle}, {full, full}});
     memory.begin_sequence();
     EXPECT_EQ(memory.held(), (std::vector<Level>{coarse, coarse}));
-    memory.begin_picture();
+    memory.begin_image();
     EXPECT_EQ(memory.held(), (std::vector<Level>{coarse, coarse})) << "a verdict was kept";
 }
 
@@ -148,7 +148,7 @@ TEST(LevelHysteresis, TilesAreOnTheirOwn) {
     constexpr std::size_t tiles = 37;
     LevelHysteresis together(tiles);
     std::vector<LevelHysteresis> alone(tiles, LevelHysteresis(1));
-    for (int picture = 0; picture < 50; ++picture) {
+    for (int image = 0; image < 50; ++image) {
         LevelVerdict verdict;
         for (std::size_t tile = 0; tile < tiles; ++tile) {
             const bool quiet = random.below(3) != 0;
@@ -158,7 +158,7 @@ TEST(LevelHysteresis, TilesAreOnTheirOwn) {
             after(alone[tile], {verdict.asked.back(), kept});
         }
         together.add(verdict);
-        together.begin_picture();
+        together.begin_image();
         for (std::size_t tile = 0; tile < tiles; ++tile)
             ASSERT_EQ(together.held()[tile], alone[tile].held().front()) << tile;
     }

@@ -23,7 +23,7 @@
 #include "tests/testing/made_up_frames.h"
 #include "tests/testing/run_program.h"
 
-// Pictures of the scheduler's decisions: the layers, what overlays make of them, and the files.
+// Images of the scheduler's decisions: the layers, what overlays make of them, and the files.
 namespace weft {
 namespace {
 
@@ -33,7 +33,7 @@ constexpr std::uint32_t width = 8;
 constexpr std::uint32_t height = 2;
 
 /// Grey that grows to the right, with one layer of values.
-Image picture(const std::string& layer, const std::vector<float>& values) {
+Image make_image(const std::string& layer, const std::vector<float>& values) {
     Image image;
     image.width = width;
     image.height = height;
@@ -46,7 +46,7 @@ Image picture(const std::string& layer, const std::vector<float>& values) {
     return image;
 }
 
-/// Display value of the overlay and, of the picture alone, what it should be under a colour.
+/// Display value of the overlay and, of the image alone, what it should be under a colour.
 void expect_colour(const Image& overlay, std::size_t pixel, double under,
                    const std::array<std::uint8_t, 3>& colour) {
     const std::vector<float> shown = srgb_encode(overlay.find("")->values);
@@ -65,7 +65,7 @@ void expect_grey(const Image& overlay, std::size_t pixel, double under) {
 }
 
 TEST(LevelOverlay, LevelsHaveThreeColours) {
-    const Image image = picture("indirect.level", {0, 1, 2, 0, 1, 2, 0, 1});
+    const Image image = make_image("indirect.level", {0, 1, 2, 0, 1, 2, 0, 1});
     const Image overlay = level_overlay(image, "indirect.level", 0.0);
     EXPECT_EQ(overlay.width, width);
     EXPECT_EQ(overlay.height, height);
@@ -77,7 +77,7 @@ TEST(LevelOverlay, LevelsHaveThreeColours) {
 
 TEST(LevelOverlay, SamplesAreMarkedAndTheRestIsGrey) {
     const Image overlay =
-        level_overlay(picture("direct.samples", {0, 1, 0, 1}), "direct.samples", 0.0);
+        level_overlay(make_image("direct.samples", {0, 1, 0, 1}), "direct.samples", 0.0);
     expect_grey(overlay, 0, 0.0);
     expect_colour(overlay, 1, 0.1, viridis(1.0));
     expect_grey(overlay, 2, 0.2);
@@ -89,7 +89,7 @@ TEST(LevelOverlay, ErrorsHaveALogarithmicScale) {
     const float largest = std::numeric_limits<float>::max();
     for (const std::string layer : {"media.error", "media.error_middle"}) {
         const Image overlay =
-            level_overlay(picture(layer, {0.0F, 0.1F, 0.5F, 8.0F, 128.0F, largest}), layer, 0.0);
+            level_overlay(make_image(layer, {0.0F, 0.1F, 0.5F, 8.0F, 128.0F, largest}), layer, 0.0);
         expect_grey(overlay, 0, 0.0);
         expect_colour(overlay, 1, 0.1, viridis(0.0));
         expect_colour(overlay, 2, 0.2, viridis(0.0));
@@ -99,15 +99,15 @@ TEST(LevelOverlay, ErrorsHaveALogarithmicScale) {
     }
 }
 
-TEST(LevelOverlay, ThePictureUnderItIsExposed) {
-    const Image image = picture("direct.samples", {});
+TEST(LevelOverlay, TheImageUnderItIsExposed) {
+    const Image image = make_image("direct.samples", {});
     expect_grey(level_overlay(image, "direct.samples", 1.0), 3, 0.6);
     expect_grey(level_overlay(image, "direct.samples", -1.0), 3, 0.15);
     expect_grey(level_overlay(image, "direct.samples", 10.0), 3, 1.0);
 }
 
 TEST(LevelOverlay, FindsItsLayers) {
-    Image image = picture("direct.level", {});
+    Image image = make_image("direct.level", {});
     image.layers.push_back({"indirect.error_middle", "Y", image.layers.back().values});
     image.layers.push_back({"direct", "RGB", image.layers.front().values});
     image.layers.push_back({".level", "Y", image.layers[1].values});
@@ -181,9 +181,9 @@ TEST_F(LevelOverlayFiles, LieBesideTheOutput) {
                 EXPECT_EQ(overlay.width, 40U);
                 EXPECT_EQ(overlay.height, 32U);
             }
-    // The file is what level_overlay makes of the picture, to the rounding of a PNG.
-    const Image picture = read_exr(at("out.0001.exr"));
-    const Image expected = level_overlay(picture, "indirect.level", 0.0);
+    // The file is what level_overlay makes of the image, to the rounding of a PNG.
+    const Image image = read_exr(at("out.0001.exr"));
+    const Image expected = level_overlay(image, "indirect.level", 0.0);
     const Image found =
         decode_png(read_file(at("out.0001.indirect.level.png"), 1 << 20), "overlay");
     const std::vector<float> a = srgb_encode(expected.find("")->values);
@@ -200,7 +200,7 @@ TEST_F(LevelOverlayFiles, AreOfTheComponentsThatAdapt) {
     ASSERT_EQ(render({"--overlays", "--components", "direct", "-o", at("out.png")}).exit_code, 0);
     EXPECT_EQ(folder_.entry_count(), 1U + 2U);
     Diagnostics diagnostics;
-    Image image = picture("direct", {});
+    Image image = make_image("direct", {});
     write_overlays(at("still.exr"), image, 0.0, diagnostics);
     write_overlays(at("still.exr"), image, 0.0, diagnostics);
     EXPECT_EQ(diagnostics.warnings().size(), 1U) << "nothing adapts there";
@@ -220,7 +220,7 @@ TEST_F(LevelOverlayFiles, WrongUseIsRefused) {
             render({"--overlays", "--frames", "0:4", "-o", at("out.exr"), "--stats", at(name)});
         EXPECT_EQ(result.exit_code, 1);
         EXPECT_EQ(result.err,
-                  "weft: --stats: names the same file as one of the pictures of --overlays\n");
+                  "weft: --stats: names the same file as one of the images of --overlays\n");
     }
     EXPECT_EQ(folder_.entry_count(), 0U);
 }

@@ -17,10 +17,10 @@ using test::in_mask;
 using test::Uniform;
 
 using test::Frame;
-using test::Picture;
+using test::MadeUpImage;
 using test::pixels_of;
 using test::plain;
-using test::random_picture;
+using test::random_image;
 using test::random_signal;
 using test::run_frame;
 using test::settings_of;
@@ -32,15 +32,15 @@ constexpr float bad = std::numeric_limits<float>::quiet_NaN();
 
 TEST(LevelScheduler, RoundsHoldEverySampledPixelOnceAndOnlyLitOnes) {
     Uniform random(1);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.0, 1e-3, 0.3, 3.0, infinity}) {
             SCOPED_TRACE(text_of(grid) + ", threshold " + std::to_string(threshold));
-            const Picture picture = random_picture(grid, random);
-            const Frame frame = run_frame(picture, threshold, random_signal(random));
+            const MadeUpImage image = random_image(grid, random);
+            const Frame frame = run_frame(image, threshold, random_signal(random));
             std::vector<int> count(std::size_t{grid.width} * grid.height, 0);
             for (const WorkList& list : frame.rounds)
                 for (const std::uint32_t pixel : list.pixels)
-                    if (pixel != NO_TRIANGLE) ++count.at(pixel);
+                    if (pixel != INVALID_INDEX) ++count.at(pixel);
             for (std::uint32_t y = 0; y < grid.height; ++y)
                 for (std::uint32_t x = 0; x < grid.width; ++x)
                     ASSERT_EQ(count[std::size_t{y} * grid.width + x],
@@ -50,24 +50,23 @@ TEST(LevelScheduler, RoundsHoldEverySampledPixelOnceAndOnlyLitOnes) {
             for (const WorkList& list : frame.rounds) all += pixels_of(list);
             EXPECT_EQ(all, pixels_of(frame.sampled));
             for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
-                EXPECT_EQ(frame.sampled[tile] & ~picture.lit[tile], 0U) << "tile " << tile;
+                EXPECT_EQ(frame.sampled[tile] & ~image.lit[tile], 0U) << "tile " << tile;
         }
 }
 
 TEST(LevelScheduler, TheFirstRoundHoldsTheCoarseLatticeAndWhatTheGeometryWants) {
     Uniform random(2);
-    for (const TileGrid& grid : test::small_pictures()) {
-        const Picture picture = random_picture(grid, random);
-        LevelScheduler scheduler(grid, settings_of(infinity), picture.records);
+    for (const TileGrid& grid : test::small_images()) {
+        const MadeUpImage image = random_image(grid, random);
+        LevelScheduler scheduler(grid, settings_of(infinity), image.records);
         const WorkList first = scheduler.next_round();
         std::vector<bool> there(std::size_t{grid.width} * grid.height, false);
         for (const std::uint32_t pixel : first.pixels)
-            if (pixel != NO_TRIANGLE) there[pixel] = true;
+            if (pixel != INVALID_INDEX) there[pixel] = true;
         for (std::uint32_t y = 0; y < grid.height; ++y)
             for (std::uint32_t x = 0; x < grid.width; ++x) {
                 const bool coarse = x % 4 == 0 && y % 4 == 0;
-                if (in_mask(grid, picture.lit, x, y) &&
-                    (coarse || in_mask(grid, picture.fine, x, y))) {
+                if (in_mask(grid, image.lit, x, y) && (coarse || in_mask(grid, image.fine, x, y))) {
                     EXPECT_TRUE(there[std::size_t{y} * grid.width + x])
                         << text_of(grid) << ": " << x << ' ' << y;
                 }
@@ -78,23 +77,23 @@ TEST(LevelScheduler, TheFirstRoundHoldsTheCoarseLatticeAndWhatTheGeometryWants) 
 TEST(LevelScheduler, SamplesOfEverythingThatReconstructionReads) {
     // As reconstruct_tiles.cl chooses the stride of a pixel.
     Uniform random(3);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.3, 3.0, infinity}) {
-            const Picture picture = random_picture(grid, random);
-            const Frame frame = run_frame(picture, threshold, random_signal(random));
+            const MadeUpImage image = random_image(grid, random);
+            const Frame frame = run_frame(image, threshold, random_signal(random));
             std::size_t missing = 0;
             for (std::uint32_t y = 0; y < grid.height; ++y)
                 for (std::uint32_t x = 0; x < grid.width; ++x) {
-                    if (!in_mask(grid, picture.lit, x, y)) continue;
+                    if (!in_mask(grid, image.lit, x, y)) continue;
                     const std::uint32_t tile = y / TILE_EDGE * grid.columns() + x / TILE_EDGE;
                     const std::uint32_t stride =
-                        in_mask(grid, picture.fine, x, y) ? 1 : stride_of(frame.levels[tile]);
-                    if (mask_of(picture.records[tile].middle) != 0) {
+                        in_mask(grid, image.fine, x, y) ? 1 : stride_of(frame.levels[tile]);
+                    if (mask_of(image.records[tile].middle) != 0) {
                         EXPECT_LE(stride, 2U);
                     }
                     test::for_support(grid, x, y, stride, [&](std::uint32_t u, std::uint32_t v) {
                         missing +=
-                            in_mask(grid, picture.lit, u, v) && !in_mask(grid, frame.sampled, u, v)
+                            in_mask(grid, image.lit, u, v) && !in_mask(grid, frame.sampled, u, v)
                                 ? 1
                                 : 0;
                     });
@@ -105,20 +104,20 @@ TEST(LevelScheduler, SamplesOfEverythingThatReconstructionReads) {
 
 TEST(LevelScheduler, ThresholdZeroSamplesEveryLitPixelAtOnce) {
     Uniform random(4);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.0, -1.0, static_cast<double>(bad)}) {
-            const Picture picture = random_picture(grid, random);
-            LevelScheduler scheduler(grid, settings_of(threshold), picture.records);
-            EXPECT_EQ(pixels_of(scheduler.next_round()), pixels_of(picture.lit)) << text_of(grid);
+            const MadeUpImage image = random_image(grid, random);
+            LevelScheduler scheduler(grid, settings_of(threshold), image.records);
+            EXPECT_EQ(pixels_of(scheduler.next_round()), pixels_of(image.lit)) << text_of(grid);
             for (const Level level : scheduler.levels()) EXPECT_EQ(level, Level::full);
         }
 }
 
 TEST(LevelScheduler, CountsItsTilesAndSamples) {
     Uniform random(8);
-    for (const TileGrid& grid : test::small_pictures()) {
-        const Picture picture = random_picture(grid, random);
-        LevelScheduler scheduler(grid, settings_of(1.0), picture.records);
+    for (const TileGrid& grid : test::small_images()) {
+        const MadeUpImage image = random_image(grid, random);
+        LevelScheduler scheduler(grid, settings_of(1.0), image.records);
         EXPECT_EQ(scheduler.samples(), 0U);
         const WorkList first = scheduler.next_round();
         EXPECT_EQ(scheduler.samples(), pixels_of(first));
@@ -136,32 +135,32 @@ TEST(LevelScheduler, CountsItsTilesAndSamples) {
 
 TEST(LevelScheduler, LevelsFallWithTheThreshold) {
     Uniform random(5);
-    for (const TileGrid& grid : test::small_pictures()) {
-        const Picture picture = random_picture(grid, random);
+    for (const TileGrid& grid : test::small_images()) {
+        const MadeUpImage image = random_image(grid, random);
         const Signal signal = random_signal(random);
         std::vector<Level> before(grid.tiles(), Level::full);
         for (const double threshold : {0.0, 1e-3, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, infinity}) {
-            const std::vector<Level> levels = run_frame(picture, threshold, signal, true).levels;
+            const std::vector<Level> levels = run_frame(image, threshold, signal, true).levels;
             for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
                 EXPECT_LE(levels[tile], before[tile]) << text_of(grid) << ", tile " << tile;
             before = levels;
         }
         for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
             EXPECT_EQ(before[tile],
-                      mask_of(picture.records[tile].middle) != 0 ? Level::middle : Level::coarse);
+                      mask_of(image.records[tile].middle) != 0 ? Level::middle : Level::coarse);
     }
 }
 
 TEST(LevelScheduler, RequiredLevelsAreLeastLevels) {
     Uniform random(6);
     const TileGrid grid{61, 43};
-    const Picture picture = random_picture(grid, random);
+    const MadeUpImage image = random_image(grid, random);
     const Signal signal = random_signal(random);
-    const Frame free = run_frame(picture, 1.0, signal, true);
+    const Frame free = run_frame(image, 1.0, signal, true);
     std::vector<Level> least;
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
         least.push_back(static_cast<Level>(random.below(3)));
-    const Frame bound = run_frame(picture, 1.0, signal, true, least);
+    const Frame bound = run_frame(image, 1.0, signal, true, least);
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
         EXPECT_GE(bound.levels[tile], least[tile]);
         // From middle on it is judged by the finer lattice alone.
@@ -174,10 +173,10 @@ TEST(LevelScheduler, RequiredLevelsAreLeastLevels) {
 TEST(LevelScheduler, EqualInputsGiveEqualLists) {
     Uniform random(7);
     const TileGrid grid{134, 140};
-    const Picture picture = random_picture(grid, random);
+    const MadeUpImage image = random_image(grid, random);
     const Signal signal = random_signal(random);
-    const Frame first = run_frame(picture, 1.0, signal);
-    const Frame second = run_frame(picture, 1.0, signal);
+    const Frame first = run_frame(image, 1.0, signal);
+    const Frame second = run_frame(image, 1.0, signal);
     EXPECT_EQ(first.levels, second.levels);
     EXPECT_EQ(first.sampled, second.sampled);
     for (std::size_t i = 0; i < first.rounds.size(); ++i) {
@@ -189,11 +188,11 @@ TEST(LevelScheduler, EqualInputsGiveEqualLists) {
 }
 
 TEST(LevelScheduler, NothingLitNeedsNothing) {
-    for (const TileGrid& grid : test::small_pictures()) {
-        Picture picture(grid);
-        picture.take_masks();
+    for (const TileGrid& grid : test::small_images()) {
+        MadeUpImage image(grid);
+        image.take_masks();
         for (const double threshold : {0.0, 1.0}) {
-            const Frame frame = run_frame(picture, threshold, [](auto, auto) { return 1.0F; });
+            const Frame frame = run_frame(image, threshold, [](auto, auto) { return 1.0F; });
             for (const WorkList& list : frame.rounds) EXPECT_TRUE(list.pixels.empty());
             if (threshold > 0.0) {
                 for (const Level level : frame.levels) EXPECT_EQ(level, Level::coarse);

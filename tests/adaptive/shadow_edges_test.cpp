@@ -15,58 +15,60 @@
 #include <vector>
 
 #include "shared/shared_types.h"
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 #include "tests/testing/render_fixture.h"
 
-// Where looks at lights differ (shadow_edges.cl) against a search of every window, on every backend
-// and at every width of packets; and how densely lights are sampled there, against a search of
-// every pixel.
+// Where probes at lights differ (shadow_edges.cl) against a search of every footprint, on every
+// backend and at every width of packets; and how densely lights are sampled there, against a search
+// of every pixel.
 namespace weft {
 namespace {
 
-using test::Backend;
+using test::TestBackend;
 
 /// What a pixel found with its first ray to a light.
-enum class Look : std::uint8_t { none, seen, hidden };
+enum class Probe : std::uint8_t { none, seen, hidden };
 
-constexpr int before = SHADOW_BEFORE;  // columns and rows of a window
-constexpr int after = SHADOW_WINDOW - 1 - before;
+constexpr int before = SHADOW_BEFORE;  // columns and rows of a footprint
+constexpr int after = SHADOW_FOOTPRINT - 1 - before;
 
-/// What the pixels of a picture found of all lights of some words.
-class Looks {
+/// What the pixels of an image found of all lights of some words.
+class Probes {
   public:
-    Looks(int width, int height, std::uint32_t words)
+    Probes(int width, int height, std::uint32_t words)
         : width_(width),
           height_(height),
           words_(words),
-          looks_(std::size_t{words} * SHADOW_WORD_LIGHTS * pixels(), Look::none) {}
+          probes_(std::size_t{words} * VISIBILITY_MASK_LIGHTS * pixels(), Probe::none) {}
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
     [[nodiscard]] std::uint32_t words() const { return words_; }
-    [[nodiscard]] std::uint32_t lights() const { return words_ * SHADOW_WORD_LIGHTS; }
+    [[nodiscard]] std::uint32_t lights() const { return words_ * VISIBILITY_MASK_LIGHTS; }
     [[nodiscard]] std::size_t pixels() const {
         return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     }
 
-    void set(std::uint32_t light, int x, int y, Look look) { looks_[place(light, x, y)] = look; }
-
-    /// Pixels outside of the picture did not look.
-    [[nodiscard]] Look at(std::uint32_t light, int x, int y) const {
-        const bool inside = x >= 0 && y >= 0 && x < width_ && y < height_;
-        return inside ? looks_[place(light, x, y)] : Look::none;
+    void set(std::uint32_t light, int x, int y, Probe probe) {
+        probes_[place(light, x, y)] = probe;
     }
 
-    /// Whether a pixel looked and not all pixels of its window that did saw the same.
+    /// Pixels outside of the image did not probe.
+    [[nodiscard]] Probe at(std::uint32_t light, int x, int y) const {
+        const bool inside = x >= 0 && y >= 0 && x < width_ && y < height_;
+        return inside ? probes_[place(light, x, y)] : Probe::none;
+    }
+
+    /// Whether a pixel looked and not all pixels of its footprint that did saw the same.
     [[nodiscard]] bool differ_about(std::uint32_t light, int x, int y) const {
         bool seen = false;
         bool hidden = false;
         for (int j = -before; j <= after; ++j)
             for (int i = -before; i <= after; ++i) {
-                seen = seen || at(light, x + i, y + j) == Look::seen;
-                hidden = hidden || at(light, x + i, y + j) == Look::hidden;
+                seen = seen || at(light, x + i, y + j) == Probe::seen;
+                hidden = hidden || at(light, x + i, y + j) == Probe::hidden;
             }
-        return at(light, x, y) != Look::none && seen && hidden;
+        return at(light, x, y) != Probe::none && seen && hidden;
     }
 
     /// As shadow_probes.cl writes it.
@@ -78,14 +80,14 @@ class Looks {
         for (std::uint32_t light = 0; light < lights(); ++light)
             for (int y = 0; y < height_; ++y)
                 for (int x = 0; x < width_; ++x) {
-                    const Look look = at(light, x, y);
-                    if (look == Look::none) continue;
-                    const std::size_t word = light / SHADOW_WORD_LIGHTS;
-                    const std::size_t first = (2 * word + (look == Look::hidden ? 1 : 0)) * plane;
+                    const Probe probe = at(light, x, y);
+                    if (probe == Probe::none) continue;
+                    const std::size_t word = light / VISIBILITY_MASK_LIGHTS;
+                    const std::size_t first = (2 * word + (probe == Probe::hidden ? 1 : 0)) * plane;
                     const std::size_t row = static_cast<std::size_t>(y) + SHADOW_MARGIN;
                     const std::size_t column = static_cast<std::size_t>(x) + SHADOW_MARGIN;
                     all[first + row * shared::shadow_pitch(width) + column] |=
-                        1U << light % SHADOW_WORD_LIGHTS;
+                        1U << light % VISIBILITY_MASK_LIGHTS;
                 }
         return all;
     }
@@ -97,18 +99,18 @@ class Looks {
 
     int width_, height_;
     std::uint32_t words_;
-    std::vector<Look> looks_;
+    std::vector<Probe> probes_;
 };
 
 /// Half planes of light and shadow, with specks in every second, and with a square that did not
-/// look and single pixels that did not; the last light is seen by all, the one before by none.
-Looks random_looks(int width, int height, std::uint32_t words) {
-    Looks looks(width, height, words);
+/// probe and single pixels that did not; the last light is seen by all, the one before by none.
+Probes random_probes(int width, int height, std::uint32_t words) {
+    Probes probes(width, height, words);
     test::Uniform random(static_cast<std::uint32_t>(1000 * width) + words);
     const auto some = [&](int edge) {
         return static_cast<int>(random.below(static_cast<std::uint32_t>(edge)));
     };
-    for (std::uint32_t light = 0; light < looks.lights(); ++light) {
+    for (std::uint32_t light = 0; light < probes.lights(); ++light) {
         const int slope_x = some(5) - 2;
         const int slope_y = some(5) - 2;
         const int end = slope_x * some(width) + slope_y * some(height);
@@ -120,25 +122,26 @@ Looks random_looks(int width, int height, std::uint32_t words) {
                 if (hole || random.below(16) == 0) continue;
                 const bool speck = light % 2 == 1 && random.below(64) == 0;
                 bool seen = (slope_x * x + slope_y * y > end) != speck;
-                if (light + 2 >= looks.lights()) seen = light + 1 == looks.lights();
-                looks.set(light, x, y, seen ? Look::seen : Look::hidden);
+                if (light + 2 >= probes.lights()) seen = light + 1 == probes.lights();
+                probes.set(light, x, y, seen ? Probe::seen : Probe::hidden);
             }
     }
-    return looks;
+    return probes;
 }
 
 /// Runs the kernel by itself. Checks that it writes nothing behind its buffer's end.
-std::vector<std::uint32_t> written_edges(Executor& executor, const Looks& looks) {
+std::vector<std::uint32_t> written_edges(Executor& executor, const Probes& probes) {
     constexpr std::uint32_t untouched = 0xA5C3960FU;
     constexpr std::size_t guard = 32;  // more than any packet is wide
     const KernelId kernel = KernelId::shadow_edges;
     executor.build({&kernel, 1}, 0);
     shared::RenderParams params{};
     shared::CameraParams& camera = params.camera;
-    camera.width = static_cast<std::uint32_t>(looks.width());
-    camera.height = static_cast<std::uint32_t>(looks.height());
-    const std::size_t values = looks.words() * looks.pixels();
-    const auto shadows = upload<kinds::PixelShadows>(executor, looks.planes(), "shadows of pixels");
+    camera.width = static_cast<std::uint32_t>(probes.width());
+    camera.height = static_cast<std::uint32_t>(probes.height());
+    const std::size_t values = probes.words() * probes.pixels();
+    const auto shadows =
+        upload<kinds::PixelShadows>(executor, probes.planes(), "shadows of pixels");
     const auto edges = upload<kinds::ShadowEdges>(
         executor, std::vector<std::uint32_t>(values + guard, untouched), "edges");
     const std::uint32_t lanes = executor.lanes();
@@ -146,7 +149,7 @@ std::vector<std::uint32_t> written_edges(Executor& executor, const Looks& looks)
     // Launches have at most 100 work-items, so that they end in the middle of rows and of words.
     EXPECT_TRUE(run_kernel(executor, params,
                            kernels::shadow_edges{.pixel_shadows = shadows, .shadow_edges = edges},
-                           runs * looks.words(), {.items_per_launch = 100}));
+                           runs * probes.words(), {.items_per_launch = 100}));
     (void)executor.take_milliseconds();
     auto written = read_buffer(executor, edges, values + guard);
     for (std::size_t i = values; i < written.size(); ++i) EXPECT_EQ(written[i], untouched);
@@ -157,8 +160,8 @@ std::vector<std::uint32_t> written_edges(Executor& executor, const Looks& looks)
 /// Executors of all backends and packet widths; Embree's kernels are those of the own BVH.
 std::vector<std::unique_ptr<Executor>> executors() {
     std::vector<std::unique_ptr<Executor>> all;
-    for (const Backend backend : test::backends()) {
-        if (backend == Backend::embree)
+    for (const TestBackend backend : test::backends()) {
+        if (backend == TestBackend::embree)
             all.push_back(test::make_executor(backend));
         else
             for (const std::uint32_t lanes : {1U, 4U, 8U, 16U})
@@ -167,46 +170,47 @@ std::vector<std::unique_ptr<Executor>> executors() {
     return all;
 }
 
-TEST(ShadowEdges, AreWhereLooksOfAWindowDiffer) {
+TEST(ShadowEdges, AreWhereProbesOfAFootprintDiffer) {
     const auto all = executors();
     for (const auto& [width, height] : {std::pair{1, 1}, {5, 3}, {37, 21}, {64, 9}})
         for (const std::uint32_t words : {1U, 2U}) {
             SCOPED_TRACE(testing::Message()
                          << width << " x " << height << ", " << words << " words");
-            const Looks looks = random_looks(width, height, words);
-            std::vector<std::uint32_t> expected(words * looks.pixels(), 0);
+            const Probes probes = random_probes(width, height, words);
+            std::vector<std::uint32_t> expected(words * probes.pixels(), 0);
             std::size_t differing = 0;
-            for (std::uint32_t light = 0; light < looks.lights(); ++light)
-                for (std::size_t pixel = 0; pixel < looks.pixels(); ++pixel) {
+            for (std::uint32_t light = 0; light < probes.lights(); ++light)
+                for (std::size_t pixel = 0; pixel < probes.pixels(); ++pixel) {
                     const auto place = static_cast<int>(pixel);
-                    if (!looks.differ_about(light, place % width, place / width)) continue;
-                    expected[light / SHADOW_WORD_LIGHTS * looks.pixels() + pixel] |=
-                        1U << light % SHADOW_WORD_LIGHTS;
+                    if (!probes.differ_about(light, place % width, place / width)) continue;
+                    expected[light / VISIBILITY_MASK_LIGHTS * probes.pixels() + pixel] |=
+                        1U << light % VISIBILITY_MASK_LIGHTS;
                     ++differing;
                 }
             if (width > 8) {
-                EXPECT_GT(differing, looks.pixels());
-                EXPECT_LT(differing, looks.lights() * looks.pixels() / 2);
+                EXPECT_GT(differing, probes.pixels());
+                EXPECT_LT(differing, probes.lights() * probes.pixels() / 2);
             }
             for (const auto& executor : all)
-                EXPECT_EQ(written_edges(*executor, looks), expected)
+                EXPECT_EQ(written_edges(*executor, probes), expected)
                     << executor->device().backend << ", " << executor->lanes() << " lanes";
         }
 }
 
-constexpr TileGrid pictures[] = {{1, 1}, {7, 3}, {8, 8}, {9, 1}, {1, 17}, {37, 21}, {64, 9}};
+constexpr TileGrid images[] = {{1, 1}, {7, 3}, {8, 8}, {9, 1}, {1, 17}, {37, 21}, {64, 9}};
 constexpr std::uint32_t light_counts[] = {1, 32, 33, 70};
 
 /// What shadow_edges.cl could have written: few edges.
 std::vector<std::uint32_t> random_words(std::size_t pixels, std::uint32_t lights,
                                         std::uint32_t seed) {
     std::mt19937 random(seed);
-    std::vector<std::uint32_t> words(shared::shadow_words(lights) * pixels, 0);
+    std::vector<std::uint32_t> words(shared::visibility_mask_words(lights) * pixels, 0);
     for (std::uint32_t light = 0; light < lights; ++light)
         for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
             // The more lights, the fewer edges of each, so that pixels without any are left.
             if (random() % (8 * lights) != 0) continue;
-            words[light / SHADOW_WORD_LIGHTS * pixels + pixel] |= 1U << light % SHADOW_WORD_LIGHTS;
+            words[light / VISIBILITY_MASK_LIGHTS * pixels + pixel] |=
+                1U << light % VISIBILITY_MASK_LIGHTS;
         }
     return words;
 }
@@ -220,7 +224,7 @@ Level searched(const std::vector<std::uint32_t>& words, std::size_t pixels, std:
 
 TEST(ShadowEdges, TilesHaveTheHighestLevelOfTheirPixels) {
     std::size_t of_level[3] = {};
-    for (const TileGrid& grid : pictures)
+    for (const TileGrid& grid : images)
         for (const std::uint32_t lights : light_counts) {
             SCOPED_TRACE(testing::Message()
                          << grid.width << " x " << grid.height << ", " << lights << " lights");
@@ -252,7 +256,8 @@ TEST(ShadowEdges, OneLightOfOnePixelRaisesItsTileOnly) {
     for (const std::uint32_t light : {0U, 31U, 32U, 63U})
         for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
             std::vector<std::uint32_t> words(2 * pixels, 0);
-            words[light / SHADOW_WORD_LIGHTS * pixels + pixel] = 1U << light % SHADOW_WORD_LIGHTS;
+            words[light / VISIBILITY_MASK_LIGHTS * pixels + pixel] =
+                1U << light % VISIBILITY_MASK_LIGHTS;
             std::vector<Level> levels(grid.tiles(), Level::coarse);
             levels[pixel / 19 / TILE_EDGE * grid.columns() + pixel % 19 / TILE_EDGE] = Level::full;
             const ShadowEdges found = find_shadow_edges(grid, words);

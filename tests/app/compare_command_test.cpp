@@ -31,8 +31,8 @@ using test::run_program;
 
 using Arguments = std::vector<std::string>;
 
-/// A picture of one colour; `shift` is added to the pixels of its right half.
-Image picture(std::uint32_t width, std::uint32_t height, float value, float shift = 0.0F) {
+/// An image of one colour; `shift` is added to the pixels of its right half.
+Image make_image(std::uint32_t width, std::uint32_t height, float value, float shift = 0.0F) {
     Image image;
     image.width = width;
     image.height = height;
@@ -88,8 +88,8 @@ const std::set<std::string> numbers = {"relmse", "relmse_trimmed", "mape",
                                        "ssim",   "pu21_psnr",      "pu21_ssim"};
 
 TEST_F(CompareCommand, MeasuresAllOfAnExrPair) {
-    const std::string reference = exr("a.exr", picture(32, 24, 0.5F));
-    const std::string test = exr("b.exr", picture(32, 24, 0.5F, 0.25F));
+    const std::string reference = exr("a.exr", make_image(32, 24, 0.5F));
+    const std::string test = exr("b.exr", make_image(32, 24, 0.5F, 0.25F));
     const json result = compare_json({reference, test});
     std::set<std::string> keys = numbers;
     keys.insert({"hdrvdp", "hdrflip"});
@@ -108,8 +108,8 @@ TEST_F(CompareCommand, MeasuresAllOfAnExrPair) {
 }
 
 TEST_F(CompareCommand, MeasuresAllOfAPngPair) {
-    const std::string reference = png("a.png", picture(32, 24, 0.21404114F));
-    const std::string test = png("b.png", picture(32, 24, 1.0F));
+    const std::string reference = png("a.png", make_image(32, 24, 0.21404114F));
+    const std::string test = png("b.png", make_image(32, 24, 1.0F));
     const json result = compare_json({reference, test, "--metric", "all"});
     std::set<std::string> keys = numbers;
     keys.insert({"hdrvdp", "flip"});
@@ -121,8 +121,8 @@ TEST_F(CompareCommand, MeasuresAllOfAPngPair) {
     EXPECT_EQ(result["flip"].value("exposures", 0), 0);
 }
 
-TEST_F(CompareCommand, EqualPicturesDifferByNothing) {
-    const std::string reference = exr("a.exr", picture(32, 24, 0.5F, 0.25F));
+TEST_F(CompareCommand, EqualImagesDifferByNothing) {
+    const std::string reference = exr("a.exr", make_image(32, 24, 0.5F, 0.25F));
     const json result = compare_json({reference, reference});
     EXPECT_EQ(result["hdrvdp"]["p75"], 0.0);
     EXPECT_EQ(result["hdrflip"]["mean"], 0.0);
@@ -139,8 +139,8 @@ TEST_F(CompareCommand, EqualPicturesDifferByNothing) {
 }
 
 TEST_F(CompareCommand, BlackReferencesHaveNoRelativeErrors) {
-    const std::string black = exr("black.exr", picture(32, 24, 0.0F));
-    const std::string grey = exr("grey.exr", picture(32, 24, 0.5F));
+    const std::string black = exr("black.exr", make_image(32, 24, 0.0F));
+    const std::string grey = exr("grey.exr", make_image(32, 24, 0.5F));
     const json result = compare_json({black, grey});
     for (const char* key : {"relmse", "relmse_trimmed", "mape", "bias", "mean_ratio"})
         EXPECT_TRUE(result[key].is_null()) << key;
@@ -154,8 +154,8 @@ TEST_F(CompareCommand, BlackReferencesHaveNoRelativeErrors) {
     EXPECT_EQ(compare({black, grey, "--metric", "relmse", "--map", file("map.png")}).exit_code, 0);
 }
 
-TEST_F(CompareCommand, PicturesOfOnePixelAreMeasured) {
-    const std::string one = exr("one.exr", picture(1, 1, 0.5F));
+TEST_F(CompareCommand, ImagesOfOnePixelAreMeasured) {
+    const std::string one = exr("one.exr", make_image(1, 1, 0.5F));
     const json result = compare_json({one, one});
     EXPECT_TRUE(result["hdrvdp"]["p75"].is_null());
     EXPECT_TRUE(result["ssim"].is_null()) << "no window fits";
@@ -165,13 +165,13 @@ TEST_F(CompareCommand, PicturesOfOnePixelAreMeasured) {
 }
 
 TEST_F(CompareCommand, MetricsAreChosen) {
-    const std::string a = exr("a.exr", picture(32, 24, 0.5F));
-    const std::string b = exr("b.exr", picture(32, 24, 0.5F, 0.25F));
+    const std::string a = exr("a.exr", make_image(32, 24, 0.5F));
+    const std::string b = exr("b.exr", make_image(32, 24, 0.5F, 0.25F));
     const json two = compare_json({a, b, "--metric", "ssim", "--metric", "bias"});
     EXPECT_EQ(keys_of(two), (std::set<std::string>{"ssim", "bias"}));
     EXPECT_EQ(keys_of(compare_json({a, b, "--metric", "flip"})), (std::set<std::string>{"hdrflip"}))
         << "FLIP as it suits the pair";
-    const std::string c = png("c.png", picture(32, 24, 0.5F));
+    const std::string c = png("c.png", make_image(32, 24, 0.5F));
     EXPECT_EQ(keys_of(compare_json({c, c, "--metric", "flip", "--metric", "hdrflip"})),
               (std::set<std::string>{"flip", "hdrflip"}));
     EXPECT_EQ(keys_of(compare_json({c, b, "--metric", "flip"})), (std::set<std::string>{"hdrflip"}))
@@ -179,8 +179,8 @@ TEST_F(CompareCommand, MetricsAreChosen) {
 }
 
 TEST_F(CompareCommand, TheProtocolIsStatedAndChangesTheResult) {
-    const std::string a = exr("a.exr", picture(64, 48, 0.5F));
-    Image speckled = picture(64, 48, 0.5F, 0.02F);
+    const std::string a = exr("a.exr", make_image(64, 48, 0.5F));
+    Image speckled = make_image(64, 48, 0.5F, 0.02F);
     for (std::size_t i = 0; i < speckled.layers[0].values.size(); i += 5)
         speckled.layers[0].values[i] += 0.01F;
     const std::string b = exr("b.exr", speckled);
@@ -204,7 +204,7 @@ TEST_F(CompareCommand, TheProtocolIsStatedAndChangesTheResult) {
 }
 
 TEST_F(CompareCommand, LayersAreChosen) {
-    Image image = picture(16, 16, 0.5F);
+    Image image = make_image(16, 16, 0.5F);
     image.layers.push_back({"depth", "Z", std::vector<float>(256, 2.0F)});
     image.layers.push_back({"normal", "XYZ", std::vector<float>(768, 0.5F)});
     const std::string a = exr("a.exr", image);
@@ -220,8 +220,8 @@ TEST_F(CompareCommand, LayersAreChosen) {
 }
 
 TEST_F(CompareCommand, MapsAreWritten) {
-    const std::string a = exr("a.exr", picture(120, 40, 0.5F));
-    const std::string b = exr("b.exr", picture(120, 40, 0.5F, 0.25F));
+    const std::string a = exr("a.exr", make_image(120, 40, 0.5F));
+    const std::string b = exr("b.exr", make_image(120, 40, 0.5F, 0.25F));
     std::set<std::vector<float>> seen;
     for (const char* metric : {"hdrvdp", "flip", "hdrflip", "relmse"}) {
         const std::string map = file(std::string(metric) + ".PNG");
@@ -239,7 +239,7 @@ TEST_F(CompareCommand, MapsAreWritten) {
 }
 
 TEST_F(CompareCommand, OutputsThatCannotBeWrittenAreCodeFive) {
-    const std::string a = exr("a.exr", picture(16, 16, 0.5F));
+    const std::string a = exr("a.exr", make_image(16, 16, 0.5F));
     expect_error(compare({a, a, "--metric", "flip", "--map", file("missing/map.png")}), 5,
                  "map.png");
     if (!fs::exists("/dev/full")) return;
@@ -248,12 +248,12 @@ TEST_F(CompareCommand, OutputsThatCannotBeWrittenAreCodeFive) {
     EXPECT_EQ(run_program({"compare", a, a, "--metric", "psnr"}, settings).exit_code, 5);
 }
 
-TEST_F(CompareCommand, RefusesPicturesThatCannotBeCompared) {
-    const std::string a = exr("a.exr", picture(16, 16, 0.5F));
-    const std::string b = exr("b.exr", picture(16, 15, 0.5F));
+TEST_F(CompareCommand, RefusesImagesThatCannotBeCompared) {
+    const std::string a = exr("a.exr", make_image(16, 16, 0.5F));
+    const std::string b = exr("b.exr", make_image(16, 15, 0.5F));
     expect_error(compare({a, b}), 2,
                  "b.exr: has 16 x 15 pixels, expected 16 x 16 as the reference");
-    Image image = picture(16, 16, 0.5F);
+    Image image = make_image(16, 16, 0.5F);
     image.layers[0].values[16 * 3 + 5] = std::numeric_limits<float>::quiet_NaN();
     image.layers[0].values[16 * 16 + 16 * 3 + 5] = std::numeric_limits<float>::infinity();
     image.layers[0].values[2 * 16 * 16 + 16 * 9] = -std::numeric_limits<float>::infinity();
@@ -262,7 +262,7 @@ TEST_F(CompareCommand, RefusesPicturesThatCannotBeCompared) {
                  "c.exr: 2 of 256 pixels are NaN or infinite, the first at column 5, row 3");
     expect_error(compare({c, a}), 2, "c.exr: 2 of 256 pixels");
     expect_error(compare({a, file("missing.exr")}), 2, "missing.exr: cannot be opened");
-    expect_error(compare({a, folder_.write("x.png", "nonsense")}), 2, "x.png: is not a picture");
+    expect_error(compare({a, folder_.write("x.png", "nonsense")}), 2, "x.png: is not an image");
     expect_error(compare({a, folder_.path()}), 2, "not a regular file");
 }
 
@@ -304,8 +304,8 @@ TEST(CompareCommandOptions, AreRead) {
 }
 
 TEST(CompareCommandOptions, RefusesBadLines) {
-    EXPECT_NE(refusal({}).find("two pictures are needed"), std::string::npos);
-    EXPECT_NE(refusal({"a.exr"}).find("two pictures are needed"), std::string::npos);
+    EXPECT_NE(refusal({}).find("two images are needed"), std::string::npos);
+    EXPECT_NE(refusal({"a.exr"}).find("two images are needed"), std::string::npos);
     EXPECT_NE(refusal({"a", "b", "c"}).find("unexpected argument 'c'"), std::string::npos);
     EXPECT_NE(refusal({"a", "b", "--metric", "flop"}).find("did you mean 'flip'"),
               std::string::npos);
@@ -320,8 +320,8 @@ TEST(CompareCommandOptions, RefusesBadLines) {
     EXPECT_EQ(refusal({"a", "b", "--ppd", "1", "--ppd", "2"}), "--ppd: is given more than once");
 }
 
-/// The folder of published pictures; empty where it is not at hand.
-fs::path published_pictures() {
+/// The folder of published images; empty where it is not at hand.
+fs::path published_images() {
     const char* shared = std::getenv("WEFT_SHARED");
     const fs::path folder =
         (shared != nullptr ? fs::path(shared) : fs::path(WEFT_SOURCE_DIR) / "../shared") /
@@ -330,8 +330,8 @@ fs::path published_pictures() {
 }
 
 TEST_F(CompareCommand, FlipOfAPublishedPair) {
-    const fs::path folder = published_pictures();
-    if (folder.empty()) GTEST_SKIP() << "the published pictures are not there";
+    const fs::path folder = published_images();
+    if (folder.empty()) GTEST_SKIP() << "the published images are not there";
     const fs::path tree = folder / "flip-tree/etc";
     const json result = compare_json(
         {tree / "tree-ref.png", tree / "tree-test.png", "--metric", "flip", "--ppd", "67"});
@@ -341,8 +341,8 @@ TEST_F(CompareCommand, FlipOfAPublishedPair) {
 
 // What the authors' program says of the pair they publish it with.
 TEST_F(CompareCommand, HdrVdpOfAPublishedPair) {
-    const fs::path folder = published_pictures();
-    if (folder.empty()) GTEST_SKIP() << "the published pictures are not there";
+    const fs::path folder = published_images();
+    if (folder.empty()) GTEST_SKIP() << "the published images are not there";
     const fs::path pair = folder / "hdrvdp-pair/test";
     const json result =
         compare_json({pair / "memorial_mask.hdr", pair / "memorial_sinnoise.hdr", "--metric",

@@ -155,7 +155,7 @@ TEST(Options, FramesAreNumberedBeforeTheExtension) {
     EXPECT_EQ(numbered_output("/tmp/out.exr", 12345), "/tmp/out.12345.exr");
     for (const char* stats : {"o/out.0001.png", "o/./out.12345.png", "o/x/../out.7.png"})
         EXPECT_EQ(render_refusal({"-o", "o/out.png", "--frames", "0:2", "--stats", stats}),
-                  "--stats: names the same file as one of the pictures of --frames");
+                  "--stats: names the same file as one of the images of --frames");
     for (const char* stats : {"out.0001.png", "o/out.png.json", "o/out.0001.json", "o/out.a.png",
                               "o/out..png", "o/xout.0001.png"})
         EXPECT_EQ(render({"-o", "o/out.png", "--frames", "0:2", "--stats", stats}).stats, stats);

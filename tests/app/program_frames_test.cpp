@@ -101,7 +101,7 @@ bool same_values(const Image& a, const Image& b) {
                       });
 }
 
-TEST_F(ProgramFrames, EveryFrameIsThePictureFromThere) {
+TEST_F(ProgramFrames, EveryFrameIsTheImageFromThere) {
     for (const std::string& backend : program_backends())
         for (const std::string algorithm : {"igi", "path"}) {
             SCOPED_TRACE(backend + " " + algorithm);
@@ -181,7 +181,7 @@ TEST_F(ProgramFrames, TimeIsOfAllFrames) {
         {"--backend", "embree", "--frames", "0:3", "--time", "1ms", "--stats", at("stats.json")}));
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json stats = json::parse(text_of_file(at("stats.json")));
-    EXPECT_EQ(stats.at("frames").size(), 3u) << "each picture has one sample in any case";
+    EXPECT_EQ(stats.at("frames").size(), 3u) << "each image has one sample in any case";
     EXPECT_TRUE(std::filesystem::exists(at("out.0002.png")));
 }
 
@@ -204,7 +204,7 @@ TEST_F(ProgramFrames, WithoutFramesTheSceneIsAtRest) {
     EXPECT_FALSE(std::filesystem::exists(at("rest.0000.png")));
 }
 
-TEST_F(ProgramFrames, InterruptionKeepsTheFinishedPictures) {
+TEST_F(ProgramFrames, InterruptionKeepsTheFinishedImages) {
     RunningProgram program(command(
         "moving.gltf", "out.png",
         {"--backend", "embree", "--spp", "20", "--frames", "0:100000", "--progress", "plain"}));
@@ -221,7 +221,7 @@ TEST_F(ProgramFrames, InterruptionKeepsTheFinishedPictures) {
                                       std::to_string(finished) + ".png")))
         ++finished;
     EXPECT_NE(program.err().find("interrupted, " + std::to_string(finished) +
-                                 " of 100000 pictures are finished"),
+                                 " of 100000 images are finished"),
               std::string::npos)
         << program.err();
     EXPECT_EQ(folder_.entry_count(), 4u + finished) << "something else was left";
@@ -249,7 +249,7 @@ TEST_F(ProgramFrames, ACameraThatVanishesLaterIsRefusedAtOnce) {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.err, "weft: " + at("vanishing.gltf") +
                               ": camera 'camera' at 2 s has a transform that cannot be inverted\n");
-    EXPECT_EQ(folder_.entry_count(), 5u) << "a picture was written";
+    EXPECT_EQ(folder_.entry_count(), 5u) << "an image was written";
     EXPECT_EQ(run("0:2").exit_code, 0);
 }
 
@@ -267,11 +267,11 @@ TEST_F(ProgramFrames, ImpossibleOptionsAreUsageErrors) {
         {{"--frames", "0:3", "--frame-rate", "1001"}, "--frame-rate: '1001' is not valid"},
         {{"--frame-rate", "25"}, "--frame-rate: is for animations, expected it together with"},
         {{"--frames", "0:3", "--algorithm", "path", "--samples", "0:4"},
-         "--samples: is for a single picture, expected it without --frames"},
+         "--samples: is for a single image, expected it without --frames"},
         {{"--frames", "0:3", "--algorithm", "path", "--resume", at("sums.exr")},
-         "--resume: is for a single picture, expected it without --frames"},
+         "--resume: is for a single image, expected it without --frames"},
         {{"--frames", "0:3", "--stats", at("out.0001.exr")},
-         "--stats: names the same file as one of the pictures of --frames"},
+         "--stats: names the same file as one of the images of --frames"},
     };
     for (const Case& wrong : cases) {
         const ProgramResult result = run_program(command("moving.gltf", "out.exr", wrong.options));

@@ -29,7 +29,7 @@ class ProgramRender : public testing::Test {
   protected:
     [[nodiscard]] std::string at(const std::string& name) const { return folder_.path() / name; }
 
-    /// Arguments of a small picture of the shipped box, written to `output`.
+    /// Arguments of a small image of the shipped box, written to `output`.
     [[nodiscard]] std::vector<std::string> box(const std::string& output,
                                                const std::vector<std::string>& more = {},
                                                const std::string& size = "48x40") const {
@@ -66,7 +66,7 @@ double mean(const Layer& layer) {
     return sum / static_cast<double>(layer.values.size());
 }
 
-TEST_F(ProgramRender, WritesPicturesOnEveryBackend) {
+TEST_F(ProgramRender, WritesImagesOnEveryBackend) {
     for (const std::string& backend : program_backends()) {
         SCOPED_TRACE(backend);
         const ProgramResult exr = run_program(box(backend + ".exr", {"--backend", backend}));
@@ -150,7 +150,7 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
     EXPECT_EQ(given.at("algorithm"), "ir");
 }
 
-TEST_F(ProgramRender, OnlyWhatIsCalledForIsBuilt) {
+TEST_F(ProgramRender, OnlyWhatIsNeededIsBuilt) {
     const auto kernels_of = [&](const std::vector<std::string>& more) {
         std::vector<std::string> names;
         std::vector<std::string> all{"--algorithm", "igi"};
@@ -242,7 +242,7 @@ TEST_F(ProgramRender, MissingFoldersAreCodeFive) {
     }
 }
 
-TEST_F(ProgramRender, AFolderInPlaceOfThePictureIsCodeFive) {
+TEST_F(ProgramRender, AFolderInPlaceOfTheImageIsCodeFive) {
     fs::create_directories(at("x.png/inside"));
     const ProgramResult result = run_program(box("x.png", {"--backend", "embree"}, "8x8"));
     EXPECT_EQ(result.exit_code, 5);
@@ -250,7 +250,7 @@ TEST_F(ProgramRender, AFolderInPlaceOfThePictureIsCodeFive) {
     EXPECT_EQ(folder_.entry_count(), 1u);
 }
 
-TEST_F(ProgramRender, CtrlCKeepsThePicture) {
+TEST_F(ProgramRender, CtrlCKeepsTheImage) {
     for (const std::string& backend : program_backends()) {
         SCOPED_TRACE(backend);
         // The first progress line comes at the start, the next one a second later: before any
@@ -277,7 +277,7 @@ TEST_F(ProgramRender, CtrlCKeepsThePicture) {
     }
 }
 
-TEST_F(ProgramRender, TerminationKeepsThePictureAndStatistics) {
+TEST_F(ProgramRender, TerminationKeepsTheImageAndStatistics) {
     RunningProgram program(box("x.exr", {"--backend", "embree", "--spp", "100000", "--progress",
                                          "plain", "--stats", at("stats.json")}));
     ASSERT_TRUE(program.wait_for_lines(2)) << program.err();

@@ -52,7 +52,7 @@ TEST(Program, WrongUsageIsCodeOne) {
                                                {"render"},
                                                {"render", "a.gltf", "--tiel", "3"},
                                                {"render", "a.gltf", "--size", "0x0"},
-                                               {"render", "a.gltf", "-o", "picture.jpg"},
+                                               {"render", "a.gltf", "-o", "image.jpg"},
                                                {"render", shipped_scene("cornell-box.gltf"),
                                                 "--camera", "no such", "--progress", "none"},
                                                {"info"}}) {

@@ -133,13 +133,13 @@ TEST_F(TradeoffCommand, KeepsTheReferenceAndChecksTheFront) {
     const auto made = fs::last_write_time(references[0]);
     ASSERT_EQ(run_program(box(few)).exit_code, 0);
     EXPECT_EQ(fs::last_write_time(references[0]), made);
-    // The same seeds give the same pictures, and so the same errors.
+    // The same seeds give the same images, and so the same errors.
     const json second = report();
     EXPECT_EQ(first["points"][0]["errors"], second["points"][0]["errors"]);
     EXPECT_EQ(first["reference"], second["reference"]);
 }
 
-TEST_F(TradeoffCommand, ComparesPicturesOfOthers) {
+TEST_F(TradeoffCommand, ComparesImagesOfOthers) {
     const ProgramResult rendered = run_program(
         {"render", shipped_scene("cornell-box.gltf"), "--algorithm", "path", "--spp", "2", "-o",
          at("other.exr"), "--size", "32x24", "--backend", "native", "--progress", "none"});

@@ -34,7 +34,7 @@ TEST(TradeoffOptions, Defaults) {
     EXPECT_EQ(options.progress, ProgressMode::automatic);
     EXPECT_FALSE(options.quick || options.verify || options.backend || options.device ||
                  options.threads || options.size || options.camera || options.references ||
-                 options.peers);
+                 options.others);
     EXPECT_TRUE(options.algorithms.empty() && options.budgets_ms.empty() && options.errors.empty());
 }
 
@@ -86,7 +86,7 @@ TEST(TradeoffOptions, ReadsEveryOption) {
     EXPECT_EQ(options.measure, ErrorMeasure::vdp75_display);
     EXPECT_EQ(options.budgets_ms, (std::vector<double>{50.0, 1000.0}));
     EXPECT_EQ(options.errors, (std::vector<double>{0.1, 0.5}));
-    EXPECT_EQ(options.peers, "peers.json");
+    EXPECT_EQ(options.others, "peers.json");
     EXPECT_TRUE(options.verify);
     ASSERT_TRUE(options.size);
     EXPECT_EQ(options.size->width, 64U);
@@ -109,7 +109,9 @@ TEST(TradeoffOptions, RefusesWhatMakesNoSense) {
         EXPECT_EQ(refused({"--repetitions", text}).find("--repetitions: "), 0U) << text;
     for (const char* const text : {"0", "1", "-4"})
         EXPECT_EQ(refused({"--reference-spp", text}).find("--reference-spp: "), 0U) << text;
-    for (const char* const text : {"tic", "ais,ais", "", "all"})
+    EXPECT_EQ(tradeoff({"--algorithms", "instant-caching,adaptive,igi"}).algorithms,
+              (std::vector<std::string>{"ais", "igi", "ic"}));
+    for (const char* const text : {"tic", "ais,ais", "adaptive,ais", "ais,", "", "all"})
         EXPECT_EQ(refused({"--algorithms", text}).find("--algorithms: "), 0U) << text;
     for (const char* const text : {"0", "-1", "nan", "five"})
         EXPECT_EQ(refused({"--error", text}).find("--error: "), 0U) << text;

@@ -7,13 +7,14 @@ import pathlib
 import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "bench" / "peers"))
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "bench" / "other_renderers"))
 
 import equal_time  # noqa: E402
-import peers  # noqa: E402
+import other_renderers  # noqa: E402
 
 
-class Made(equal_time.Peer):
+class Made(equal_time.Renderer):
     """Takes `fixed` and `each` seconds of a clock of its own."""
 
     def __init__(self, fixed, each):
@@ -25,9 +26,9 @@ class Made(equal_time.Peer):
 
 class EqualTime(unittest.TestCase):
     def samples(self, fixed, each, budget):
-        peer, costs = Made(fixed, each), equal_time.Costs()
-        equal_time.warm_up(peer, costs)
-        _, samples, seconds = equal_time.within(peer, costs, budget, 1)
+        renderer, costs = Made(fixed, each), equal_time.Costs()
+        equal_time.warm_up(renderer, costs)
+        _, samples, seconds = equal_time.within(renderer, costs, budget, 1)
         self.assertAlmostEqual(seconds, fixed + each * samples)
         return samples
 
@@ -49,44 +50,44 @@ class EqualTime(unittest.TestCase):
 
 class Verdict(unittest.TestCase):
     @staticmethod
-    def picture(name, hdrflip, **fields):
+    def image(name, hdrflip, **fields):
         return {"name": name, "budget_s": 1.0, "seconds": 1.0, "denoised": False,
                 "mean_ratio": 1.0, "hdrflip": hdrflip, **fields}
 
-    def verdict(self, *pictures):
-        peers.judge(pictures)
-        return peers.verdict(pictures, 1.0)
+    def verdict(self, *images):
+        other_renderers.judge(images)
+        return other_renderers.verdict(images, 1.0)
 
     def test_the_lower_error_wins(self):
-        ours, theirs = self.picture("Weft path", 0.2), self.picture("Other", 0.3)
+        ours, theirs = self.image("Weft path", 0.2), self.image("Other", 0.3)
         self.assertTrue(self.verdict(ours, theirs)["wins"])
-        self.assertFalse(self.verdict(self.picture("Weft path", 0.4), theirs)["wins"])
+        self.assertFalse(self.verdict(self.image("Weft path", 0.4), theirs)["wins"])
 
-    def test_late_pictures_of_weft_and_other_pictures_of_peers_do_not_count(self):
-        late = self.picture("Weft ais", 0.1, seconds=1.2)
-        theirs = self.picture("Other", 0.3)
+    def test_late_images_of_weft_and_other_images_of_renderers_do_not_count(self):
+        late = self.image("Weft ais", 0.1, seconds=1.2)
+        theirs = self.image("Other", 0.3)
         self.assertFalse(self.verdict(late, theirs)["wins"])
-        brighter = self.picture("Brighter", 0.05, mean_ratio=1.05)
-        ours = self.picture("Weft path", 0.2)
+        brighter = self.image("Brighter", 0.05, mean_ratio=1.05)
+        ours = self.image("Weft path", 0.2)
         self.assertTrue(self.verdict(ours, theirs, brighter)["wins"])
         self.assertIsNone(self.verdict(ours, brighter)["wins"])
 
-    def test_denoised_peers_stand_apart(self):
-        found = self.verdict(self.picture("Weft path", 0.2), self.picture("Other", 0.3),
-                             self.picture("Other, denoised", 0.1, denoised=True))
+    def test_denoised_renderers_stand_apart(self):
+        found = self.verdict(self.image("Weft path", 0.2), self.image("Other", 0.3),
+                             self.image("Other, denoised", 0.1, denoised=True))
         self.assertTrue(found["wins"])
         self.assertFalse(found["wins_denoised"])
 
 
 class HandedOver(unittest.TestCase):
     def test_is_what_weft_reads_and_no_more(self):
-        def picture(name, comparable):
+        def image(name, comparable):
             return {"name": name, "budget_s": 0.3, "seconds": 0.29, "samples": 4,
                     "denoised": False, "picture": "a.exr", "mean_ratio": 1.0, "hdrflip": 0.1,
                     "comparable": comparable, "late": False}
-        found = peers.handed_over([picture("Weft path", True), picture("Other", True),
-                                   picture("Dark", False)], ["a note"])
-        # The keys that host/tradeoff/peer_pictures.cpp knows.
+        found = other_renderers.handed_over([image("Weft path", True), image("Other", True),
+                                   image("Dark", False)], ["a note"])
+        # The keys that host/tradeoff/other_renderers.cpp knows.
         self.assertEqual(set(found), {"weft_peers", "pictures", "notes"})
         self.assertEqual([set(one) for one in found["pictures"]],
                          [{"name", "budget_s", "seconds", "samples", "denoised", "picture"}])

@@ -2,7 +2,7 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# `bench identity` says that a build makes the same pictures as itself, and that one which makes
+# `bench identity` says that a build makes the same images as itself, and that one which makes
 # others does not. Run in the tests folder of a build tree. Exit code 0: passed, 1: failed,
 # 77: skipped, there is no build tree or no Python 3.
 set -eu
@@ -39,12 +39,12 @@ says() {
 }
 
 python3 -B "$root/tests/bench/identity_test.py" >"$work/log" 2>&1 ||
-    fail "telling pictures or times apart fails" "$work/log"
+    fail "telling images or times apart fails" "$work/log"
 
 identity 0 "$build/weft" --algorithms igi path -o "$work/same"
-says '2 of 2 pictures are the same, 0 differ'
+says '2 of 2 images are the same, 0 differ'
 
-# A build that makes other pictures: another seed takes the place of another kernel.
+# A build that makes other images: another seed takes the place of another kernel.
 cat >"$work/other" <<END
 #!/bin/sh
 [ "\$1" = render ] || exec "$build/weft" "\$@"
@@ -53,12 +53,12 @@ END
 chmod +x "$work/other"
 identity 1 "$work/other" --algorithms igi -o "$work/differ"
 says 'cornell-box igi native: picture.exr: '
-says '0 of 1 pictures are the same, 1 differ'
-[ -f "$work/differ/cornell-box-igi-native/picture.exr" ] || fail "the other picture is not kept"
+says '0 of 1 images are the same, 1 differ'
+[ -f "$work/differ/cornell-box-igi-native/picture.exr" ] || fail "the other image is not kept"
 identity 1 "$work/other" --algorithms igi path -o "$work/differ" --resume
-says '0 of 2 pictures are the same, 2 differ'
+says '0 of 2 images are the same, 2 differ'
 
-# One that fails is another, too; the same pictures of the first build lie in the cache.
+# One that fails is another, too; the same images of the first build lie in the cache.
 # shellcheck disable=SC2016 # the program's own arguments
 printf '#!/bin/sh\n[ "$1" != render ] && exec "%s" "$@"\necho broken >&2\nexit 3\n' \
     "$build/weft" >"$work/broken"
@@ -68,4 +68,4 @@ says 'cornell-box igi native: before: broken (exit code 3); after: renders it'
 
 identity 1 "$work/missing" -o "$work/none"
 says 'expected a program'
-echo "the same build makes the same pictures, and another seed, or a failure, does not"
+echo "the same build makes the same images, and another seed, or a failure, does not"

@@ -13,7 +13,8 @@ import tempfile
 import unittest
 import zlib
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "bench" / "identity"))
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "bench" / "identity"))
 
 import builds  # noqa: E402
 import exr_pixels  # noqa: E402

@@ -16,7 +16,7 @@
 namespace weft::bench {
 namespace {
 
-using test::Backend;
+using test::TestBackend;
 
 class FakeBuffer : public Buffer {
   public:
@@ -149,7 +149,7 @@ Sums uses_of(const std::vector<KernelUse>& uses, KernelId kernel) {
 TEST(KernelMeter, AFrameIsTheSameThroughIt) {
     const Scene scene = test::foggy_room().scene;
     const Camera camera = test::room_camera();
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         SCOPED_TRACE(test::backend_name(backend));
         for (const Algorithm algorithm : {Algorithm::ais, Algorithm::ic}) {
             const RenderSettings settings = selftest::small_settings(algorithm, 40, 32);
@@ -188,8 +188,9 @@ TEST(KernelMeter, AFrameIsTheSameThroughIt) {
 TEST(KernelMeter, BackendsTakeTurns) {
     Scene scene = test::foggy_room().scene;
     const FlatScene flat = flatten(scene);
-    const std::vector<MeteredBackend> backends{{"native", test::shared_executor(Backend::own_bvh)},
-                                               {"embree", test::shared_executor(Backend::embree)}};
+    const std::vector<MeteredBackend> backends{
+        {"native", test::shared_executor(TestBackend::own_bvh)},
+        {"embree", test::shared_executor(TestBackend::embree)}};
     const std::vector<MeteredMethod> methods{{"igi", Algorithm::igi}, {"path", Algorithm::path}};
     const MeteredScene metered = meter_scene("room", flat, test::room_camera(), backends, methods,
                                              {.size = 24, .repetitions = 2, .path_samples = 3});
@@ -214,11 +215,11 @@ TEST(KernelMeter, BackendsTakeTurns) {
             EXPECT_EQ(backend.frames[0].rays, backend.frames[1].rays);
         }
     }
-    // A picture of `path` is all of its samples, in however many frames.
-    const MeteredFrame& picture = metered.methods[1].backends[0].frames.front();
-    ASSERT_EQ(picture.kernels.size(), 1U);
-    EXPECT_GE(picture.kernels[0].items, 24U * 24U);
-    EXPECT_EQ(picture.kernels[0].rays, picture.rays);
+    // An image of `path` is all of its samples, in however many frames.
+    const MeteredFrame& image = metered.methods[1].backends[0].frames.front();
+    ASSERT_EQ(image.kernels.size(), 1U);
+    EXPECT_GE(image.kernels[0].items, 24U * 24U);
+    EXPECT_EQ(image.kernels[0].rays, image.rays);
 }
 
 }  // namespace

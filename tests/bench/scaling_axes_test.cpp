@@ -24,7 +24,7 @@ const ScalingAxis& axis_of(const std::vector<ScalingAxis>& axes, const std::stri
 }
 
 /// Area of all squares [-1,1]^2 that give light.
-double lamp_area(const Scene& scene) {
+double area_light_area(const Scene& scene) {
     double area = 0.0;
     for (const Instance& instance : scene.instances) {
         if (scene.materials[instance.material].emission.radiance == glm::vec3(0.0F)) continue;
@@ -44,13 +44,13 @@ TEST(ScalingAxes, ScenesAreWhatTheAxisSays) {
     EXPECT_GT(axis_of(axes, "triangles").points.back().x, 9.9e6);
 
     const ScalingAxis& lights = axis_of(axes, "lights");
-    const double area = lamp_area(lights.points.front().scene());
+    const double area = area_light_area(lights.points.front().scene());
     EXPECT_NEAR(area, 0.36, 1e-12);
     for (const ScalingPoint& point : lights.points) {
         if (point.x > 300.0) break;
         const Scene scene = point.scene();
         EXPECT_EQ(static_cast<double>(flatten(scene).area_lights), point.x);
-        EXPECT_NEAR(lamp_area(scene), area, 1e-9 * area) << point.x;
+        EXPECT_NEAR(area_light_area(scene), area, 1e-9 * area) << point.x;
     }
     for (const ScalingPoint& point : axis_of(axes, "depth").points) {
         const Scene scene = point.scene();

@@ -16,7 +16,7 @@
 #define NATIVE_KERNELS_TOO "kernels/core/random.h"
 #include "tests/testing/native_kernels.h"
 
-// The tests hold every lobe of kernels/bsdf to what any must keep: energy, densities, reciprocity.
+// The tests hold every lobe of kernels/bsdf to what any must keep: energy, pdfs, reciprocity.
 // That devices compute the same bits is tested in surfaces_opencl_test.cpp.
 //
 // Integrals are midpoint rules over equal solid angles. Estimates have fixed seeds. A million
@@ -161,7 +161,7 @@ TEST(Bsdf, SamplesReflectTheAlbedo) {
         }
 }
 
-TEST(Bsdf, WeightsAreValueTimesCosineOverDensity) {
+TEST(Bsdf, WeightsAreValueTimesCosineOverPdf) {
     for (const auto& [name, bsdf] : all_bsdfs())
         for (const float3 out : outs()) {
             native::Random random = native::make_random(7, 8, 9);
@@ -183,7 +183,7 @@ TEST(Bsdf, WeightsAreValueTimesCosineOverDensity) {
         }
 }
 
-TEST(Bsdf, DensitiesIntegrateToOne) {
+TEST(Bsdf, PdfsIntegrateToOne) {
     for (const auto& [name, bsdf] : all_bsdfs())
         for (const float3 out : outs())
             EXPECT_NEAR(hemisphere_integral([&, &bsdf = bsdf](float3 in) {
@@ -193,7 +193,7 @@ TEST(Bsdf, DensitiesIntegrateToOne) {
                 << name;
 }
 
-TEST(Bsdf, DirectionsHaveTheirDensity) {
+TEST(Bsdf, DirectionsHaveTheirPdf) {
     for (const auto& [name, bsdf] : all_bsdfs())
         for (const float3 out : outs())
             EXPECT_LT(
@@ -205,7 +205,7 @@ TEST(Bsdf, DirectionsHaveTheirDensity) {
                 << name;
 }
 
-TEST(Bsdf, TheTestSeesOtherDensities) {
+TEST(Bsdf, TheTestSeesOtherPdfs) {
     // Directions that are uniform over solid angle, and those of a cosine that are bent by 3 %.
     const native::Bsdf bsdf = lambert(0.5F, 0.5F, 0.5F);
     EXPECT_GT(
@@ -282,7 +282,7 @@ TEST(Bsdf, LocalDirectionsAreTheInverseOfTurning) {
         const float t = native::next_random(&random);
         const float3 axis = native::cone_direction(u, v, -1.0F);
         const float3 local = native::cone_direction(s, t, -1.0F);
-        const float3 back = native::local_direction(native::turn_to(local, axis), axis);
+        const float3 back = native::local_direction(native::to_world(local, axis), axis);
         ASSERT_NEAR(back.x, local.x, 2e-6F);
         ASSERT_NEAR(back.y, local.y, 2e-6F);
         ASSERT_NEAR(back.z, local.z, 2e-6F);

@@ -59,7 +59,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     put(r + 8, value.colour * value.share);
     r[11] = bsdf_pdf(&bsdf, out, in);
     put(r + 12, bsdf_albedo(&bsdf, out) + bsdf_diffuse_albedo(&bsdf));
-    put(r + 15, local_direction(turn_to(in, axis), axis));
+    put(r + 15, local_direction(to_world(in, axis), axis));
     r[18] = (float)bsdf_flags(&bsdf);
 
     float choice = x[4];

@@ -13,10 +13,10 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Fan;
 using test::RayBatch;
 using test::RayHit;
+using test::TestBackend;
 
 /// The fans' rays, each beside others of its fan; every `left_out`th is not to be traced (0: all
 /// are).
@@ -32,13 +32,13 @@ RayBatch rays_of(const std::vector<Fan>& all, std::size_t left_out) {
 
 std::size_t hit_count(const std::vector<RayHit>& hits) {
     std::size_t count = 0;
-    for (const RayHit& hit : hits) count += hit.triangle != NO_TRIANGLE ? 1 : 0;
+    for (const RayHit& hit : hits) count += hit.triangle != INVALID_INDEX ? 1 : 0;
     return count;
 }
 
 void expect_hits_of_single_rays(const test::RayGeometry& geometry, const RayBatch& rays) {
     constexpr std::array<std::uint32_t, 4> widths{1, 4, 8, 16};
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const std::uint32_t lanes : widths) {
             const auto executor = test::make_executor(backend, lanes);
             const test::RayQueries queries(*executor, geometry);
@@ -68,9 +68,9 @@ TEST(ClosestPacket, TheSmallestOfCoincidentTrianglesWins) {
         geometry.triangles.insert(geometry.triangles.end(), once.begin(), once.end());
     const RayBatch rays = rays_of(test::fans(100, 43), 0);
     expect_hits_of_single_rays(geometry, rays);
-    const test::RayQueries queries(test::shared_executor(Backend::own_bvh), geometry);
+    const test::RayQueries queries(test::shared_executor(TestBackend::own_bvh), geometry);
     for (const RayHit& hit : queries.closest_packets(rays)) {
-        if (hit.triangle != NO_TRIANGLE) {
+        if (hit.triangle != INVALID_INDEX) {
             EXPECT_LT(hit.triangle, once.size());
         }
     }

@@ -16,7 +16,6 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Fan;
 using test::MovingMesh;
 using test::PacketBatch;
@@ -25,6 +24,7 @@ using test::poses;
 using test::RayBatch;
 using test::RayGeometry;
 using test::RayHit;
+using test::TestBackend;
 
 /// What rays meet, by all queries there are.
 struct Answers {
@@ -64,8 +64,8 @@ std::size_t differences(const std::vector<T>& a, const std::vector<T>& b, const 
 /// Bit for bit, but for Embree, whose arithmetic finds some hits that are none (see
 /// ray_query_test), and packets of shadow rays, which pass within rounding of a triangle's border
 /// or not as its box has it (see packet_test).
-void expect_same(Backend backend, const Answers& a, const Answers& b) {
-    const bool embree = backend == Backend::embree;
+void expect_same(TestBackend backend, const Answers& a, const Answers& b) {
+    const bool embree = backend == TestBackend::embree;
     const auto same_hit = [&](const RayHit& x, const RayHit& y) {
         return embree ? x.triangle == y.triangle : x == y;
     };
@@ -81,7 +81,7 @@ void expect_same(Backend backend, const Answers& a, const Answers& b) {
 std::size_t hits_from(const Answers& answers, std::size_t first, std::size_t end) {
     return static_cast<std::size_t>(
         std::count_if(answers.closest.begin(), answers.closest.end(), [&](const RayHit& hit) {
-            return hit.triangle != NO_TRIANGLE && hit.triangle >= first && hit.triangle < end;
+            return hit.triangle != INVALID_INDEX && hit.triangle >= first && hit.triangle < end;
         }));
 }
 
@@ -97,7 +97,7 @@ void expect_hits_of_new_trees(MovingMesh mesh, bool steady) {
         std::copy(mesh.mesh.positions.begin(), mesh.mesh.positions.end(),
                   geometry.positions.begin());
     };
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         SCOPED_TRACE(test::backend_name(backend));
         pose(poses.front());
         Executor& executor = test::shared_executor(backend);
@@ -153,7 +153,7 @@ TEST(MovingRays, TheSmallestIdWinsWhereMovingTrianglesLieOnRestingOnes) {
     mesh.home = mesh.mesh.positions;
     const Rays rays(test::fans(100, 71));
     RayGeometry geometry{mesh.mesh.positions, mesh.mesh.triangles};
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         test::RayQueries queries(test::shared_executor(backend), geometry, 0x1p-22F,
                                  mesh.first_moving);
         for (const Pose& to : {poses[0], poses[1], poses[0]}) {
@@ -167,7 +167,8 @@ TEST(MovingRays, TheSmallestIdWinsWhereMovingTrianglesLieOnRestingOnes) {
             if (to.move != poses[0].move) {
                 EXPECT_GT(on_moving, 0U) << test::backend_name(backend);
             } else {
-                EXPECT_LE(on_moving, backend == Backend::embree ? rays.endless.size() / 1000 : 0)
+                EXPECT_LE(on_moving,
+                          backend == TestBackend::embree ? rays.endless.size() / 1000 : 0)
                     << test::backend_name(backend);
             }
         }
@@ -178,7 +179,7 @@ TEST(MovingRays, OtherGeometryIsRefused) {
     const MovingMesh mesh = test::moving_soup(10, 10, 72);
     const RayGeometry geometry{mesh.mesh.positions, mesh.mesh.triangles};
     const RayGeometry other = geometry;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         Executor& executor = test::shared_executor(backend);
         const auto scene = executor.make_scene({geometry.positions, geometry.triangles, 0.0F, 10});
         const auto code_of = [&](const RayGeometry& given, std::size_t first_moving) {

@@ -22,7 +22,6 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Fan;
 using test::fans;
 using test::PacketBatch;
@@ -30,6 +29,7 @@ using test::random_index;
 using test::random_point;
 using test::RayGeometry;
 using test::soup;
+using test::TestBackend;
 using test::Uniform;
 
 /// Fans one after the other in blocks of their own.
@@ -43,7 +43,7 @@ PacketBatch in_order(const std::vector<Fan>& all) {
     return packets;
 }
 
-std::vector<float> trace(Backend backend, std::uint32_t lanes, const RayGeometry& geometry,
+std::vector<float> trace(TestBackend backend, std::uint32_t lanes, const RayGeometry& geometry,
                          const PacketBatch& packets) {
     const auto executor = test::make_executor(backend, lanes);
     EXPECT_EQ(executor->lanes(), lanes);
@@ -66,12 +66,12 @@ constexpr std::array<std::uint32_t, 4> widths{1, 4, 8, 16};
 TEST(Packet, EveryWidthAndBackendGivesTheSameAnswers) {
     const RayGeometry geometry = soup();
     const PacketBatch packets = in_order(fans(300, 31));
-    const std::vector<float> expected = trace(Backend::own_bvh, 1, geometry, packets);
+    const std::vector<float> expected = trace(TestBackend::own_bvh, 1, geometry, packets);
     EXPECT_GT(blocked_count(expected), packets.slots() / 10);
     EXPECT_LT(blocked_count(expected), packets.slots() * 9 / 10);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const std::uint32_t lanes : widths) {
-            if (backend == Backend::embree) continue;
+            if (backend == TestBackend::embree) continue;
             EXPECT_EQ(differences(trace(backend, lanes, geometry, packets), expected), 0U)
                 << test::backend_name(backend) << ", " << lanes << " lanes";
         }
@@ -122,10 +122,10 @@ Shuffled shuffle(const std::vector<Fan>& all, std::uint32_t seed) {
 TEST(Packet, NoLaneDependsOnItsCompany) {
     const RayGeometry geometry = soup();
     const std::vector<Fan> all = fans(200, 32);
-    const std::vector<float> expected = trace(Backend::own_bvh, 1, geometry, in_order(all));
-    for (const Backend backend : test::backends())
+    const std::vector<float> expected = trace(TestBackend::own_bvh, 1, geometry, in_order(all));
+    for (const TestBackend backend : test::backends())
         for (const std::uint32_t lanes : widths) {
-            if (backend == Backend::embree) continue;
+            if (backend == TestBackend::embree) continue;
             for (const std::uint32_t seed : {1U, 2U}) {
                 const Shuffled shuffled = shuffle(all, seed);
                 const std::vector<float> answers =
@@ -191,7 +191,7 @@ TEST(Packet, AgreesWithSingleRaysExceptAtEdges) {
     const std::vector<Fan> all = fans(4000, 33);
     const PacketBatch packets = in_order(all);
     const test::RayBatch rays = as_rays(all);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         expect_differences_at_edges(geometry, all, queries.packets(packets), queries.any(rays),
                                     std::string("single rays, ") + test::backend_name(backend));
@@ -202,11 +202,11 @@ TEST(Packet, AgreesWithEmbreeExceptAtEdges) {
     const RayGeometry geometry = soup();
     const std::vector<Fan> all = fans(4000, 34);
     const PacketBatch packets = in_order(all);
-    const test::RayQueries own(test::shared_executor(Backend::own_bvh), geometry);
+    const test::RayQueries own(test::shared_executor(TestBackend::own_bvh), geometry);
     const std::vector<float> expected = own.packets(packets);
     for (const std::uint32_t lanes : widths) {
         std::vector<int> embree;
-        for (const float answer : trace(Backend::embree, lanes, geometry, packets))
+        for (const float answer : trace(TestBackend::embree, lanes, geometry, packets))
             embree.push_back(answer > 0.0F ? 1 : 0);
         expect_differences_at_edges(geometry, all, expected, embree,
                                     "Embree, " + std::to_string(lanes) + " lanes");
@@ -217,7 +217,7 @@ TEST(Packet, AgreesWithDoublePrecisionWhereThatIsClear) {
     const RayGeometry geometry = soup();
     const std::vector<Fan> all = fans(300, 35);
     const PacketBatch packets = in_order(all);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         const std::vector<float> answers = queries.packets(packets);
         std::size_t ray = 0;
@@ -255,8 +255,8 @@ Fan fan_through(const test::Room& room, bool vertices, Uniform& uniform) {
 
 TEST(Packet, NothingGetsThroughSharedEdgesAndVertices) {
     Uniform uniform(37);
-    for (const Backend backend : test::backends()) {
-        if (backend == Backend::embree) continue;
+    for (const TestBackend backend : test::backends()) {
+        if (backend == TestBackend::embree) continue;
         for (const test::ClosedMesh& mesh : test::closed_meshes()) {
             for (const test::Placement& placement : test::placements()) {
                 const test::Room room = test::place(mesh.mesh, placement);
@@ -290,7 +290,7 @@ TEST(Packet, ARayExactlyThroughAnEdgeOrVertexIsBlocked) {
         for (int x = 1; x < 17; ++x)
             fan.ends.emplace_back(static_cast<float>(x % 16) / 8.0F - 1.0F,
                                   static_cast<float>(y) / 8.0F - 1.0F, -1.0F);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         const std::vector<float> answers = queries.packets(in_order({fan}));
         std::size_t open = 0;
@@ -315,7 +315,7 @@ TEST(Packet, ASegmentThatEndsInASurfaceIsNotBlockedByIt) {
                             v * (room.geometry.corner(t, 2) - a));
         fan.ends.push_back((end - fan.origin) * (i % 2 == 0 ? 1.0F : 1.01F));
     }
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), room.geometry);
         const std::vector<float> answers = queries.packets(in_order({fan}));
         std::size_t wrong = 0;

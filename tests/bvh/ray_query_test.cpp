@@ -22,12 +22,12 @@ namespace weft {
 namespace {
 
 using test::all_rays;
-using test::Backend;
 using test::huge_and_tiny;
 using test::RayBatch;
 using test::RayGeometry;
 using test::RayHit;
 using test::rays_huge_and_tiny;
+using test::TestBackend;
 
 /// Rays cut off where they hit: the end still is a closest hit, but does not block. Where the
 /// distance is not certain (needles seen along their length), it may lie before their boxes, which
@@ -40,7 +40,7 @@ void expect_ends_not_to_block(const test::RayQueries& queries, const RayGeometry
     const std::vector<int> any = queries.any(rays);
     std::size_t different = 0, blocked = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (hits[i].triangle == NO_TRIANGLE) continue;
+        if (hits[i].triangle == INVALID_INDEX) continue;
         const test::Verdict verdict =
             test::judge(rays.origin(i), rays.direction(i), INFINITY, geometry, hits[i].triangle);
         const bool certain = verdict.high - verdict.low <= 1e-3 * verdict.high;
@@ -60,28 +60,29 @@ struct Expected {
 void compare(const std::string& name, const RayGeometry& geometry, const RayBatch& rays,
              const Expected& expected = {}) {
     const std::vector<RayHit> all = test::test_all(geometry, rays);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         const std::vector<RayHit> hits = queries.closest(rays);
         const std::vector<int> any = queries.any(rays);
         const std::string where = name + ", " + test::backend_name(backend);
-        if (backend != Backend::embree) {
+        if (backend != TestBackend::embree) {
             std::size_t different = 0;
             std::size_t different_any = 0;
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 different += hits[i] == all[i] ? 0 : 1;
                 // Of a segment that ends in a surface the end is a closest hit, but not blocked.
-                const int blocked = all[i].triangle != NO_TRIANGLE && all[i].t < rays.origins[i].w;
+                const int blocked =
+                    all[i].triangle != INVALID_INDEX && all[i].t < rays.origins[i].w;
                 different_any += any[i] == blocked ? 0 : 1;
             }
             EXPECT_EQ(different, 0U) << where << ": closest hits of " << rays.size();
             EXPECT_EQ(different_any, 0U) << where << ": blocked rays of " << rays.size();
         }
         const test::OracleCount oracle = test::compare_with_oracle(geometry, rays, hits, any);
-        if (backend != Backend::embree)
+        if (backend != TestBackend::embree)
             expect_ends_not_to_block(queries, geometry, rays, hits, where);
         // Embree's own arithmetic finds some hits that are none, right at origins.
-        const std::size_t allowed = backend == Backend::embree ? rays.size() / 1000 : 0;
+        const std::size_t allowed = backend == TestBackend::embree ? rays.size() / 1000 : 0;
         EXPECT_LE(oracle.wrong, allowed) << where << ": against the oracle";
         const auto share = [&](std::size_t n) {
             return static_cast<double>(n) / static_cast<double>(rays.size());
@@ -133,11 +134,11 @@ TEST(RayQuery, NothingFalseIsMetWhereProductsOfThreeLengthsUnderflow) {
     const RayGeometry geometry = huge_and_tiny(1e-6F);
     ASSERT_LT(std::abs(geometry.positions[0].x), 1e-14F);
     const RayBatch rays = rays_huge_and_tiny(1e-6F);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         std::size_t hits = 0, wrong = 0, i = 0;
         for (const RayHit& hit : queries.closest(rays)) {
-            if (hit.triangle != NO_TRIANGLE) {
+            if (hit.triangle != INVALID_INDEX) {
                 ++hits;
                 const test::Verdict verdict = test::judge(rays.origin(i), rays.direction(i),
                                                           INFINITY, geometry, hit.triangle);
@@ -164,16 +165,16 @@ TEST(RayQuery, OfCoincidentTrianglesTheOneWithTheSmallestNumberIsMet) {
     const RayBatch rays = all_rays(geometry, 4000, 50);
     // All copies are equally far, so no hit is clear to the oracle.
     compare("coincident", geometry, rays, {0.3, 0.0});
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         std::size_t hits = 0;
         std::size_t wrong = 0;
         for (const RayHit& hit : queries.closest(rays)) {
-            hits += hit.triangle != NO_TRIANGLE ? 1 : 0;
-            wrong += hit.triangle != NO_TRIANGLE && hit.triangle >= count ? 1 : 0;
+            hits += hit.triangle != INVALID_INDEX ? 1 : 0;
+            wrong += hit.triangle != INVALID_INDEX && hit.triangle >= count ? 1 : 0;
         }
         // Where only Embree's arithmetic meets a triangle, its tree chooses.
-        EXPECT_LE(wrong, backend == Backend::embree ? hits / 1000 : 0)
+        EXPECT_LE(wrong, backend == TestBackend::embree ? hits / 1000 : 0)
             << test::backend_name(backend);
         EXPECT_GT(hits, rays.size() / 10);
     }
@@ -184,13 +185,13 @@ TEST(RayQuery, TrianglesWithoutAreaAreNeverMet) {
     const RayGeometry geometry = geometry_of(mesh);
     RayBatch rays = all_rays(geometry, 1000, 60);
     test::add_rays_at_flat_triangles(rays, geometry, 20000, 91);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const test::RayQueries queries(test::shared_executor(backend), geometry);
         const std::vector<int> any = queries.any(rays);
         const std::vector<RayHit> hits = queries.closest(rays);
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            wrong += hits[i].triangle != NO_TRIANGLE && hits[i].triangle != 0 ? 1 : 0;
+            wrong += hits[i].triangle != INVALID_INDEX && hits[i].triangle != 0 ? 1 : 0;
             wrong += any[i] == (hits[i].triangle == 0 ? 1 : 0) ? 0 : 1;
         }
         EXPECT_EQ(wrong, 0U) << test::backend_name(backend);

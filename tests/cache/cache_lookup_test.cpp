@@ -114,7 +114,7 @@ TEST(CacheLookup, WeightsAreBoundedAtTheRecordAndEndBehindIt) {
     }
 }
 
-TEST(CacheLookup, PlacesAreInDoubtBeyondWhatIsClearInTheirSector) {
+TEST(CacheLookup, PlacesBeyondTheClearanceOfTheirSectorNeedARay) {
     native::CacheRecord record = plain_record();
     std::mt19937 random(2);
     std::uniform_real_distribution<float> uniform(0.0F, 0.3F);
@@ -126,14 +126,14 @@ TEST(CacheLookup, PlacesAreInDoubtBeyondWhatIsClearInTheirSector) {
     native::float3 b;
     native::make_basis(native::f3(0.0F, 0.0F, 1.0F), &t, &b);
     const native::RecordSectors sectors = native::sectors_of(&record);
-    int doubts = 0;
+    int beyond = 0;
     int judged = 0;
     for (int i = 0; i < 200; ++i) {
         Pixels about = random_pixels(random);
         // The last stands steeply above: whatever sector it is in, the least clearance counts.
         about.row.z[pixels - 1] = 2.0F * static_cast<float>(about.distance[pixels - 1]);
         const std::uint32_t bits =
-            native::node_mask_bits(native::row_doubts(&about.row, &record, &sectors));
+            native::node_mask_bits(native::row_beyond_clearance(&about.row, &record, &sectors));
         for (int k = 0; k < pixels; ++k) {
             const auto x = static_cast<double>(about.row.x[k]);
             const auto y = static_cast<double>(about.row.y[k]);
@@ -151,12 +151,12 @@ TEST(CacheLookup, PlacesAreInDoubtBeyondWhatIsClearInTheirSector) {
                 continue;
             EXPECT_EQ((bits >> k & 1U) != 0, square > limit) << u << ' ' << v;
             ++judged;
-            doubts += square > limit ? 1 : 0;
+            beyond += square > limit ? 1 : 0;
         }
     }
     EXPECT_GT(judged, 1000);
-    EXPECT_GT(doubts, 200);
-    EXPECT_LT(doubts, judged - 200);
+    EXPECT_GT(beyond, 200);
+    EXPECT_LT(beyond, judged - 200);
 }
 
 }  // namespace

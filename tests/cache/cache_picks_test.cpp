@@ -7,12 +7,12 @@
 #include <map>
 #include <vector>
 
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
 namespace weft {
 namespace {
 
-/// Random masks with about a `share` of bits set, also of pixels beyond the picture.
+/// Random masks with about a `share` of bits set, also of pixels beyond the image.
 std::vector<TileMask> random_masks(const TileGrid& grid, std::uint32_t seed, int sparseness) {
     test::Uniform random(seed);
     std::vector<TileMask> masks(grid.tiles());
@@ -33,7 +33,7 @@ std::uint32_t from_centre(const TileGrid& grid, std::uint32_t pixel, std::uint32
 }
 
 TEST(CachePicks, AreTheMiddlemostMissingPixelsOfEverySquare) {
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const std::uint32_t edge : cache_rounds)
             for (const int sparseness : {0, 1, 4, 9}) {
                 const std::vector<TileMask> masks =

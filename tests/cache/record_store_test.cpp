@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/cache/cache.h"
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
 namespace weft {
 namespace {

@@ -17,8 +17,8 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::MovingRoom;
+using test::TestBackend;
 
 /// At most 126 VPLs, and some hundred records.
 RenderSettings settings_of(std::uint32_t width, std::uint32_t height) {
@@ -41,13 +41,13 @@ struct Follower {
     MovingRoom room;
     Renderer renderer;
 
-    Follower(Backend backend, const MovingRoom& start, const RenderSettings& settings)
+    Follower(TestBackend backend, const MovingRoom& start, const RenderSettings& settings)
         : room(start),
           renderer(test::shared_executor(backend), room.flat, test::room_camera(), settings) {
         renderer.render_frame({});
     }
 
-    /// Renders the next picture, of the room as it is now.
+    /// Renders the next image, of the room as it is now.
     const FrameStats& next() {
         update_flat(room.scene, room.flat);
         renderer.update_scene();
@@ -58,9 +58,9 @@ struct Follower {
 };
 
 /// Follows random edits, and compares with records and VPLs computed anew after each.
-void follow_random_edits(Backend backend, const MovingRoom& start, RenderSettings settings,
+void follow_random_edits(TestBackend backend, const MovingRoom& start, RenderSettings settings,
                          int edits, unsigned seed) {
-    settings.sampling.cache_audit = true;
+    settings.sampling.validate_cache = true;
     Follower follower(backend, start, settings);
     std::mt19937 random(seed);
     std::size_t updated = 0;
@@ -102,37 +102,37 @@ TEST(TemporalCache, RecordsAreThoseComputedAnewAfterAnyEdits) {
             RenderSettings settings = settings_of(40, 30);
             settings.sampling.cache_masks = masks;
             settings.sampling.cache_records = 900;
-            follow_random_edits(Backend::own_bvh, test::moving_room(scene), settings, 167,
+            follow_random_edits(TestBackend::own_bvh, test::moving_room(scene), settings, 167,
                                 7 + scene);
         }
 }
 
 TEST(TemporalCache, AndSoTheyAreOnOtherBackends) {
-    for (const Backend backend : test::backends())
-        if (backend != Backend::own_bvh)
+    for (const TestBackend backend : test::backends())
+        if (backend != TestBackend::own_bvh)
             follow_random_edits(backend, test::moving_room(1), settings_of(40, 30), 20, 3);
 }
 
 TEST(TemporalCache, MovingAwayAndBackLeavesEverythingAsItWas) {
     RenderSettings settings = settings_of(48, 36);
-    settings.sampling.cache_audit = true;
-    Follower follower(Backend::own_bvh, test::moving_room(0), settings);
+    settings.sampling.validate_cache = true;
+    Follower follower(TestBackend::own_bvh, test::moving_room(0), settings);
     const MovingRoom start = follower.room;
     for (int i = 0; i < 8; ++i) {
         follower.room.scene.instances = start.scene.instances;
         if (i % 2 == 0) follower.room.move(0, {0.1 * (i + 1), 0.05, -0.1});
         EXPECT_EQ(follower.next().cache->differing, 0U);
     }
-    // The picture is as near to that of a new renderer as two choices of records are.
+    // The image is as near to that of a new renderer as two choices of records are.
     const test::Rendering anew =
-        test::render(Backend::own_bvh, start.scene, test::room_camera(), settings_of(48, 36));
+        test::render(TestBackend::own_bvh, start.scene, test::room_camera(), settings_of(48, 36));
     EXPECT_LT(test::relative_mse(anew.layer("indirect"),
                                  follower.renderer.image().find("indirect")->values),
               2e-3);
 }
 
 TEST(TemporalCache, WithoutChangesNothingIsTracedForRecords) {
-    Follower follower(Backend::own_bvh, test::moving_room(2), settings_of(48, 36));
+    Follower follower(TestBackend::own_bvh, test::moving_room(2), settings_of(48, 36));
     const std::uint32_t made = follower.renderer.stats().back().cache->made;
     EXPECT_GT(made, 50U);
     for (int i = 0; i < 3; ++i) {
@@ -149,7 +149,7 @@ TEST(TemporalCache, WithoutChangesNothingIsTracedForRecords) {
 }
 
 TEST(TemporalCache, LightsAndColoursAreSummedUpWithoutRays) {
-    Follower dimmed(Backend::own_bvh, test::moving_room(0), settings_of(48, 36));
+    Follower dimmed(TestBackend::own_bvh, test::moving_room(0), settings_of(48, 36));
     dimmed.next();  // all records at once, as in the frames that follow
     const std::vector<float> before = dimmed.renderer.image().find("indirect")->values;
     for (Material& material : dimmed.room.scene.materials) material.emission.radiance *= 0.5F;
@@ -174,8 +174,8 @@ TEST(TemporalCache, LightsAndColoursAreSummedUpWithoutRays) {
 
 TEST(TemporalCache, ALightThatGoesOutAndOnAgainIsFollowed) {
     RenderSettings settings = settings_of(40, 30);
-    settings.sampling.cache_audit = true;
-    Follower follower(Backend::own_bvh, test::moving_room(1), settings);
+    settings.sampling.validate_cache = true;
+    Follower follower(TestBackend::own_bvh, test::moving_room(1), settings);
     const Scene lit = follower.room.scene;
     for (int i = 0; i < 4; ++i) {
         follower.room.scene = lit;
@@ -193,13 +193,13 @@ TEST(TemporalCache, ALightThatGoesOutAndOnAgainIsFollowed) {
 
 TEST(TemporalCache, SurfacesThatGoBlackAndReflectAgainAreFollowed) {
     RenderSettings settings = settings_of(40, 30);
-    settings.sampling.cache_audit = true;
+    settings.sampling.validate_cache = true;
     MovingRoom room = test::moving_room(1);
     const std::vector<Material> reflecting = room.scene.materials;
     for (Material& material : room.scene.materials) set_diffuse_albedo(material, glm::vec3(0.0F));
     const std::vector<Material> black = room.scene.materials;
     room.flat = flatten(room.scene);
-    Follower follower(Backend::own_bvh, std::move(room), settings);
+    Follower follower(TestBackend::own_bvh, std::move(room), settings);
     for (int i = 0; i < 4; ++i) {
         follower.room.scene.materials = i % 2 == 0 ? reflecting : black;
         const FrameStats& stats = follower.next();
@@ -212,7 +212,7 @@ TEST(TemporalCache, SurfacesThatGoBlackAndReflectAgainAreFollowed) {
 }
 
 TEST(TemporalCache, RecordsOnWhatMovesAreDropped) {
-    Follower follower(Backend::own_bvh, test::moving_room(0), settings_of(48, 36));
+    Follower follower(TestBackend::own_bvh, test::moving_room(0), settings_of(48, 36));
     EXPECT_EQ(follower.next().cache->dropped, 0U);
     set_diffuse_albedo(follower.room.scene.materials[0], glm::vec3{0.2F, 0.4F, 0.6F});
     EXPECT_EQ(follower.next().cache->dropped, 0U);
@@ -230,8 +230,8 @@ TEST(TemporalCache, RecordsOnWhatMovesAreDropped) {
 
 TEST(TemporalCache, RecordsDoNotPileUpWhereThingsMove) {
     RenderSettings settings = settings_of(64, 48);
-    settings.sampling.cache_audit = true;
-    Follower follower(Backend::own_bvh, test::moving_room(0), settings);
+    settings.sampling.validate_cache = true;
+    Follower follower(TestBackend::own_bvh, test::moving_room(0), settings);
     const std::uint32_t first = follower.next().cache->kept;
     std::uint32_t evicted = 0;
     for (int i = 0; i < 40; ++i) {
@@ -247,8 +247,8 @@ TEST(TemporalCache, RecordsDoNotPileUpWhereThingsMove) {
 TEST(TemporalCache, NoMoreRecordsAreKeptThanAllowed) {
     RenderSettings settings = settings_of(64, 48);
     settings.sampling.cache_records = 100;
-    settings.sampling.cache_audit = true;
-    Follower follower(Backend::own_bvh, test::moving_room(0), settings);
+    settings.sampling.validate_cache = true;
+    Follower follower(TestBackend::own_bvh, test::moving_room(0), settings);
     EXPECT_GT(follower.renderer.stats().back().cache->evicted, 0U);
     for (int i = 0; i < 6; ++i) {
         follower.room.move(0, {0.02, 0.0, 0.01});
@@ -268,9 +268,9 @@ TEST(TemporalCache, NoMoreRecordsAreKeptThanAllowed) {
 
 TEST(TemporalCache, AnEarlyEndLeavesNothingHalfDone) {
     RenderSettings settings = settings_of(40, 30);
-    settings.sampling.cache_audit = true;
+    settings.sampling.validate_cache = true;
     for (int steps = 0; steps < 40; ++steps) {
-        Follower follower(Backend::own_bvh, test::moving_room(0), settings);
+        Follower follower(TestBackend::own_bvh, test::moving_room(0), settings);
         follower.room.move(0, {0.1, 0.0, 0.0});
         update_flat(follower.room.scene, follower.room.flat);
         follower.renderer.update_scene();

@@ -18,9 +18,9 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 
@@ -68,7 +68,7 @@ TEST(AmbientOcclusion, OpenPlaneSeesTheWholeSky) {
     add_floor(builder);
     const FlatScene scene = flat(builder);
     const Camera camera = test::look_at({0.3, 1.0, 6.0}, {0.0, 0.0, 0.0}, 0.9);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const Algorithm algorithm :
              {Algorithm::ais, Algorithm::amax, Algorithm::igi, Algorithm::ir}) {
             const Rendering rendering =
@@ -89,7 +89,7 @@ TEST(AmbientOcclusion, ClosedBoxWithinReachSeesNothing) {
     const FlatScene scene = flat(builder);
     ASSERT_GT(reach_of(scene), 2.0 * std::sqrt(3.0));
     const Camera camera = test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const Algorithm algorithm : {Algorithm::ais, Algorithm::igi}) {
             const Rendering rendering =
                 test::render_flat(test::shared_executor(backend), scene, camera,
@@ -138,7 +138,7 @@ TEST(AmbientOcclusion, FloorBesideAWall) {
             expected.at(band) += openness_beside_wall(distance, reach);
             ++counts.at(band);
         }
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         std::array<std::vector<double>, bands> means;
         for (std::uint32_t seed = 0; seed < 16; ++seed) {
             RenderSettings settings = unfiltered(occlusion_settings(Algorithm::igi, columns, rows));
@@ -252,7 +252,7 @@ TEST(AmbientOcclusion, AmaxIsBruteForceOverTheSameSets) {
     const Camera camera = room_camera();
     RenderSettings settings = unfiltered(occlusion_settings(Algorithm::amax, width, height));
     settings.seed = 3;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering =
             test::render_flat(test::shared_executor(backend), scene, camera, settings);
         std::uint32_t different = 0;
@@ -281,7 +281,7 @@ TEST(AmbientOcclusion, TheFilterIsTheMeanOfNineSets) {
     const FlatScene scene = flat(builder);
     // The floor alone is seen.
     const Camera camera = test::look_at({0.9, 3.0, 0.0}, {0.9, 0.0, 0.0}, 0.5);
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const RenderSettings settings = occlusion_settings(Algorithm::amax, edge, edge);
     const Rendering raw = test::render_flat(executor, scene, camera, unfiltered(settings));
     const Rendering mean = test::render_flat(executor, scene, camera, settings);
@@ -297,7 +297,7 @@ TEST(AmbientOcclusion, TheFilterIsTheMeanOfNineSets) {
 
 TEST(AmbientOcclusion, AdaptsAndStaysCloseToFullSampling) {
     const FlatScene scene = flatten(furnished_room());
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const auto render = [&](Algorithm algorithm, double threshold) {
         RenderSettings settings = occlusion_settings(algorithm, 160, 120);
         settings.sampling.threshold = threshold;
@@ -320,12 +320,12 @@ TEST(AmbientOcclusion, SameBitsOnEveryBackendAndWidth) {
     const FlatScene scene = flatten(furnished_room());
     for (const Algorithm algorithm : {Algorithm::ais, Algorithm::ir}) {
         RenderSettings settings = occlusion_settings(algorithm, 61, 43);
-        const auto reference = test::make_executor(Backend::own_bvh, 1, 1);
+        const auto reference = test::make_executor(TestBackend::own_bvh, 1, 1);
         const Rendering expected = test::render_flat(*reference, scene, room_camera(), settings, 2);
         settings.tile = 16;
         for (const std::uint32_t lanes : {4U, 16U})
-            for (const Backend backend : {Backend::own_bvh, Backend::opencl}) {
-                if (backend == Backend::opencl && !test::has_opencl()) continue;
+            for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::opencl}) {
+                if (backend == TestBackend::opencl && !test::has_opencl()) continue;
                 const auto executor = test::make_executor(backend, lanes);
                 const Rendering other =
                     test::render_flat(*executor, scene, room_camera(), settings, 2);
@@ -335,9 +335,9 @@ TEST(AmbientOcclusion, SameBitsOnEveryBackendAndWidth) {
     }
 }
 
-TEST(AmbientOcclusion, LayerIsTheMeanOfItsPicturesFrames) {
+TEST(AmbientOcclusion, LayerIsTheMeanOfItsImagesFrames) {
     const FlatScene scene = flatten(furnished_room());
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const RenderSettings settings = occlusion_settings(Algorithm::igi, 32, 24);
     const auto values = [](Renderer& renderer) {
         return renderer.image().find("occlusion")->values;
@@ -348,7 +348,7 @@ TEST(AmbientOcclusion, LayerIsTheMeanOfItsPicturesFrames) {
     ASSERT_TRUE(renderer.render_frame({}));
     const std::vector<float> both = values(renderer);
     EXPECT_NE(first, both);
-    // A frame that ends early is dropped, a new picture begins anew.
+    // A frame that ends early is dropped, a new image begins anew.
     EXPECT_FALSE(renderer.render_frame([](Stage, double) { return false; }));
     EXPECT_EQ(values(renderer), both);
     renderer.set_camera(room_camera());

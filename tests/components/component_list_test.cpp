@@ -105,7 +105,7 @@ TEST(ComponentList, TheWalkthroughShowsTheLinesAndFilesThereAre) {
     EXPECT_GT(shown, 30U);
 }
 
-TEST(ComponentList, NamesAreDistinctAndThoseOfThePictureComeFirst) {
+TEST(ComponentList, NamesAreDistinctAndThoseOfTheImageComeFirst) {
     std::set<std::string> names;
     for (const ComponentKind& kind : components()) names.insert(kind.name);
     EXPECT_EQ(names.size(), components().size());
@@ -120,10 +120,10 @@ TEST(ComponentList, PlansWithoutRequestsCallForNoneThatHasToBeAskedFor) {
     FramePlan plan;
     for (const ComponentKind& kind : components())
         if (kind.choice == Choice::on_request) {
-            EXPECT_FALSE(kind.called_for(plan)) << kind.name;
+            EXPECT_FALSE(kind.is_enabled(plan)) << kind.name;
             FramePlan asking;
             asking.requested = {kind.name};
-            EXPECT_TRUE(kind.called_for(asking)) << kind.name;
+            EXPECT_TRUE(kind.is_enabled(asking)) << kind.name;
         }
 }
 

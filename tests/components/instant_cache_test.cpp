@@ -12,21 +12,21 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
+using test::TestBackend;
 
 /// A box with an open front, a ball and a block in it, lit from above.
 Scene furnished_box() {
     test::SceneBuilder builder;
     const std::uint32_t white = builder.material({0.7F, 0.7F, 0.7F});
     const std::uint32_t red = builder.material({0.7F, 0.1F, 0.1F});
-    const std::uint32_t lamp = builder.material({0.0F, 0.0F, 0.0F}, {9.0F, 9.0F, 9.0F});
+    const std::uint32_t area_light = builder.material({0.0F, 0.0F, 0.0F}, {9.0F, 9.0F, 9.0F});
     builder.add(test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), white);
     builder.add(test::quad_mesh({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), white);
     builder.add(test::quad_mesh({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}), red);
     builder.add(test::quad_mesh({1, -1, -1}, {0, 0, 2}, {0, 2, 0}), white);
     builder.add(test::quad_mesh({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), white);
-    builder.add(test::quad_mesh({-0.3F, 0.99F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}), lamp);
+    builder.add(test::quad_mesh({-0.3F, 0.99F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}), area_light);
     Mesh ball = test::icosphere(4, false);
     ball.normals = ball.positions;
     builder.add(std::move(ball), white, test::placement(0.35, {-0.4, -0.65, 0.1}));
@@ -47,10 +47,11 @@ RenderSettings settings_of(Algorithm algorithm, std::uint32_t width, std::uint32
 }
 
 TEST(InstantCache, ApproachesTheGatheringOfAllVplsByEveryPixel) {
-    // The brute-force twin is `ir`. The interpolation's error falls with what is allowed, its mean
-    // stays within that, and with 0 every pixel is a record: all but rounding is then the same.
+    // The brute-force reference is `ir`. The interpolation's error falls with what is allowed, its
+    // mean stays within that, and with 0 every pixel is a record: all but rounding is then the
+    // same.
     const Scene scene = furnished_box();
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         SCOPED_TRACE(test::backend_name(backend));
         const Rendering all =
             test::render(backend, scene, front_camera(), settings_of(Algorithm::ir, 160, 120));
@@ -79,7 +80,7 @@ TEST(InstantCache, AdaptiveSamplingMayTakeIndirectLightFromIt) {
     // Indirect light is then that of `ic`, bit for bit; edges are left as they are, and direct
     // light stays adaptive.
     const Scene scene = furnished_box();
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         RenderSettings alone = settings_of(Algorithm::ic, 97, 70);
         RenderSettings source = settings_of(Algorithm::ais, 97, 70);
         source.sampling.cached = true;
@@ -102,7 +103,7 @@ TEST(InstantCache, EveryPixelThatReflectsHasLight) {
             RenderSettings settings = settings_of(Algorithm::ic, 61, 45);
             settings.sampling.cache_error = error;
             const Camera camera = test::look_at({0.0, 0.2, distance - 1.0}, {0.0, 0.2, -1.0}, 0.75);
-            const Rendering cached = test::render(Backend::own_bvh, scene, camera, settings);
+            const Rendering cached = test::render(TestBackend::own_bvh, scene, camera, settings);
             test::expect_clean(cached);
             std::size_t dark = 0;
             for (std::uint32_t y = 0; y < 45; ++y)
@@ -126,7 +127,7 @@ TEST(InstantCache, NoLightLeaksThroughAThinWall) {
     for (const float x : {-0.001F, 0.001F})
         builder.add(test::quad_mesh({x, -1, -1}, {0, 2, 0}, {0, 0, 2}), white);
     builder.light(LightType::point, {-0.5, 0.0, 0.3}, glm::vec3(1.0F));
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         SCOPED_TRACE(test::backend_name(backend));
         const Rendering cached =
             test::render(backend, builder.scene, test::look_at({0, 0, 3.4}, {0, 0, 0}, 0.75),
@@ -156,7 +157,7 @@ TEST(InstantCache, AnIntegratingSphereIsEvenlyLit) {
     test::SceneBuilder builder;
     builder.add(test::icosphere(5, true), builder.material({0.5F, 0.9F, 0.1F}));
     builder.light(LightType::point, {0, 0, 0}, glm::vec3(2.0F));
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         RenderSettings settings = test::unbounded(settings_of(Algorithm::ic, 64, 48));
         settings.sampling.cache_error = error;
         const Rendering cached =
@@ -188,9 +189,9 @@ TEST(InstantCache, RouletteKeepsTheMean) {
         RenderSettings b = without;
         a.seed = b.seed = seed;
         const double mean_with = test::mean_of(
-            test::render(Backend::own_bvh, scene, front_camera(), a).layer("indirect"));
+            test::render(TestBackend::own_bvh, scene, front_camera(), a).layer("indirect"));
         const double mean_without = test::mean_of(
-            test::render(Backend::own_bvh, scene, front_camera(), b).layer("indirect"));
+            test::render(TestBackend::own_bvh, scene, front_camera(), b).layer("indirect"));
         differences.push_back(mean_with / mean_without - 1.0);
     }
     double mean = 0.0;
@@ -225,7 +226,7 @@ TEST(InstantCache, IsThereOnlyWhereVplsAre) {
 TEST(InstantCache, AFrameThatEndsEarlyIsDefined) {
     const Scene scene = furnished_box();
     const FlatScene flat = flatten(scene);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         Renderer renderer(test::shared_executor(backend), flat, front_camera(),
                           settings_of(Algorithm::ic, 64, 48));
         int asked = 0;

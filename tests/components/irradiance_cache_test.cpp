@@ -18,9 +18,9 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 
@@ -78,7 +78,7 @@ TEST(IrradianceCache, RecordsOfAFurnaceHaveItsLight) {
     // A closed room whose walls all emit e and reflect rho: light that has been reflected has the
     // radiance e rho / (1 - rho) everywhere, so records have pi times that; what their rays meet of
     // emission does not count. With an allowed error of 0 every pixel is a record, none serves
-    // others, and pictures are unbiased. Means of 16 seeds by Student's t with 15 degrees of
+    // others, and images are unbiased. Means of 16 seeds by Student's t with 15 degrees of
     // freedom at 6 standard errors: one such comparison of a correct renderer fails in 40,000, and
     // there are 9.
     const glm::vec3 emission(1.0F, 2.0F, 0.5F);
@@ -89,7 +89,7 @@ TEST(IrradianceCache, RecordsOfAFurnaceHaveItsLight) {
     const FlatScene flat = flatten(builder.scene);
     RenderSettings settings = settings_of(24, 18, 32);
     settings.sampling.cache_error = 0.0;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         std::vector<std::vector<double>> means(3);
         for (settings.seed = 0; settings.seed < 16; ++settings.seed) {
             const Rendering rendering =
@@ -117,7 +117,7 @@ TEST(IrradianceCache, AnIntegratingSphereIsEvenlyLit) {
     builder.light(LightType::point, {0, 0, 0}, glm::vec3(2.0F));
     RenderSettings settings = settings_of(64, 48);
     settings.sampling.cache_error = 0.2;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering =
             test::render(backend, builder.scene,
                          test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2), settings);
@@ -145,10 +145,10 @@ TEST(IrradianceCache, AgreesWithPathTracing) {
     const FlatScene& flat = test::room_with_ball();
     PathSettings reference_settings = test::path_settings(48, 36, 512, 7);
     reference_settings.through_centres = true;
-    const Rendering reference = test::path_picture(test::shared_executor(Backend::embree), flat,
-                                                   facing_ball(), reference_settings);
+    const Rendering reference = test::path_image(test::shared_executor(TestBackend::embree), flat,
+                                                 facing_ball(), reference_settings);
     const std::vector<float>& expected = reference.layer("indirect");
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         SCOPED_TRACE(test::backend_name(backend));
         Executor& executor = test::shared_executor(backend);
         const Rendering once =
@@ -164,7 +164,7 @@ TEST(IrradianceCache, AgreesWithPathTracing) {
 }
 
 TEST(IrradianceCache, LightStraightFromLightsIsNotIndirect) {
-    // A floor that sees a black lamp and the sky alone.
+    // A floor that sees a black area light and the sky alone.
     SceneBuilder builder;
     builder.add(test::quad_mesh({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}),
                 builder.material(glm::vec3(0.7F)));
@@ -174,7 +174,7 @@ TEST(IrradianceCache, LightStraightFromLightsIsNotIndirect) {
     builder.scene.environment = Environment{{0.5F, 0.25F, 2.0F}};
     RenderSettings settings = settings_of(32, 24);
     settings.direct = true;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering = test::render(
             backend, builder.scene, test::look_at({0, 1.5, 2.5}, {0, 0.2, 0}, 0.8), settings);
         test::expect_clean(rendering);
@@ -188,8 +188,8 @@ TEST(IrradianceCache, EveryPixelThatReflectsHasLight) {
     for (const double error : {0.2, 0.1, 1e-3}) {
         RenderSettings settings = settings_of(61, 45, 32);
         settings.sampling.cache_error = error;
-        const Rendering cached = test::render_flat(test::shared_executor(Backend::own_bvh), flat,
-                                                   facing_ball(), settings);
+        const Rendering cached = test::render_flat(test::shared_executor(TestBackend::own_bvh),
+                                                   flat, facing_ball(), settings);
         test::expect_clean(cached);
         std::size_t dark = 0;
         for (std::uint32_t y = 0; y < 45; ++y)
@@ -206,7 +206,7 @@ TEST(IrradianceCache, ASmallerErrorTakesMoreRecords) {
         RenderSettings settings = settings_of(96, 72, 16);
         settings.sampling.cache_error = error;
         const std::uint64_t rays = rays_of(test::render_flat(
-            test::shared_executor(Backend::own_bvh), flat, facing_ball(), settings));
+            test::shared_executor(TestBackend::own_bvh), flat, facing_ball(), settings));
         EXPECT_GT(rays, before) << "error " << error;
         before = rays;
     }
@@ -217,27 +217,27 @@ TEST(IrradianceCache, BackendsWidthsAndThreadsGiveTheSameBits) {
     RenderSettings settings = settings_of(61, 45, 16);
     settings.direct = true;
     settings.seed = 3;
-    const auto picture = [&](Executor& executor) {
+    const auto image = [&](Executor& executor) {
         return test::render_flat(executor, open_room(), camera, settings, 2);
     };
-    const Rendering reference = picture(*test::make_executor(Backend::own_bvh, 1, 1));
-    for (const Backend backend : {Backend::own_bvh, Backend::opencl}) {
-        if (backend == Backend::opencl && !test::has_opencl()) continue;
+    const Rendering reference = image(*test::make_executor(TestBackend::own_bvh, 1, 1));
+    for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::opencl}) {
+        if (backend == TestBackend::opencl && !test::has_opencl()) continue;
         for (const std::uint32_t lanes : {1U, 4U, 8U, 16U}) {
             // Building kernels for a driver takes longer than running them here.
-            if (backend == Backend::opencl && lanes % 4 == 0 && lanes != 16) continue;
-            const Rendering other = picture(*test::make_executor(backend, lanes, 2));
+            if (backend == TestBackend::opencl && lanes % 4 == 0 && lanes != 16) continue;
+            const Rendering other = image(*test::make_executor(backend, lanes, 2));
             EXPECT_EQ(test::differing_values(reference.image, other.image), 0U)
                 << test::backend_name(backend) << ", " << lanes << " lanes";
             EXPECT_EQ(rays_of(reference), rays_of(other));
         }
     }
-    const Rendering one = picture(*test::make_executor(Backend::embree, 8, 1));
-    const Rendering two = picture(*test::make_executor(Backend::embree, 8, 2));
+    const Rendering one = image(*test::make_executor(TestBackend::embree, 8, 1));
+    const Rendering two = image(*test::make_executor(TestBackend::embree, 8, 2));
     EXPECT_EQ(test::differing_values(one.image, two.image), 0U);
     settings.seed = 4;
     EXPECT_GT(test::differing_values(reference.image,
-                                     picture(test::shared_executor(Backend::own_bvh)).image),
+                                     image(test::shared_executor(TestBackend::own_bvh)).image),
               0U);
 }
 
@@ -249,7 +249,8 @@ TEST(IrradianceCache, RecordsInSeveralBatchesHaveTheirOwnLight) {
     builder.add(test::icosphere(2, true), builder.material(glm::vec3(0.1F), glm::vec3(1.0F)));
     RenderSettings settings = settings_of(15, 14, 16384);
     settings.sampling.cache_error = 0.0;
-    const Rendering rendering = test::render(Backend::own_bvh, builder.scene, inside(), settings);
+    const Rendering rendering =
+        test::render(TestBackend::own_bvh, builder.scene, inside(), settings);
     test::expect_clean(rendering);
     const double expected = pi * 0.1 / 0.9;
     for (std::uint32_t y = 0; y < 14; ++y)
@@ -286,7 +287,7 @@ TEST(IrradianceCache, TracesNoVirtualLights) {
 
 TEST(IrradianceCache, AFrameThatEndsEarlyIsDefined) {
     const FlatScene& flat = test::room_with_ball();
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const int most : {0, 3, 6, 9}) {
             Renderer renderer(test::shared_executor(backend), flat, facing_ball(),
                               settings_of(64, 48, 16));

@@ -23,18 +23,18 @@ namespace {
 using test::add_boundary;
 using test::add_grid;
 using test::at;
-using test::Backend;
 using test::cube_mesh;
 using test::medium_of;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 using test::Tolerance;
 
 constexpr std::size_t comparisons = 300;
 const glm::vec3 colour(1.0F, 2.0F, 0.5F);
 
-Medium glow_of(const glm::vec3& sigma_t, const glm::vec3& albedo, const glm::vec3& emission,
-               float g = 0.0F) {
+Medium emissive_medium(const glm::vec3& sigma_t, const glm::vec3& albedo, const glm::vec3& emission,
+                       float g = 0.0F) {
     Medium medium = medium_of(sigma_t, albedo, g);
     medium.emission = emission;
     return medium;
@@ -43,7 +43,7 @@ Medium glow_of(const glm::vec3& sigma_t, const glm::vec3& albedo, const glm::vec
 /// A medium in thermal equilibrium with light of this radiance.
 Medium grey_body(const glm::vec3& sigma_t, const glm::vec3& albedo, const glm::vec3& radiance,
                  float g = 0.0F) {
-    return glow_of(sigma_t, albedo, sigma_t * (glm::vec3(1.0F) - albedo) * radiance, g);
+    return emissive_medium(sigma_t, albedo, sigma_t * (glm::vec3(1.0F) - albedo) * radiance, g);
 }
 
 /// Radiance of a slab of this emission and extinction.
@@ -51,11 +51,11 @@ double slab(double emission, double sigma, double length) {
     return sigma > 0.0 ? emission * -std::expm1(-sigma * length) / sigma : emission * length;
 }
 
-/// A picture of what lies along -z from (0, 0, `from`), which is the same at all pixels.
-Rendering along_axis(Backend backend, const Scene& scene, double from, std::uint32_t edge = 4,
+/// An image of what lies along -z from (0, 0, `from`), which is the same at all pixels.
+Rendering along_axis(TestBackend backend, const Scene& scene, double from, std::uint32_t edge = 4,
                      std::uint32_t samples = 4) {
-    return test::path_picture(backend, scene, test::look_at({0, 0, from}, {0, 0, -9}, 1e-4),
-                              test::path_settings(edge, edge, samples));
+    return test::path_image(backend, scene, test::look_at({0, 0, from}, {0, 0, -9}, 1e-4),
+                            test::path_settings(edge, edge, samples));
 }
 
 /// That every pixel of a layer has this value.
@@ -74,9 +74,9 @@ TEST(MediaEmission, SlabsHaveTheirClosedForm) {
                 const auto unit = static_cast<float>(depth / length);
                 const glm::vec3 sigma(unit, 3.0F * unit, 0.0F);
                 SceneBuilder builder;
-                builder.scene.media.push_back(glow_of(sigma, glm::vec3(albedo), colour));
+                builder.scene.media.push_back(emissive_medium(sigma, glm::vec3(albedo), colour));
                 add_boundary(builder.scene, cube_mesh(), glm::dmat4(1.0), 0);
-                for (const Backend backend : test::backends()) {
+                for (const TestBackend backend : test::light_backends()) {
                     const Rendering rendering = along_axis(backend, builder.scene, from);
                     for (std::uint32_t c = 0; c < 3; ++c)
                         expect_exactly(rendering, "emission", c,
@@ -93,12 +93,12 @@ TEST(MediaEmission, IsOfAnyBrightnessAndScale) {
             SceneBuilder builder;
             const auto sigma = static_cast<float>(1.0 / size);
             builder.scene.media.push_back(
-                glow_of(glm::vec3(sigma), glm::vec3(0.0F), brightness * colour));
+                emissive_medium(glm::vec3(sigma), glm::vec3(0.0F), brightness * colour));
             add_boundary(builder.scene, cube_mesh(), test::placement(size, {0, 0, 0}), 0);
             const Rendering rendering =
-                test::path_picture(Backend::own_bvh, builder.scene,
-                                   test::look_at({0, 0, 2.0 * size}, {0, 0, -size}, 1e-4),
-                                   test::path_settings(4, 4, 4));
+                test::path_image(TestBackend::own_bvh, builder.scene,
+                                 test::look_at({0, 0, 2.0 * size}, {0, 0, -size}, 1e-4),
+                                 test::path_settings(4, 4, 4));
             for (std::uint32_t c = 0; c < 3; ++c)
                 expect_exactly(rendering, "", c,
                                slab(static_cast<double>(brightness * colour[static_cast<int>(c)]),
@@ -108,20 +108,21 @@ TEST(MediaEmission, IsOfAnyBrightnessAndScale) {
 }
 
 TEST(MediaEmission, IsSeenThroughMedia) {
-    // A slab of 2 in front of one of 1, and a lamp behind both. The first one only absorbs, or
-    // scatters, where free paths of one channel decide what is left of all.
+    // A slab of 2 in front of one of 1, and an area light behind both. The first one only absorbs,
+    // or scatters, where free paths of one channel decide what is left of all.
     const glm::vec3 sigma(0.25F, 1.0F, 2.0F);
     for (const float albedo : {0.0F, 0.9F}) {
         SceneBuilder builder;
         builder.add(
             test::quad_mesh({-9.0F, -9.0F, -4.0F}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
             builder.material(glm::vec3(0.0F), glm::vec3(0.3F)));
-        builder.scene.media.push_back(glow_of(sigma, glm::vec3(albedo), colour));
-        builder.scene.media.push_back(glow_of({1.0F, 0.0F, 0.2F}, glm::vec3(0.0F), {3, 2, 1}));
+        builder.scene.media.push_back(emissive_medium(sigma, glm::vec3(albedo), colour));
+        builder.scene.media.push_back(
+            emissive_medium({1.0F, 0.0F, 0.2F}, glm::vec3(0.0F), {3, 2, 1}));
         add_boundary(builder.scene, cube_mesh(), glm::dmat4(1.0), 0);
         add_boundary(builder.scene, cube_mesh(), test::placement(0.5, {0.0, 0.0, -2.0}), 1);
         const glm::vec3& second = builder.scene.media[1].sigma_t;
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             const Rendering rendering = along_axis(backend, builder.scene, 3.0, 16, 64);
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const double behind = slab(3.0 - c, at(second, c), 1.0) +
@@ -148,8 +149,8 @@ TEST(MediaEmission, FloorsInFogWithoutEnd) {
                 builder.material(albedo));
     builder.scene.media.push_back(grey_body(sigma, glm::vec3(0.0F), colour));
     builder.scene.outer_medium = 0;
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(
             backend, builder.scene, test::look_at({0.0, -0.2, 0.0}, {0.0, -1.0, 0.0}, 1e-4),
             test::path_settings(4, 4, 4));
         for (std::uint32_t c = 0; c < 3; ++c) {
@@ -172,8 +173,8 @@ TEST(MediaEmission, LightsFloors) {
     add_boundary(builder.scene, cube_mesh(),
                  glm::scale(glm::translate(glm::dmat4(1.0), {0.0, 0.5, 0.0}), {200.0, 0.5, 200.0}),
                  0);
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(
             backend, builder.scene, test::look_at({0.0, -0.5, 0.0}, {0.0, -1.0, 0.0}, 1e-4),
             test::path_settings(16, 16, 64));
         for (std::uint32_t c = 0; c < 3; ++c) {
@@ -205,9 +206,9 @@ TEST(MediaEmission, GreyBodiesVanish) {
     add_boundary(builder.scene, cube_mesh(), test::placement(0.4, {0.3, 0.5, 0.33}), 3);
     add_grid(builder.scene, 2, test::patchy_grid(), test::turned(0.6, {0.6, -0.3, 0.4}));
     add_grid(builder.scene, 3, test::patchy_grid(), test::turned(0.5, {0.3, 0.5, 0.3}));
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const double distance : {3.0, 0.8}) {
-            const Rendering rendering = test::path_picture(
+            const Rendering rendering = test::path_image(
                 backend, builder.scene, test::look_at({0.3, 0.17, distance}, {0.1, 0.0, 0.0}, 1.0),
                 test::path_settings(24, 24, 64));
             for (std::uint32_t c = 0; c < 3; ++c)
@@ -218,30 +219,30 @@ TEST(MediaEmission, GreyBodiesVanish) {
         }
 }
 
-/// A room without a lamp, and fog that glows in a box.
-Scene glowing_room() {
+/// A room without an area light, and fog that emits in a box.
+Scene emissive_room() {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material({0.7F, 0.5F, 0.3F}));
     builder.scene.media.push_back(
-        glow_of({0.5F, 1.0F, 3.0F}, {0.9F, 0.8F, 0.7F}, {1.0F, 2.0F, 4.0F}, 0.5F));
+        emissive_medium({0.5F, 1.0F, 3.0F}, {0.9F, 0.8F, 0.7F}, {1.0F, 2.0F, 4.0F}, 0.5F));
     return builder.scene;
 }
 
 const glm::dmat4 fog_box = test::placement(0.6, {0.0, 0.1, -0.2});
 
 TEST(MediaEmission, ConstantGridsAreHomogeneousMedia) {
-    Scene even = glowing_room();
+    Scene even = emissive_room();
     add_boundary(even, cube_mesh(), fog_box, 0);
-    Scene grid = glowing_room();
+    Scene grid = emissive_room();
     grid.media[0].sigma_t *= 0.25F;
     grid.media[0].emission *= 0.25F;
     add_grid(grid, 0, make_grid({9, 6, 7}, [](auto, auto, auto) { return 4.0; }), fog_box);
     grid.outer_medium = 0;
-    for (const Backend backend : test::backends()) {
-        const Rendering expected = test::path_picture(backend, even, test::room_camera(),
-                                                      test::path_settings(24, 24, 128, 1));
-        const Rendering found = test::path_picture(backend, grid, test::room_camera(),
-                                                   test::path_settings(24, 24, 128, 2));
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering expected = test::path_image(backend, even, test::room_camera(),
+                                                    test::path_settings(24, 24, 128, 1));
+        const Rendering found = test::path_image(backend, grid, test::room_camera(),
+                                                 test::path_settings(24, 24, 128, 2));
         for (std::uint32_t c = 0; c < 3; ++c) {
             const test::Estimate a = test::beauty_of(found, c);
             const test::Estimate b = test::beauty_of(expected, c);
@@ -265,13 +266,13 @@ TEST(MediaEmission, LinearSlabsHaveTheirClosedForm) {
         for (const float albedo : {0.0F, 0.8F})
             for (const double from : {3.0, 0.25}) {
                 SceneBuilder builder;
-                builder.scene.media.push_back(glow_of(sigma, glm::vec3(albedo), colour));
+                builder.scene.media.push_back(emissive_medium(sigma, glm::vec3(albedo), colour));
                 add_grid(builder.scene, 0, make_grid({2, 3, 64}, [](auto, auto, std::uint32_t k) {
                              return 2.0 * (k + 0.5) / 64;
                          }));
                 builder.scene.outer_medium = 0;
                 const double depth = depth_from(std::min(from, 1.0));
-                for (const Backend backend : test::backends()) {
+                for (const TestBackend backend : test::light_backends()) {
                     const Rendering rendering = along_axis(backend, builder.scene, from);
                     for (std::uint32_t c = 0; c < 3; ++c)
                         expect_exactly(rendering, "emission", c,
@@ -281,12 +282,12 @@ TEST(MediaEmission, LinearSlabsHaveTheirClosedForm) {
             }
 }
 
-/// Glowing fog in a box of a room, and fire about it.
+/// Emissive fog in a box of a room, and fire about it.
 Scene fiery_room() {
-    Scene scene = glowing_room();
+    Scene scene = emissive_room();
     add_boundary(scene, cube_mesh(), fog_box, 0);
     scene.media.push_back(
-        glow_of({5.0F, 3.0F, 1.0F}, {0.5F, 0.9F, 0.0F}, {9.0F, 3.0F, 1.0F}, -0.3F));
+        emissive_medium({5.0F, 3.0F, 1.0F}, {0.5F, 0.9F, 0.0F}, {9.0F, 3.0F, 1.0F}, -0.3F));
     add_grid(scene, 1, test::patchy_grid(), test::turned(0.9, {0.0, 0.1, 0.0}));
     scene.outer_medium = 1;
     return scene;
@@ -295,7 +296,7 @@ Scene fiery_room() {
 TEST(MediaEmission, SameBitsOnDevicesAndInParts) {
     const FlatScene flat = flatten(fiery_room());
     const PathSettings settings = test::path_settings(24, 16, 8);
-    Executor& own = test::shared_executor(Backend::own_bvh);
+    Executor& own = test::shared_executor(TestBackend::own_bvh);
     const FilmSums whole = test::path_sums(own, flat, test::room_camera(), settings);
     PathSettings half = settings;
     half.samples = {0, 3};
@@ -303,10 +304,10 @@ TEST(MediaEmission, SameBitsOnDevicesAndInParts) {
     half.samples = {3, 8};
     EXPECT_EQ(test::path_sums(own, flat, test::room_camera(), half, first).words, whole.words);
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    EXPECT_EQ(
-        test::path_sums(test::shared_executor(Backend::opencl), flat, test::room_camera(), settings)
-            .words,
-        whole.words);
+    EXPECT_EQ(test::path_sums(test::shared_executor(TestBackend::opencl), flat, test::room_camera(),
+                              settings)
+                  .words,
+              whole.words);
 }
 
 TEST(MediaEmission, HostileMediaStayFinite) {
@@ -328,9 +329,9 @@ TEST(MediaEmission, HostileMediaStayFinite) {
             for (const bool surfaces : {true, false}) {
                 if (!surfaces) scene.instances.clear();
                 for (const glm::dvec3& from : {test::room_eye, glm::dvec3(0.0, 0.1, 0.0)})
-                    (void)test::path_picture(Backend::own_bvh, scene,
-                                             test::look_at(from, {0.0, 0.0, -0.5}, 1.0),
-                                             test::path_settings(9, 9, 8));
+                    (void)test::path_image(TestBackend::own_bvh, scene,
+                                           test::look_at(from, {0.0, 0.0, -0.5}, 1.0),
+                                           test::path_settings(9, 9, 8));
             }
         }
 }

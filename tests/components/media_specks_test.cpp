@@ -38,7 +38,7 @@ SceneBuilder hazy_room() {
     return builder;
 }
 
-/// Mean of the scattered light of a picture, with light after that many bounces.
+/// Mean of the scattered light of an image, with light after that many bounces.
 double scattered(Executor& executor, const FlatScene& flat, std::uint32_t seed,
                  std::uint32_t bounces) {
     RenderSettings settings = test::small_settings(Algorithm::igi, edge, edge);
@@ -52,7 +52,7 @@ double scattered(Executor& executor, const FlatScene& flat, std::uint32_t seed,
 
 TEST(MediaSpecks, ManyLightsAtTouchingDistanceAddUpToTheSameEachTime) {
     const FlatScene flat = flatten(hazy_room().scene);
-    for (const test::Backend backend : test::backends()) {
+    for (const test::TestBackend backend : test::backends()) {
         constexpr int seeds = 16;
         double sum = 0.0;
         double squares = 0.0;

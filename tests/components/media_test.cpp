@@ -13,20 +13,22 @@
 
 #include "tests/testing/media_builder.h"
 #include "tests/testing/path_fixture.h"
+#include "tests/testing/scattered_light.h"
 #include "tests/testing/smoky_room.h"
 
 // Previews of scenes with participating media: light that media scatter to the camera, and what
-// they leave of all other light, where it is known, and against path tracing.
+// they leave of all other light, where it is known; media_slow_test.cpp has path tracing.
 namespace weft {
 namespace {
 
 using test::add_boundary;
 using test::at;
-using test::Backend;
 using test::cube_mesh;
 using test::medium_of;
 using test::Rendering;
+using test::scattered_mean;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 
@@ -35,7 +37,7 @@ RenderSettings settings_of(Algorithm algorithm, std::uint32_t size) {
 }
 
 /// How a medium fills all that is seen: without a boundary, or in a cube that is far larger, with
-/// stretches from planes or from walks. All look the same.
+/// segments from planes or from walks. All look the same.
 enum class Space { endless, convex, walked };
 constexpr std::array spaces{Space::endless, Space::convex, Space::walked};
 
@@ -64,7 +66,7 @@ TEST(Media, AirlightOfAPointLight) {
         RenderSettings settings = settings_of(Algorithm::amax, 16);
         settings.indirect = false;
         settings.sampling.bounces = 0;
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             // 32 frames of 16 places for each of 9 sets: 4608 evenly spread places.
             const Rendering rendering =
                 test::render(backend, builder.scene,
@@ -87,8 +89,8 @@ TEST(Media, ALightOnTheViewRayIsFinite) {
         for (const double angle : {1e-4, 1.0})
             for (const glm::dvec3& from : {glm::dvec3(0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
                 const Rendering rendering = test::render(
-                    Backend::own_bvh, builder.scene, test::look_at(from, {0.0, 0.0, -2.0}, angle),
-                    settings_of(Algorithm::ais, 9));
+                    TestBackend::own_bvh, builder.scene,
+                    test::look_at(from, {0.0, 0.0, -2.0}, angle), settings_of(Algorithm::ais, 9));
                 for (const float value : rendering.layer("media"))
                     ASSERT_TRUE(std::isfinite(value) && value >= 0.0F);
                 EXPECT_GT(test::mean_of(rendering.layer("media")), 0.0);
@@ -109,7 +111,7 @@ TEST(Media, SurfacesAreSeenAndLitThroughMedia) {
             light.intensity = glm::vec3(3.0F);
             light.position = {0.3, 0.2, 0.0};
             builder.scene.lights.push_back(light);
-            for (const Backend backend : test::backends()) {
+            for (const TestBackend backend : test::light_backends()) {
                 const Rendering rendering = test::render(
                     backend, builder.scene, test::look_at({0.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, 1e-4),
                     settings_of(algorithm, 8));
@@ -125,7 +127,7 @@ TEST(Media, SurfacesAreSeenAndLitThroughMedia) {
         }
 }
 
-TEST(Media, SlabsGlow) {
+TEST(Media, SlabsEmit) {
     // A slab of thickness 2 that emits, absorbs and scatters, in front of an emitting wall; nothing
     // else shines.
     const glm::vec3 sigma(0.25F, 1.0F, 3.0F);
@@ -146,7 +148,7 @@ TEST(Media, SlabsGlow) {
         builder.add(
             test::quad_mesh({-9.0F, -9.0F, -2.0F}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
             builder.material(glm::vec3(0.0F), glm::vec3(3.0F)));
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             const Rendering rendering =
                 test::render(backend, builder.scene, test::look_at({0, 0, 5}, {0, 0, -9}, 1e-4),
                              settings_of(Algorithm::ais, 8));
@@ -162,7 +164,7 @@ TEST(Media, SlabsGlow) {
     }
 }
 
-TEST(Media, StretchesFromPlanesAreThoseOfWalks) {
+TEST(Media, SegmentsFromPlanesAreThoseOfWalks) {
     // A box in a box, and one apart, in a room that fog fills; a point light in the innermost.
     Scene convex = test::foggy_room().scene;
     convex.outer_medium = 0;
@@ -176,7 +178,7 @@ TEST(Media, StretchesFromPlanesAreThoseOfWalks) {
     ASSERT_EQ(flatten(convex).media.space.convex, 1U);
     ASSERT_EQ(flatten(walked).media.space.convex, 0U);
     const RenderSettings settings = settings_of(Algorithm::amax, 32);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering a = test::render(backend, convex, test::room_camera(), settings, 2);
         const Rendering b = test::render(backend, walked, test::room_camera(), settings, 2);
         for (const char* layer : {"direct", "indirect", "media"}) {
@@ -208,7 +210,7 @@ TEST(Media, BoundariesMayShareFaces) {
         builder.add(test::quad_mesh({-9.0F, -9.0F, z}, {18.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
                     builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
         builder.scene.materials.back().emission.both_sides = true;
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             const Rendering rendering =
                 test::render(backend, builder.scene,
                              test::look_at({0.2, 0.1, 5.0 * side}, {0.2, 0.1, -9.0 * side}, 0.05),
@@ -236,7 +238,7 @@ TEST(Media, SunlightInAnAbsorbingSlab) {
     builder.scene.lights.push_back(sun);
     RenderSettings settings = settings_of(Algorithm::amax, 8);
     settings.sampling.bounces = 0;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering = test::render(
             backend, builder.scene, test::look_at({0, 0, 5}, {0, 0, -9}, 1e-4), settings, 64);
         for (std::uint32_t c = 0; c < 3; ++c) {
@@ -253,61 +255,13 @@ TEST(Media, SunlightInAnAbsorbingSlab) {
     }
 }
 
-/// Mean of a channel of the picture but for light that comes straight from lamps.
-double scattered_mean(const Rendering& rendering, std::uint32_t channel) {
-    double sum = 0.0;
-    for (const char* layer : {"direct", "indirect", "media"}) {
-        if (rendering.image.find(layer) == nullptr) continue;
-        for (const double value : test::channel_of(rendering, layer, channel)) sum += value;
-    }
-    return sum / (static_cast<double>(rendering.image.width) * rendering.image.height);
-}
-
-/// That previews without bounds have the mean of path tracing. 2.5 % may be off: light of more
-/// bounces than VPLs have, which is less than 0.5^9 of all where nothing reflects or scatters more
-/// than half, and noise. Six seeds of 64 frames scatter by .9 % at most, six of path tracing by
-/// .8 %, which is .4 and .5 % with the samples here: 2.5 % are about four standard errors.
-void expect_mean_of_path(Scene scene) {
-    constexpr double share = 0.025;
-    for (Material& material : scene.materials)
-        set_diffuse_albedo(material, diffuse_albedo(material) * 0.5F);
-    for (Medium& medium : scene.media) medium.albedo *= 0.5F;
-    const Camera camera = test::room_camera();
-    const Rendering path =
-        test::path_picture(Backend::embree, scene, camera, test::path_settings(16, 16, 4096));
-    RenderSettings settings = settings_of(Algorithm::igi, 16);
-    settings.sampling.bounces = MAX_BOUNCES;
-    settings.samples = 384;
-    const Rendering igi = test::render(Backend::embree, scene, camera, settings, settings.samples);
-    for (std::uint32_t c = 0; c < 3; ++c) {
-        const double expected = scattered_mean(path, c);
-        EXPECT_NEAR(scattered_mean(igi, c), expected, share * expected) << "channel " << c;
-    }
-}
-
-TEST(Media, FogInARoomHasTheMeanOfPathTracing) {
-    Scene scene = test::foggy_room().scene;
-    scene.outer_medium = 0;
-    expect_mean_of_path(scene);
-}
-
-TEST(Media, BoundedFogHasTheMeanOfPathTracing) {
-    Scene scene = test::foggy_room().scene;
-    add_boundary(scene, cube_mesh(), test::placement(0.6, {0.1, -0.2, 0.1}), 0);
-    expect_mean_of_path(scene);
-}
-
-TEST(Media, SmokeHasTheMeanOfPathTracing) {
-    expect_mean_of_path(test::smoky_room());
-}
-
 TEST(Media, AdaptiveWithoutThresholdIsPlainInterleavedSampling) {
     for (const Scene& scene : {test::smoky_room(), [] {
                                    Scene fog = test::foggy_room().scene;
                                    fog.outer_medium = 0;
                                    return fog;
                                }()})
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             RenderSettings settings = test::small_settings(Algorithm::ais, 40, 30);
             settings.sampling.threshold = 0.0;
             const Rendering adaptive =
@@ -323,16 +277,16 @@ TEST(Media, SameBitsForAllLanesThreadsAndBackends) {
     const Scene scene = test::smoky_room();
     const FlatScene flat = flatten(scene);
     const RenderSettings settings = test::small_settings(Algorithm::ais, 40, 30);
-    const auto picture = [&](Executor& executor) {
+    const auto image = [&](Executor& executor) {
         return test::render_flat(executor, flat, test::room_camera(), settings, 2).image;
     };
-    const Image reference = picture(test::shared_executor(Backend::own_bvh));
+    const Image reference = image(test::shared_executor(TestBackend::own_bvh));
     for (const std::uint32_t lanes : {1U, 4U, 8U, 16U}) {
-        const auto executor = test::make_executor(Backend::own_bvh, lanes, 1);
-        EXPECT_EQ(test::differing_values(picture(*executor), reference), 0U) << lanes;
+        const auto executor = test::make_executor(TestBackend::own_bvh, lanes, 1);
+        EXPECT_EQ(test::differing_values(image(*executor), reference), 0U) << lanes;
     }
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    EXPECT_EQ(test::differing_values(picture(test::shared_executor(Backend::opencl)), reference),
+    EXPECT_EQ(test::differing_values(image(test::shared_executor(TestBackend::opencl)), reference),
               0U);
 }
 
@@ -342,7 +296,7 @@ TEST(Media, AConstantGridIsAHomogeneousMedium) {
     even.medium_boundaries.back().to_world[3][3] = 1.0;
     RenderSettings settings = settings_of(Algorithm::igi, 24);
     settings.sampling.bounces = 0;
-    const Rendering a = test::render(Backend::own_bvh, even, test::room_camera(), settings, 32);
+    const Rendering a = test::render(TestBackend::own_bvh, even, test::room_camera(), settings, 32);
     EXPECT_GT(test::mean_of(a.layer("media")), 0.01);
     // Ended by the grid itself, and by a boundary as well.
     for (const bool bounded : {false, true}) {
@@ -354,7 +308,7 @@ TEST(Media, AConstantGridIsAHomogeneousMedium) {
         if (!bounded) gridded.outer_medium = 0;
         ASSERT_EQ(flatten(gridded).media.space.convex, bounded ? 1U : 0U);
         const Rendering b =
-            test::render(Backend::own_bvh, gridded, test::room_camera(), settings, 32);
+            test::render(TestBackend::own_bvh, gridded, test::room_camera(), settings, 32);
         for (std::uint32_t c = 0; c < 3; ++c)
             EXPECT_NEAR(scattered_mean(b, c), scattered_mean(a, c), 0.01 * scattered_mean(a, c));
     }
@@ -374,7 +328,7 @@ TEST(Media, HostileMediaStayFinite) {
                 for (const glm::dvec3& from :
                      {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 0.0, 0.5)}) {
                     const Rendering rendering = test::render(
-                        Backend::own_bvh, scene, test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
+                        TestBackend::own_bvh, scene, test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
                         test::small_settings(Algorithm::ais, 12, 9));
                     for (const Layer& layer : rendering.image.layers)
                         for (const float value : layer.values)

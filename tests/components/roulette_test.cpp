@@ -13,10 +13,10 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
+using test::TestBackend;
 
-/// A room with a coloured wall, a block and a lamp.
+/// A room with a coloured wall, a block and an area light.
 Scene room() {
     test::SceneBuilder builder;
     test::add_open_room(builder);
@@ -27,7 +27,7 @@ Scene room() {
 }
 
 /// Frame 0 with every pixel sampled, so that roulette alone makes a difference.
-Rendering picture(const Scene& scene, double roulette, std::uint32_t seed) {
+Rendering make_image(const Scene& scene, double roulette, std::uint32_t seed) {
     RenderSettings settings = test::small_settings(Algorithm::ais, 24, 24);
     settings.direct = false;
     settings.seed = seed;
@@ -35,7 +35,7 @@ Rendering picture(const Scene& scene, double roulette, std::uint32_t seed) {
     settings.sampling.enough_support = 2.0;
     settings.sampling.edge_samples = 0;
     settings.sampling.roulette = roulette;
-    return test::render(Backend::own_bvh, scene, test::look_at({0, 0, 3.5}, {0, 0, 0}, 0.6),
+    return test::render(TestBackend::own_bvh, scene, test::look_at({0, 0, 3.5}, {0, 0, 0}, 0.6),
                         settings);
 }
 
@@ -54,7 +54,7 @@ std::uint64_t rays_of(const Rendering& rendering) {
     return rays;
 }
 
-/// Relative difference of the mean of pictures with and without roulette: over `seeds` pairs that
+/// Relative difference of the mean of images with and without roulette: over `seeds` pairs that
 /// share their VPLs, with its standard error.
 void expect_no_loss(double roulette, double share_of_rays) {
     constexpr std::uint32_t seeds = 192;
@@ -64,8 +64,8 @@ void expect_no_loss(double roulette, double share_of_rays) {
     std::uint64_t with_rays = 0;
     std::uint64_t without_rays = 0;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-        const Rendering with = picture(scene, roulette, seed);
-        const Rendering without = picture(scene, 0.0, seed);
+        const Rendering with = make_image(scene, roulette, seed);
+        const Rendering without = make_image(scene, 0.0, seed);
         const double d = mean_indirect(with) / mean_indirect(without) - 1.0;
         sum += d;
         squares += d * d;
@@ -76,7 +76,7 @@ void expect_no_loss(double roulette, double share_of_rays) {
     const double error = std::sqrt((squares / seeds - mean * mean) / (seeds - 1));
     // Four standard errors: 99.99 %.
     EXPECT_LT(std::abs(mean), 4.0 * error) << roulette;
-    EXPECT_LT(error, 0.002) << "too few pictures to notice a loss";
+    EXPECT_LT(error, 0.002) << "too few images to notice a loss";
     EXPECT_LT(static_cast<double>(with_rays), share_of_rays * static_cast<double>(without_rays));
 }
 
@@ -90,9 +90,9 @@ TEST(Roulette, AllBackendsDrawTheSame) {
     RenderSettings settings = test::small_settings(Algorithm::ais, 40, 40);
     settings.sampling.roulette = 1.0;
     const Camera camera = test::look_at({0, 0, 3.5}, {0, 0, 0}, 0.6);
-    const Rendering expected = test::render(Backend::own_bvh, scene, camera, settings);
-    for (const Backend backend : test::backends()) {
-        if (backend == Backend::embree) continue;
+    const Rendering expected = test::render(TestBackend::own_bvh, scene, camera, settings);
+    for (const TestBackend backend : test::backends()) {
+        if (backend == TestBackend::embree) continue;
         EXPECT_EQ(test::differing_values(test::render(backend, scene, camera, settings).image,
                                          expected.image),
                   0U)

@@ -16,9 +16,9 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 constexpr float rho = 0.5F;
@@ -41,7 +41,7 @@ SceneBuilder sphere_scene() {
 
 void expect_flux(const SceneBuilder& builder, double flux, double tolerance) {
     const double expected = flux / (4.0 * pi) * orders;
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const std::uint32_t seed : {0U, 1U}) {
             RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 32, 24));
             settings.direct = false;
@@ -93,7 +93,7 @@ TEST(VplEmission, PathsThatSurviveToLateBouncesAreOfAllKinds) {
             settings.seed = seed;
             settings.sampling.vpls_per_set = vpls;
             const Rendering rendering =
-                test::render(Backend::own_bvh, builder.scene,
+                test::render(TestBackend::own_bvh, builder.scene,
                              test::look_at({0.2, 0.1, 0.3}, {-0.5, -0.4, -0.7}, 1.0), settings, 24);
             EXPECT_NEAR(mean_indirect(rendering) / (flux / (4.0 * pi) * orders), 1.0, 0.02)
                 << rendering.plan.paths_per_set << " paths, seed " << seed;
@@ -102,14 +102,15 @@ TEST(VplEmission, PathsThatSurviveToLateBouncesAreOfAllKinds) {
 }
 
 TEST(VplEmission, AreaLightsOfOneAndOfTwoSides) {
-    // So small a lamp hides 1e-4 of the sphere from itself and from others.
+    // So small an area light hides 1e-4 of the sphere from itself and from others.
     SceneBuilder builder = sphere_scene();
-    const std::uint32_t lamp = builder.material(glm::vec3(0.0F), glm::vec3(1000.0F));
-    builder.add(test::quad_mesh({0.3F, -0.1F, 0.2F}, {0.02F, 0.01F, 0}, {0, 0.01F, 0.03F}), lamp);
+    const std::uint32_t area_light = builder.material(glm::vec3(0.0F), glm::vec3(1000.0F));
+    builder.add(test::quad_mesh({0.3F, -0.1F, 0.2F}, {0.02F, 0.01F, 0}, {0, 0.01F, 0.03F}),
+                area_light);
     const double area =
         glm::length(glm::cross(glm::dvec3(0.02, 0.01, 0.0), glm::dvec3(0.0, 0.01, 0.03)));
     expect_flux(builder, pi * 1000.0 * area, facets);
-    builder.scene.materials[lamp].emission.both_sides = true;
+    builder.scene.materials[area_light].emission.both_sides = true;
     expect_flux(builder, 2.0 * pi * 1000.0 * area, facets);
 }
 
@@ -147,7 +148,7 @@ SceneBuilder receiver_scene() {
 /// The mean over 8 seeds of 32 frames lies within 5 standard errors of `expected`.
 void expect_at_receiver(const Scene& scene, double expected) {
     const FlatScene flat = flatten(scene);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         std::vector<double> values;
         for (std::uint32_t seed = 0; seed < 8; ++seed) {
             RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 1, 1));

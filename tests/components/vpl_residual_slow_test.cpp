@@ -16,12 +16,12 @@ using test::Estimate;
 
 constexpr std::uint32_t edge = 8;
 
-/// Mean indirect light of the pictures of many seeds; `picture(seed)` renders one.
-template <typename Picture>
-Estimate indirect_light(std::uint32_t first, std::uint32_t count, const Picture& picture) {
+/// Mean indirect light of the images of many seeds; `image(seed)` renders one.
+template <typename Image>
+Estimate indirect_light(std::uint32_t first, std::uint32_t count, const Image& image) {
     std::vector<double> values;
     for (std::uint32_t seed = first; seed < first + count; ++seed) {
-        const test::Rendering rendering = picture(seed);
+        const test::Rendering rendering = image(seed);
         test::expect_clean(rendering);
         values.push_back(test::mean_of(rendering.layer("indirect")));
     }
@@ -30,7 +30,7 @@ Estimate indirect_light(std::uint32_t first, std::uint32_t count, const Picture&
 
 constexpr std::size_t comparisons = 4;
 
-// A spot light shines into the edge of a room of size 2, and the picture is of the two strips
+// A spot light shines into the edge of a room of size 2, and the image is of the two strips
 // beside that edge, `width` wide each: VPLs lie as close as that to the receivers. Of at least a
 // thousand seeds each; a correct renderer fails with a probability of 1e-4.
 void expect_path_traced_mean(double width, double bias) {
@@ -42,15 +42,15 @@ void expect_path_traced_mean(double width, double bias) {
     spot.cos_inner = std::cos(0.02F);
     spot.cos_outer = std::cos(0.04F);
     const FlatScene flat = flatten(builder.scene);
-    // At a distance of sqrt 2, the picture spans sqrt 2 of `width`, and shows both strips at 45
+    // At a distance of sqrt 2, the image spans sqrt 2 of `width`, and shows both strips at 45
     // degrees.
     const Camera camera = test::look_at({0.0, 0.0, 0.0}, {-1.0, -1.0, 0.0}, width);
-    Executor& executor = test::shared_executor(test::Backend::own_bvh);
+    Executor& executor = test::shared_executor(test::TestBackend::own_bvh);
     PathSettings path = test::path_settings(edge, edge, 32);
     path.through_centres = true;
     const Estimate traced = indirect_light(100000, 1024, [&](std::uint32_t seed) {
         path.seed = seed;
-        return test::path_picture(executor, flat, camera, path);
+        return test::path_image(executor, flat, camera, path);
     });
     // The bound as it is, which leaves nearly everything to the residual, and one that leaves it
     // about half.

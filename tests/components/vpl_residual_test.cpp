@@ -14,17 +14,18 @@
 #include "tests/testing/path_fixture.h"
 
 // Light that VPLs leave out and one path per pixel brings back: against closed forms where there
-// are any (inside a sphere; beside a lamp that shares an edge with the receiver), else against the
-// path tracer. Means over at least 128 independent fixed seeds, or over thousands of independent
-// pixels, may be off by sidak_limit standard errors: for all comparisons of this file together, a
-// correct renderer fails with a probability of 1e-4, or 4e-4 by Student's t instead of the normal
-// distribution. Every comparison also bounds its standard error, or it would accept anything.
+// are any (inside a sphere; beside an area light that shares an edge with the receiver), else
+// against the path tracer. Means over at least 128 independent fixed seeds, or over thousands of
+// independent pixels, may be off by sidak_limit standard errors: for all comparisons of this file
+// together, a correct renderer fails with a probability of 1e-4, or 4e-4 by Student's t instead of
+// the normal distribution. Every comparison also bounds its standard error, or it would accept
+// anything.
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Estimate;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 400;  // a few more than there are
@@ -37,29 +38,29 @@ void append(SeedValues& all, const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) all[i].push_back(values[i]);
 }
 
-/// What `measure` makes of the pictures of `count` seeds.
+/// What `measure` makes of the images of `count` seeds.
 template <typename Measure>
 SeedValues render_seeds(const FlatScene& flat, const Camera& camera, RenderSettings settings,
                         std::uint32_t count, const Measure& measure) {
     SeedValues all;
     for (settings.seed = 1; settings.seed <= count; ++settings.seed) {
         const test::Rendering rendering = test::render_flat(
-            test::shared_executor(Backend::own_bvh), flat, camera, settings, settings.samples);
+            test::shared_executor(TestBackend::own_bvh), flat, camera, settings, settings.samples);
         test::expect_clean(rendering);
         append(all, measure(rendering));
     }
     return all;
 }
 
-/// The same of path-traced pictures, of 128 other seeds.
+/// The same of path-traced images, of 128 other seeds.
 template <typename Measure>
 SeedValues trace_seeds(const FlatScene& flat, const Camera& camera, PathSettings settings,
                        bool through_centres, const Measure& measure) {
     settings.through_centres = through_centres;
     SeedValues all;
     for (settings.seed = 5000; settings.seed < 5128; ++settings.seed)
-        append(all, measure(test::path_picture(test::shared_executor(Backend::own_bvh), flat,
-                                               camera, settings)));
+        append(all, measure(test::path_image(test::shared_executor(TestBackend::own_bvh), flat,
+                                             camera, settings)));
     return all;
 }
 
@@ -103,8 +104,8 @@ struct Sphere {
     /// Indirect irradiance of every pixel.
     [[nodiscard]] std::vector<double> irradiance(const RenderSettings& made) const {
         const Camera camera = test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2);
-        const test::Rendering rendering = test::render_flat(test::shared_executor(Backend::own_bvh),
-                                                            flat, camera, made, made.samples);
+        const test::Rendering rendering = test::render_flat(
+            test::shared_executor(TestBackend::own_bvh), flat, camera, made, made.samples);
         test::expect_clean(rendering);
         std::vector<double> values = test::channel_of(rendering, "indirect", 0);
         for (double& value : values) value *= pi / rho;
@@ -148,26 +149,27 @@ TEST(VplResidual, IsTheSameOnEveryBackend) {
     const test::DividedBox box;
     for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
         const RenderSettings settings = compensated(test::small_settings(algorithm, 24, 20));
-        const test::Rendering reference = test::render_flat(test::shared_executor(Backend::own_bvh),
-                                                            box.flat, box.camera, settings);
-        for (const Backend backend : test::backends()) {
+        const test::Rendering reference = test::render_flat(
+            test::shared_executor(TestBackend::own_bvh), box.flat, box.camera, settings);
+        for (const TestBackend backend : test::backends()) {
             const test::Rendering other =
                 test::render_flat(test::shared_executor(backend), box.flat, box.camera, settings);
             test::expect_clean(other);
             // Embree may let a ray that grazes an edge pass where others do not: a few pixels.
-            const std::size_t most = backend == Backend::embree ? 5 * 6 : 0;
+            const std::size_t most = backend == TestBackend::embree ? 5 * 6 : 0;
             EXPECT_LE(test::differing_values(reference.image, other.image), most)
                 << test::backend_name(backend);
         }
     }
 }
 
-// The perpendicular squares of form_factor_test: the receiver [0, 1]^2 in z = 0 fills the picture,
-// the lamp of radiance 1 stands on its edge x = 0. Columns of pixels are parallel to that edge.
+// The perpendicular squares of form_factor_test: the receiver [0, 1]^2 in z = 0 fills the image,
+// the area light of radiance 1 stands on its edge x = 0. Columns of pixels are parallel to that
+// edge.
 constexpr std::uint32_t columns = 32;
 
-/// Mean over the pixel centres of a column of the integral of min(G, bound) over the lamp: by the
-/// midpoint rule in y and in the root of z, as G changes fast near z = 0.
+/// Mean over the pixel centres of a column of the integral of min(G, bound) over the area light: by
+/// the midpoint rule in y and in the root of z, as G changes fast near z = 0.
 double column_mean(std::uint32_t column, double bound) {
     constexpr int steps = 256;
     const double x = (column + 0.5) / columns;
@@ -194,8 +196,8 @@ double lambert_column(std::uint32_t column) {
     return sum / columns;
 }
 
-/// The receiver, and the lamp with its reflectance and radiance. It has more triangles than lamps
-/// that are known in closed form (host/scene/lamp_bounds.h).
+/// The receiver, and the area light with its reflectance and radiance. It has more triangles than
+/// area lights that are known in closed form (host/scene/area_light_bounds.h).
 Scene perpendicular_squares(float receiver, float radiance) {
     SceneBuilder builder;
     builder.add(test::quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
@@ -207,7 +209,7 @@ Scene perpendicular_squares(float receiver, float radiance) {
 
 const Camera above_receiver = test::look_at({0.5, 0.5, 0.5}, {0.5, 0.5, 0.0}, pi / 2.0);
 
-TEST(VplResidual, BesideALampItIsWhatLambertsFormulaHasBeyondTheBound) {
+TEST(VplResidual, BesideAAreaLightItIsWhatLambertsFormulaHasBeyondTheBound) {
     constexpr double bound = 6.0;
     const FlatScene flat = flatten(perpendicular_squares(1.0F, 1.0F));
     RenderSettings settings = test::small_settings(Algorithm::ir, columns, columns);
@@ -226,7 +228,7 @@ TEST(VplResidual, BesideALampItIsWhatLambertsFormulaHasBeyondTheBound) {
         render_seeds(flat, above_receiver, compensated(settings), 256, by_column);
     double deficit = 0.0;
     for (std::uint32_t x = 0; x < columns; ++x) {
-        const std::string what = "lamp, column " + std::to_string(x);
+        const std::string what = "area light, column " + std::to_string(x);
         const double lambert = lambert_column(x);
         ASSERT_NEAR(column_mean(x, 1e30), lambert, 1e-3 * lambert);
         const double kept = column_mean(x, bound);
@@ -243,7 +245,7 @@ constexpr std::uint32_t edge = 32;
 constexpr std::uint32_t blocks = 4;  // each way
 constexpr std::size_t areas = blocks * blocks + 1;
 
-/// Means of both layers and all channels: of every block, and last of the picture.
+/// Means of both layers and all channels: of every block, and last of the image.
 std::vector<double> area_means(const test::Rendering& rendering) {
     std::vector<double> means;
     for (const char* const layer : {"direct", "indirect"})
@@ -273,9 +275,9 @@ RenderSettings cornell_settings(Algorithm algorithm, bool direct) {
     return settings;
 }
 
-/// That a layer's mean over the picture is that of the reference.
-void expect_picture(const SeedValues& found, const SeedValues& reference, bool direct, double bias,
-                    const std::string& what) {
+/// That a layer's mean over the image is that of the reference.
+void expect_image(const SeedValues& found, const SeedValues& reference, bool direct, double bias,
+                  const std::string& what) {
     const std::size_t first = direct ? 0 : 3 * areas;
     for (std::size_t i = first + areas - 1; i < first + 3 * areas; i += areas) {
         const Estimate a = test::estimate(found[i]);
@@ -286,7 +288,7 @@ void expect_picture(const SeedValues& found, const SeedValues& reference, bool d
 }
 
 TEST(VplResidual, ClosesTheGapToPathTracingInTheCornellBox) {
-    constexpr std::array<double, 3> lamp{16.1, 8.51, 2.16};  // seen in a wall of albedo 0.78
+    constexpr std::array<double, 3> area_light{16.1, 8.51, 2.16};  // seen in a wall of albedo 0.78
     const test::DividedBox box;
     const SeedValues reference =
         trace_seeds(box.flat, box.camera, test::path_settings(edge, edge, 8), true, area_means);
@@ -304,8 +306,10 @@ TEST(VplResidual, ClosesTheGapToPathTracingInTheCornellBox) {
             const Estimate bounded = test::estimate(without[i]);
             const Estimate found = test::estimate(with[i]);
             const double gap = traced.mean - bounded.mean;
-            // So few rays hit the lamp that their scatter says little: the expected number does.
-            const double rare = direct ? gap * lamp.at(i / areas) / (whole ? 16.0 : 1.0) : 0.0;
+            // So few rays hit the area light that their scatter says little: the expected number
+            // does.
+            const double rare =
+                direct ? gap * area_light.at(i / areas) / (whole ? 16.0 : 1.0) : 0.0;
             const double error = std::sqrt(traced.error * traced.error + found.error * found.error +
                                            std::max(rare, 0.0) / (64.0 * seeds));
             test::expect_estimate({found.mean, error}, traced.mean,
@@ -323,7 +327,7 @@ TEST(VplResidual, ClosesTheGapToPathTracingInTheCornellBox) {
 
 // The filter of igi, radius 1, moves light between neighbouring pixels of a surface: those at its
 // edges give away a little more or less than they get.
-TEST(VplResidual, KeepsTheMeanOverFramesAndOfInterleavedPictures) {
+TEST(VplResidual, KeepsTheMeanOverFramesAndOfInterleavedImages) {
     const test::DividedBox box;
     const PathSettings path = test::path_settings(edge, edge, 8);
     const SeedValues centres = trace_seeds(box.flat, box.camera, path, true, area_means);
@@ -334,11 +338,11 @@ TEST(VplResidual, KeepsTheMeanOverFramesAndOfInterleavedPictures) {
     for (const bool direct : {true, false}) {
         RenderSettings frames = cornell_settings(Algorithm::ir, direct);
         frames.samples = 3;
-        expect_picture(by_area(frames), everywhere, direct, 1e-5, "three frames");
+        expect_image(by_area(frames), everywhere, direct, 1e-5, "three frames");
         RenderSettings igi = cornell_settings(Algorithm::igi, direct);
-        expect_picture(by_area(igi), centres, direct, 0.02, "igi");
+        expect_image(by_area(igi), centres, direct, 0.02, "igi");
         igi.sampling.filter_radius = 0;
-        expect_picture(by_area(igi), centres, direct, 1e-5, "igi, no filter");
+        expect_image(by_area(igi), centres, direct, 1e-5, "igi, no filter");
     }
 }
 
@@ -374,7 +378,7 @@ TEST(VplResidual, IsInPlansThatAskForItAndOnlyWhereThereIsLight) {
 
 TEST(VplResidual, BlackSurfacesAndScenesWithoutLightStayBlack) {
     for (const float lit : {0.0F, 1.0F})
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::backends()) {
             const test::Rendering rendering = test::render(
                 backend, perpendicular_squares(0.5F * (1.0F - lit), lit), above_receiver,
                 compensated(test::small_settings(Algorithm::igi, 9, 9)));

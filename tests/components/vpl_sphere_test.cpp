@@ -24,8 +24,8 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
+using test::TestBackend;
 
 constexpr double direct_tolerance = 1.5e-4;
 constexpr double mean_tolerance = 5e-4;
@@ -46,7 +46,7 @@ const Mesh& sphere_mesh(std::uint32_t level) {
     return at->second;
 }
 
-Rendering render_sphere(Backend backend, const Sphere& sphere, const RenderSettings& settings,
+Rendering render_sphere(TestBackend backend, const Sphere& sphere, const RenderSettings& settings,
                         std::uint32_t frames = 1) {
     test::SceneBuilder builder;
     builder.add(sphere_mesh(sphere.level), builder.material(sphere.albedo),
@@ -105,7 +105,7 @@ TEST(VplSphere, IrradianceEqualsItsClosedFormOnEveryBackend) {
     Sphere sphere;
     sphere.albedo = {0.9F, 0.5F, 0.1F};
     sphere.intensity = {1.0F, 20.0F, 3.0F};
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
             SCOPED_TRACE(std::string(test::backend_name(backend)) +
                          (algorithm == Algorithm::igi ? " igi" : " ir"));
@@ -119,7 +119,7 @@ TEST(VplSphere, ThePublishedCaseHasRadianceOne) {
     // the direct light leave out the orders from 5 on, (1/2)^5 of the whole.
     Sphere sphere;
     sphere.intensity = glm::vec3(std::numbers::pi_v<float>);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering =
             render_sphere(backend, sphere, test::small_settings(Algorithm::ir, 32, 32));
         EXPECT_NEAR(test::mean_of(rendering.layer("")), 1.0 - 1.0 / 32.0, 5e-4)
@@ -144,7 +144,7 @@ TEST(VplSphere, HoldsForEveryReflectanceBounceCountAndNumberOfVpls) {
         RenderSettings settings = test::small_settings(Algorithm::ir, 32, 24);
         settings.sampling.bounces = c.bounces;
         settings.sampling.vpls_per_set = c.vpls;
-        const Rendering rendering = render_sphere(Backend::own_bvh, sphere, settings);
+        const Rendering rendering = render_sphere(TestBackend::own_bvh, sphere, settings);
         test::expect_clean(rendering);
         const Deviation found = deviation(rendering, "indirect", 0,
                                           orders_of_light(static_cast<double>(c.rho), c.bounces));
@@ -158,12 +158,13 @@ TEST(VplSphere, HoldsForEverySeedAndAfterSeveralFrames) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         RenderSettings settings = test::small_settings(Algorithm::igi, 48, 33);
         settings.seed = seed;
-        expect_closed_form(render_sphere(Backend::own_bvh, sphere, settings, 3), sphere, settings);
+        expect_closed_form(render_sphere(TestBackend::own_bvh, sphere, settings, 3), sphere,
+                           settings);
     }
 }
 
 TEST(VplSphere, HoldsForEverySizeAndPlace) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const double radius : {1e-3, 0.037, 1e3})
             for (const glm::dvec3& centre : {glm::dvec3(0.0), glm::dvec3(1e5, 1e3, -2e5)}) {
                 SCOPED_TRACE(std::string(test::backend_name(backend)) + " radius " +
@@ -194,7 +195,8 @@ TEST(VplSphere, TheBoundCutsWhatItSaysAndNothingElse) {
     for (const double spacing : {0.5, 1.0, 4.0}) {
         RenderSettings settings = test::small_settings(Algorithm::ir, 32, 24);
         settings.sampling.bound_spacing = spacing;
-        const Rendering rendering = test::render(Backend::own_bvh, builder.scene, camera, settings);
+        const Rendering rendering =
+            test::render(TestBackend::own_bvh, builder.scene, camera, settings);
         // On the sphere G is 1 / (4 R^2) at any distance, so the bound pi N / (c^2 4 pi R^2) is
         // above it for every c < sqrt N: it must not bite at all.
         const double n = static_cast<double>(rendering.plan.sets) * rendering.plan.vpls_per_set;
@@ -204,7 +206,7 @@ TEST(VplSphere, TheBoundCutsWhatItSaysAndNothingElse) {
     // Far above sqrt N it cuts every connection to the bound: the irradiance is known again.
     RenderSettings settings = test::small_settings(Algorithm::ir, 32, 24);
     settings.sampling.bound_spacing = 100.0;
-    const Rendering rendering = test::render(Backend::own_bvh, builder.scene, camera, settings);
+    const Rendering rendering = test::render(TestBackend::own_bvh, builder.scene, camera, settings);
     const double n = static_cast<double>(rendering.plan.sets) * rendering.plan.vpls_per_set;
     const double share = n / (100.0 * 100.0);  // bound over 1 / (4 R^2)
     ASSERT_LT(share, 0.5);

@@ -178,7 +178,7 @@ TEST(SamplerChiSquare, CosineDirectionAboutAnyAxis) {
     const native::float3 across = native::normalize3(native::cross3(axis, native::f3(1, 0, 0)));
     const native::float3 third = native::cross3(axis, across);
     expect_sampler("turned", [&](float u, float v, Histogram& histogram) {
-        const native::float3 d = native::turn_to(native::cosine_direction(u, v), axis);
+        const native::float3 d = native::to_world(native::cosine_direction(u, v), axis);
         const double cosine = double(native::dot3(d, axis));
         ASSERT_GE(cosine, -1e-6);
         histogram.add(std::min(1.0, cosine * cosine),

@@ -14,8 +14,8 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
+using test::TestBackend;
 
 Texture checks(std::uint32_t edge, std::uint32_t seed) {
     Texture texture;
@@ -57,7 +57,7 @@ Scene everything_scene(bool environment) {
     set_albedo_texture(builder.scene.materials[nearest], 1);
     const std::uint32_t one_sided = builder.material({0.5F, 0.5F, 0.9F});
     builder.scene.materials[one_sided].two_sided = false;
-    const std::uint32_t lamp = builder.material({0.3F, 0.3F, 0.3F}, {12.0F, 10.0F, 8.0F});
+    const std::uint32_t area_light = builder.material({0.3F, 0.3F, 0.3F}, {12.0F, 10.0F, 8.0F});
     const std::uint32_t screen = builder.material({0.0F, 0.0F, 0.0F}, {0.5F, 1.0F, 2.0F});
     builder.scene.materials[screen].emission.both_sides = true;
 
@@ -72,7 +72,7 @@ Scene everything_scene(bool environment) {
     builder.add(test::quad_mesh({0.3F, -0.4F, 0.7F}, {-0.3F, 0.0F, 0.1F}, {0.1F, 0.5F, 0.0F}),
                 one_sided);
     builder.add(test::quad_mesh({-0.3F, 0.98F, -0.3F}, {0.6F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.6F}),
-                lamp);
+                area_light);
     builder.add(test::quad_mesh({-0.9F, 0.1F, -0.8F}, {0.2F, 0.0F, 0.2F}, {0.0F, 0.3F, 0.0F}),
                 screen);
     builder.light(LightType::point, {0.5, 0.4, 0.6}, {0.3F, 0.4F, 0.3F});
@@ -119,7 +119,7 @@ constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic
 
 TEST(BackendAgreement, TheSceneShowsAllItShould) {
     const Rendering rendering =
-        render_everything(test::shared_executor(Backend::own_bvh), settings_of(Algorithm::igi));
+        render_everything(test::shared_executor(TestBackend::own_bvh), settings_of(Algorithm::igi));
     test::expect_clean(rendering);
     EXPECT_EQ(everything(true).features & 255U, 255U);
     for (const char* layer : {"direct", "indirect", "emission", "albedo", "depth"})
@@ -134,27 +134,27 @@ TEST(BackendAgreement, OpenClEqualsTheNativeKernelsBitForBit) {
             RenderSettings settings = settings_of(algorithm);
             // Fewer samples than lights ask for: they are chosen by power.
             if (!environment) settings.sampling.max_samples_per_set = 5;
-            const Rendering native =
-                render_everything(test::shared_executor(Backend::own_bvh), settings, environment);
-            const Rendering opencl =
-                render_everything(test::shared_executor(Backend::opencl), settings, environment);
+            const Rendering native = render_everything(test::shared_executor(TestBackend::own_bvh),
+                                                       settings, environment);
+            const Rendering opencl = render_everything(test::shared_executor(TestBackend::opencl),
+                                                       settings, environment);
             EXPECT_EQ(test::differing_values(native.image, opencl.image), 0U)
                 << "environment " << environment;
             EXPECT_EQ(rays_of(native), rays_of(opencl));
         }
 }
 
-class BackendAgreementLanes : public testing::TestWithParam<Backend> {
+class BackendAgreementLanes : public testing::TestWithParam<TestBackend> {
   protected:
     void SetUp() override {
-        if (GetParam() == Backend::opencl && !test::has_opencl())
+        if (GetParam() == TestBackend::opencl && !test::has_opencl())
             GTEST_SKIP() << "no OpenCL device";
     }
 };
 
 TEST_P(BackendAgreementLanes, EveryPacketWidthGivesTheSameBits) {
-    const Rendering reference =
-        render_everything(*test::make_executor(Backend::own_bvh, 1), settings_of(Algorithm::igi));
+    const Rendering reference = render_everything(*test::make_executor(TestBackend::own_bvh, 1),
+                                                  settings_of(Algorithm::igi));
     for (const std::uint32_t lanes : {1U, 4U, 8U, 16U}) {
         const auto executor = test::make_executor(GetParam(), lanes);
         ASSERT_EQ(executor->lanes(), lanes);
@@ -165,8 +165,8 @@ TEST_P(BackendAgreementLanes, EveryPacketWidthGivesTheSameBits) {
                 EXPECT_EQ(rays_of(reference), rays_of(rendering)) << lanes;
                 continue;
             }
-            const Rendering same =
-                render_everything(test::shared_executor(Backend::own_bvh), settings_of(algorithm));
+            const Rendering same = render_everything(test::shared_executor(TestBackend::own_bvh),
+                                                     settings_of(algorithm));
             EXPECT_EQ(test::differing_values(same.image, rendering.image), 0U) << lanes;
         }
     }
@@ -188,15 +188,15 @@ TEST_P(BackendAgreementLanes, EveryTileSizeGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OwnTraversal, BackendAgreementLanes,
-                         testing::Values(Backend::own_bvh, Backend::opencl),
+                         testing::Values(TestBackend::own_bvh, TestBackend::opencl),
                          [](const auto& tested) { return test::backend_name(tested.param); });
 
 TEST(BackendAgreement, EmbreeGivesTheSameBitsForEveryPacketWidthAndTileSize) {
     const RenderSettings settings = settings_of(Algorithm::igi);
     const Rendering reference =
-        render_everything(*test::make_executor(Backend::embree, 1), settings);
+        render_everything(*test::make_executor(TestBackend::embree, 1), settings);
     for (const std::uint32_t lanes : {4U, 8U, 16U}) {
-        const auto executor = test::make_executor(Backend::embree, lanes);
+        const auto executor = test::make_executor(TestBackend::embree, lanes);
         RenderSettings other = settings;
         other.tile = 5 * lanes;
         EXPECT_EQ(
@@ -206,7 +206,7 @@ TEST(BackendAgreement, EmbreeGivesTheSameBitsForEveryPacketWidthAndTileSize) {
 }
 
 TEST(BackendAgreement, ThreadsDoNotMatter) {
-    for (const Backend backend : {Backend::own_bvh, Backend::embree}) {
+    for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::embree}) {
         const RenderSettings settings = settings_of(Algorithm::igi);
         const Rendering one = render_everything(*test::make_executor(backend, 0, 1), settings);
         const Rendering two = render_everything(*test::make_executor(backend, 0, 2), settings);
@@ -228,9 +228,9 @@ TEST(BackendAgreement, EmbreeDiffersFromTheOwnTraversalByAlmostNothing) {
         settings.samples = 1;
         settings.sampling.vpls_per_set = 16;
         const Rendering own =
-            render_everything(test::shared_executor(Backend::own_bvh), settings, true, 1);
+            render_everything(test::shared_executor(TestBackend::own_bvh), settings, true, 1);
         const Rendering embree =
-            render_everything(test::shared_executor(Backend::embree), settings, true, 1);
+            render_everything(test::shared_executor(TestBackend::embree), settings, true, 1);
         std::size_t different = 0;
         const std::vector<float>& depth = own.layer("depth");
         for (std::size_t i = 0; i < depth.size(); ++i) {
@@ -248,7 +248,7 @@ TEST(BackendAgreement, EmbreeDiffersFromTheOwnTraversalByAlmostNothing) {
     }
 }
 
-TEST(BackendAgreement, SmallAndOddPicturesAgree) {
+TEST(BackendAgreement, SmallAndOddImagesAgree) {
     using Size = std::pair<std::uint32_t, std::uint32_t>;
     for (const Algorithm algorithm : algorithms)
         for (const auto& [width, height] :
@@ -256,13 +256,13 @@ TEST(BackendAgreement, SmallAndOddPicturesAgree) {
             SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
             const RenderSettings settings = settings_of(algorithm, width, height);
             const Rendering own =
-                render_everything(test::shared_executor(Backend::own_bvh), settings);
+                render_everything(test::shared_executor(TestBackend::own_bvh), settings);
             test::expect_clean(own);
             EXPECT_GT(test::mean_of(own.layer("")), 0.0);
-            for (const Backend backend : test::backends()) {
+            for (const TestBackend backend : test::backends()) {
                 const Rendering other = render_everything(test::shared_executor(backend), settings);
                 test::expect_clean(other);
-                if (backend == Backend::opencl)
+                if (backend == TestBackend::opencl)
                     EXPECT_EQ(test::differing_values(own.image, other.image), 0U);
                 else
                     EXPECT_LE(test::relative_mse(own.layer(""), other.layer("")), 1e-4);
@@ -270,8 +270,8 @@ TEST(BackendAgreement, SmallAndOddPicturesAgree) {
         }
 }
 
-TEST(BackendAgreement, APixelDoesNotDependOnThePicturesOthers) {
-    // The left part of a wide picture is the picture of the same rays alone: `ir` uses all samples
+TEST(BackendAgreement, APixelDoesNotDependOnTheImagesOthers) {
+    // The left part of a wide image is the image of the same rays alone: `ir` uses all samples
     // at every pixel, so only the camera could tell them apart.
     RenderSettings whole = settings_of(Algorithm::ir, 64, 32);
     whole.samples = 1;
@@ -279,7 +279,7 @@ TEST(BackendAgreement, APixelDoesNotDependOnThePicturesOthers) {
     wide.fov_axis = FovAxis::y;
     RenderSettings half = whole;
     half.width = 32;
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const Rendering a = test::render_flat(executor, everything(true), wide, whole);
     const Rendering b = test::render_flat(executor, everything(true), wide, half);
     // The middle 32 columns of `a` see what `b` sees, up to the rounding of film coordinates.

@@ -10,25 +10,25 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::KeptDisplay;
+using test::TestBackend;
 
 /// The 8-bit values of an image as a PNG file has them.
 std::vector<png_byte> png_values(const Image& image, double exposure_ev) {
     const std::vector<std::byte> bytes = png_bytes(image, exposure_ev);
-    png_image picture{};
-    picture.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0) return {};
-    EXPECT_EQ(picture.format, png_uint_32{PNG_FORMAT_RGB});
-    std::vector<png_byte> values(PNG_IMAGE_SIZE(picture));
-    if (png_image_finish_read(&picture, nullptr, values.data(), 0, nullptr) == 0) return {};
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return {};
+    EXPECT_EQ(png.format, png_uint_32{PNG_FORMAT_RGB});
+    std::vector<png_byte> values(PNG_IMAGE_SIZE(png));
+    if (png_image_finish_read(&png, nullptr, values.data(), 0, nullptr) == 0) return {};
     return values;
 }
 
 /// Compares what a display gets with a PNG file of the same film. PNG files are made in double
 /// precision, displays in float: where a value lies on the step between two codes they may choose
 /// different ones, which must be rare.
-void expect_png_colours(Backend backend, const Scene& scene, const ImageSettings& settings,
+void expect_png_colours(TestBackend backend, const Scene& scene, const ImageSettings& settings,
                         std::uint32_t samples, double exposure) {
     auto made = test::counted_session(backend, scene, test::room_camera(), settings);
     KeptDisplay display;
@@ -57,7 +57,7 @@ void expect_png_colours(Backend backend, const Scene& scene, const ImageSettings
 }
 
 TEST(Display, GetsThePreviewThatAPngFileWouldHold) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const std::uint32_t samples : {1U, 3U}) {
             RenderSettings settings = test::small_settings(Algorithm::igi, 61, 47);
             settings.samples = samples;
@@ -67,13 +67,13 @@ TEST(Display, GetsThePreviewThatAPngFileWouldHold) {
 }
 
 TEST(Display, GetsLightInMedia) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         expect_png_colours(backend, test::smoky_room(),
                            test::small_settings(Algorithm::igi, 40, 32), 1, 0.5);
 }
 
 TEST(Display, GetsPathTracingThatAPngFileWouldHold) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const double exposure : {0.0, -1.7})
             expect_png_colours(backend, test::moving_room(2).scene, test::small_path(61, 47, 5), 5,
                                exposure);

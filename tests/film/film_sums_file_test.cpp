@@ -29,7 +29,7 @@ FilmSums some_sums() {
     FilmSums sums;
     sums.width = width;
     sums.height = height;
-    sums.picture = "0123456789abcdef";
+    sums.identity = "0123456789abcdef";
     sums.light_exponent = -7;
     sums.depth_unit = 0x1p-12;
     sums.ranges = {{0, 64}, {128, 0xFFFFFFFFU}};
@@ -42,8 +42,8 @@ FilmSums some_sums() {
     return sums;
 }
 
-/// A picture with sums attached.
-Image some_picture() {
+/// An image with sums attached.
+Image some_image() {
     Image image;
     image.width = width;
     image.height = height;
@@ -56,7 +56,7 @@ Image some_picture() {
 void expect_same(const FilmSums& a, const FilmSums& b) {
     EXPECT_EQ(a.width, b.width);
     EXPECT_EQ(a.height, b.height);
-    EXPECT_EQ(a.picture, b.picture);
+    EXPECT_EQ(a.identity, b.identity);
     EXPECT_EQ(a.light_exponent, b.light_exponent);
     EXPECT_EQ(a.depth_unit, b.depth_unit);
     EXPECT_EQ(a.ranges, b.ranges);
@@ -83,19 +83,19 @@ TEST(FilmSumsFile, RangesHaveAText) {
 }
 
 TEST(FilmSumsFile, AllBitsComeBack) {
-    expect_same(sums_of(some_picture(), "x"), some_sums());
+    expect_same(sums_of(some_image(), "x"), some_sums());
 }
 
 TEST(FilmSumsFile, AllBitsComeBackFromAFile) {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder.path() / "x.exr";
     for (int times = 0; times < 2; ++times) {
-        write_exr(path, some_picture());
+        write_exr(path, some_image());
         const Image image = read_exr(path);
         expect_same(sums_of(image, path.string()), some_sums());
         EXPECT_EQ(image.metadata.at("software"), "a test");
         ASSERT_NE(image.find(""), nullptr);
-        EXPECT_EQ(image.find("")->values, some_picture().layers.front().values);
+        EXPECT_EQ(image.find("")->values, some_image().layers.front().values);
     }
 }
 
@@ -109,13 +109,13 @@ TEST(FilmSumsFile, NoSamplesYetComeBack) {
     expect_same(sums_of(image, "x"), sums);
 }
 
-TEST(FilmSumsFile, PicturesWithoutSumsAreRefused) {
-    Image image = some_picture();
+TEST(FilmSumsFile, ImagesWithoutSumsAreRefused) {
+    Image image = some_image();
     image.metadata.clear();
     expect_refused(image, "the-file.exr: holds no sums");
     for (const char* key :
          {"weft.picture", "weft.samples", "weft.light_exponent", "weft.depth_exponent"}) {
-        image = some_picture();
+        image = some_image();
         ASSERT_EQ(image.metadata.erase(key), 1U) << key;
         expect_refused(image, "the-file.exr: holds no sums");
     }
@@ -142,21 +142,21 @@ TEST(FilmSumsFile, DamagedRangesAreRefused) {
                              "0:64,,64:65",
                              "a:b",
                              "0:1:2"}) {
-        Image image = some_picture();
+        Image image = some_image();
         image.metadata["weft.samples"] = text;
         SCOPED_TRACE(text);
         expect_refused(image, "the-file.exr: has damaged metadata weft.samples");
     }
     // Well-formed, but samples that would count twice.
     for (const char* text : {"0:64,63:65", "0:64,0:64", "10:20,0:100"}) {
-        Image image = some_picture();
+        Image image = some_image();
         image.metadata["weft.samples"] = text;
         expect_refused(image, "twice");
     }
 }
 
 TEST(FilmSumsFile, RangesOutOfOrderAreSorted) {
-    Image image = some_picture();
+    Image image = some_image();
     image.metadata["weft.samples"] = "64:128,0:64,200:201";
     EXPECT_EQ(sums_of(image, "x").ranges, (std::vector<SampleRange>{{0, 128}, {200, 201}}));
 }
@@ -165,7 +165,7 @@ TEST(FilmSumsFile, DamagedExponentsAreRefused) {
     for (const char* key : {"weft.light_exponent", "weft.depth_exponent"})
         for (const char* text : {"", "a", "1a", "1.0", " 1", "--1", "+1", "1001", "-1001",
                                  "2147483647", "-2147483648", "2147483648", "9999999999999"}) {
-            Image image = some_picture();
+            Image image = some_image();
             image.metadata[key] = text;
             SCOPED_TRACE(std::string(key) + " " + text);
             expect_refused(image, std::string("the-file.exr: has damaged metadata ") + key);
@@ -175,7 +175,7 @@ TEST(FilmSumsFile, DamagedExponentsAreRefused) {
 TEST(FilmSumsFile, MissingOrDamagedLayersAreRefused) {
     const auto damaged = [](const std::function<void(Image&, Layer&)>& damage) {
         for (const std::size_t plane : {std::size_t{0}, std::size_t{FILM_PIXEL_WORDS} - 1}) {
-            Image image = some_picture();
+            Image image = some_image();
             damage(image, image.layers.at(1 + plane));
             expect_refused(image, "the-file.exr: lacks a part of its sums");
         }
@@ -193,7 +193,7 @@ TEST(FilmSumsFile, MissingOrDamagedLayersAreRefused) {
 TEST(FilmSumsFile, TruncatedFilesAreRefused) {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder.path() / "x.exr";
-    write_exr(path, some_picture());
+    write_exr(path, some_image());
     const auto size = std::filesystem::file_size(path);
     for (int part = 0; part < 10; ++part) {
         std::filesystem::resize_file(path, size * static_cast<unsigned>(9 - part) / 10);

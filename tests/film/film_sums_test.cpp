@@ -156,7 +156,7 @@ FilmSums empty_sums() {
     FilmSums sums;
     sums.width = width;
     sums.height = height;
-    sums.picture = "a picture";
+    sums.identity = "an image";
     sums.words.assign(FILM_PIXEL_WORDS * pixels, 0);
     return sums;
 }
@@ -210,7 +210,7 @@ TEST(FilmSums, PartsAddUpToTheWholeInAnyOrder) {
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(FilmSums, PartsOfDifferentPicturesOrSharedSamplesAreRefused) {
+TEST(FilmSums, PartsOfDifferentImagesOrSharedSamplesAreRefused) {
     const FilmSums part = sums_of_samples({10, 20});
     for (const SampleRange range : {SampleRange{10, 20}, SampleRange{0, 11}, SampleRange{19, 30},
                                     SampleRange{12, 13}, SampleRange{0, 100}}) {
@@ -226,7 +226,7 @@ TEST(FilmSums, PartsOfDifferentPicturesOrSharedSamplesAreRefused) {
         change(whole);
         expect_refused([&] { add_sums(whole, part); });
     };
-    other([](FilmSums& sums) { sums.picture = "another"; });
+    other([](FilmSums& sums) { sums.identity = "another"; });
     other([](FilmSums& sums) { std::swap(sums.width, sums.height); });
     other([](FilmSums& sums) { sums.light_exponent = 1; });
 }

@@ -5,7 +5,7 @@ import base64
 import json
 import struct
 
-from corpus_pictures import jpeg, png
+from corpus_images import jpeg, png
 
 BYTE, UBYTE, SHORT, USHORT, UINT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
 FORMATS = {BYTE: "b", UBYTE: "B", SHORT: "h", USHORT: "H", UINT: "I", FLOAT: "f"}
@@ -80,7 +80,7 @@ def attributes():
         "TEXCOORD_0": b.accessor([0, 0, 1, 0, 0, 1, 1, 1], FLOAT, "VEC2"),
         "COLOR_0": b.accessor([255, 0, 0, 255] * 4, UBYTE, "VEC4", normalized=True),
     }, material=0)
-    picture = b.view(png(2, 2))
+    image = b.view(png(2, 2))
     b.json.update(
         materials=[{"name": "m", "doubleSided": True, "emissiveFactor": [1, 0.5, 0],
                     "pbrMetallicRoughness": {
@@ -92,7 +92,7 @@ def attributes():
                     "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 5}}}],
         textures=[{"source": 0, "sampler": 0}],
         samplers=[{"magFilter": 9728, "wrapS": 33071, "wrapT": 33648}],
-        images=[{"bufferView": picture, "mimeType": "image/png"}],
+        images=[{"bufferView": image, "mimeType": "image/png"}],
         extensionsUsed=["KHR_texture_transform", "KHR_materials_emissive_strength"])
     return b
 
@@ -249,8 +249,8 @@ def materials():
                                   "baseColorTexture": {"index": 1}}}]
     b.mesh(material=0)
     b.mesh(material=1)
-    picture = "data:image/jpeg;base64," + base64.b64encode(jpeg(8, 8, 1)).decode()
-    b.json.update(images=[{"uri": "pixel.tga"}, {"uri": picture}],
+    image = "data:image/jpeg;base64," + base64.b64encode(jpeg(8, 8, 1)).decode()
+    b.json.update(images=[{"uri": "pixel.tga"}, {"uri": image}],
                   textures=[{"source": 0}, {"source": 1}, {"name": "none"}])
     return b
 

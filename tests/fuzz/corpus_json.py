@@ -51,8 +51,8 @@ def peer(**changes):
     return {key: value for key, value in {**full, **changes}.items() if value is not None}
 
 
-def peers(*pictures, **more):
-    return text({"weft_peers": 1, "pictures": list(pictures), **more})
+def peers(*images, **more):
+    return text({"weft_peers": 1, "pictures": list(images), **more})
 
 
 def peer_files():

@@ -17,7 +17,7 @@ import corpus_gltf
 import corpus_grids
 import corpus_json
 import corpus_mitsuba
-import corpus_pictures
+import corpus_images
 import corpus_text
 
 
@@ -34,10 +34,10 @@ def main():
         "options": corpus_text.option_files,
         "preset": corpus_json.preset_files,
         "peers": corpus_json.peer_files,
-        "image": corpus_pictures.image_files,
-        "exr": corpus_pictures.exr_files,
-        "hdr": corpus_pictures.hdr_files,
-        "png": corpus_pictures.png_files,
+        "image": corpus_images.image_files,
+        "exr": corpus_images.exr_files,
+        "hdr": corpus_images.hdr_files,
+        "png": corpus_images.png_files,
     }
     total = 0
     for name, make in makers.items():

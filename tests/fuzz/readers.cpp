@@ -36,7 +36,7 @@
 #include "scene/volume/vol_reader.h"
 #include "tests/testing/temporary_folder.h"
 #include "tests/testing/vol_bytes.h"
-#include "tradeoff/peer_pictures.h"
+#include "tradeoff/other_renderers.h"
 
 #if __has_include("scene/obj_reader.h")
 #include "scene/obj/obj_reader.h"
@@ -155,7 +155,7 @@ void read_scene(const std::string& name, Bytes bytes) {
 void require_finite_colours(const Image& image) {
     require(image.width > 0 && image.height > 0 && image.layers.size() == 1 &&
                 image.layers[0].values.size() == std::size_t{3} * image.width * image.height,
-            "a picture of the wrong size");
+            "an image of the wrong size");
     for (const float value : image.layers[0].values)
         require(std::isfinite(value) && value >= 0.0F, "an impossible value");
 }
@@ -246,7 +246,7 @@ void read_image_bytes(Bytes bytes) {
         const Texture texture = decode_image(bytes, "picture");
         require(texture.width > 0 && texture.height > 0 &&
                     texture.rgba.size() == std::size_t{4} * texture.width * texture.height,
-                "a picture of the wrong size");
+                "an image of the wrong size");
     });
 }
 
@@ -255,7 +255,7 @@ void read_exr_bytes(Bytes bytes) {
     expect_error(ExitCode::bad_input, [&] {
         const Image image = read_exr(path);
         const std::size_t pixels = std::size_t{image.width} * image.height;
-        require(pixels > 0 && !image.layers.empty(), "an empty picture");
+        require(pixels > 0 && !image.layers.empty(), "an empty image");
         for (const Layer& layer : image.layers)
             require(
                 !layer.channels.empty() && layer.values.size() == pixels * layer.channels.size(),
@@ -305,17 +305,17 @@ void read_preset_bytes(Bytes bytes) {
 void read_peers_bytes(Bytes bytes) {
     const fs::path path = folder().write("peers.json", as_text(bytes));
     expect_error(ExitCode::bad_input, [&] {
-        for (const PeerPoint& peer : read_peer_pictures(path, pair_size).pictures) {
+        for (const OtherRendererPoint& peer : read_other_renderers(path, pair_size).images) {
             require(!peer.name.empty() && peer.name.size() <= limits::max_name_bytes,
                     "a name of the wrong length");
             for (const double number : {peer.budget_s, peer.seconds, peer.samples})
                 require(std::isfinite(number) && number >= 0.0, "an impossible number");
-            require(peer.picture.width == pair_size.width &&
-                        peer.picture.height == pair_size.height && peer.picture.layers.size() == 1,
-                    "a picture of another size");
-            const Layer& layer = peer.picture.layers[0];
+            require(peer.image.width == pair_size.width && peer.image.height == pair_size.height &&
+                        peer.image.layers.size() == 1,
+                    "an image of another size");
+            const Layer& layer = peer.image.layers[0];
             require(layer.channels == "RGB" && layer.values.size() == std::size_t{3} * 2,
-                    "a picture without colours");
+                    "an image without colours");
             for (const float value : layer.values)
                 require(std::isfinite(value), "a value that is not finite");
         }

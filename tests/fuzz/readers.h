@@ -27,12 +27,12 @@ void read_obj_bytes(Bytes bytes);  ///< what follows a line `#mtl` is material.m
 void read_image_bytes(Bytes bytes);
 void read_exr_bytes(Bytes bytes);
 void read_hdr_bytes(Bytes bytes);
-void read_png_bytes(Bytes bytes);      ///< as a picture to compare; `image` reads textures
+void read_png_bytes(Bytes bytes);      ///< as an image to compare; `image` reads textures
 void read_options_bytes(Bytes bytes);  ///< one argument a line
 void read_preset_bytes(Bytes bytes);
-void read_peers_bytes(Bytes bytes);  ///< for pictures of the size of pair.hdr
+void read_peers_bytes(Bytes bytes);  ///< for images of the size of pair.hdr
 
-/// That of pair.hdr, which pictures by others are to have.
+/// That of pair.hdr, which images by others are to have.
 inline constexpr FilmSize pair_size{2, 1};
 
 /// A reader and the folder of its inputs, tests/fuzz/corpus/`name`.

@@ -32,7 +32,7 @@ Image decode(const std::string& text) {
     return decode_hdr(std::as_bytes(std::span(text)), "picture.hdr");
 }
 
-/// The one line of an error; empty where the picture was read.
+/// The one line of an error; empty where the image was read.
 std::string refusal(const std::string& text) {
     try {
         static_cast<void>(decode(text));
@@ -51,7 +51,7 @@ bool refuses(const std::string& text, const std::string& part) {
     return message.find(part) != std::string::npos;
 }
 
-/// The red values of a picture.
+/// The red values of an image.
 std::vector<float> red_of(const Image& image) {
     const auto& values = image.layers.at(0).values;
     return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 3)};
@@ -111,7 +111,7 @@ TEST(HdrImage, ShortRowsHaveNoNewRuns) {
 }
 
 TEST(HdrImage, EightOrientations) {
-    // Six pixels in the order of the file, and where they belong in a picture of 3 x 2 or 2 x 3.
+    // Six pixels in the order of the file, and where they belong in an image of 3 x 2 or 2 x 3.
     const std::string pixels = bytes_of(
         {1, 0, 0, 136, 2, 0, 0, 136, 3, 0, 0, 136, 4, 0, 0, 136, 5, 0, 0, 136, 6, 0, 0, 136});
     const std::vector<std::pair<std::string, std::vector<float>>> cases = {
@@ -139,12 +139,12 @@ TEST(HdrImage, ExposuresAreTakenOut) {
     EXPECT_TRUE(refuses("#?RGBE\nCOLORCORR=1 2\n\n" + pixel, "expected a positive number"));
     EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=1e-3\n\n-Y 1 +X 1\n" + bytes_of({255, 0, 0, 255}),
                         "too large without its exposure"));
-    EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=1e30\nEXPOSURE=1e30\n\n" + pixel, "no picture"));
+    EXPECT_TRUE(refuses("#?RGBE\nEXPOSURE=1e30\nEXPOSURE=1e30\n\n" + pixel, "no image"));
 }
 
 TEST(HdrImage, RefusesBadHeaders) {
-    EXPECT_TRUE(refuses("", "picture.hdr:1: the header of the Radiance picture has no end"));
-    EXPECT_TRUE(refuses("P6\n", "picture.hdr:1: is not a Radiance picture"));
+    EXPECT_TRUE(refuses("", "picture.hdr:1: the header of the Radiance image has no end"));
+    EXPECT_TRUE(refuses("P6\n", "picture.hdr:1: is not a Radiance image"));
     EXPECT_TRUE(refuses("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n1234",
                         "picture.hdr:2: format '32-bit_rle_xyze', expected 32-bit_rle_rgbe"));
     EXPECT_TRUE(refuses("#?RADIANCE\n" + std::string(1 << 17, '#') + "\n\n", "has no end"));
@@ -152,7 +152,7 @@ TEST(HdrImage, RefusesBadHeaders) {
                                    "-Z 1 +X 1", "+X 1 +X 1", "-Y 1 +X 1 1"})
         EXPECT_TRUE(refuses(format + resolution + "\n1234", "expected")) << resolution;
     for (const char* edge : {"0", "-1", "32769", "99999999999999999999", "1.5", "0x10"})
-        EXPECT_TRUE(refuses(format + "-Y 1 +X " + edge + "\n1234", "picture edge")) << edge;
+        EXPECT_TRUE(refuses(format + "-Y 1 +X " + edge + "\n1234", "image edge")) << edge;
 }
 
 TEST(HdrImage, RefusesSizesThatTheFileCannotHold) {
@@ -187,7 +187,7 @@ TEST(HdrImage, RefusesCutFiles) {
         EXPECT_NE(refusal(whole.substr(0, length)), "") << length;
 }
 
-// Any byte may change: the picture is read or refused, and never too large.
+// Any byte may change: the image is read or refused, and never too large.
 TEST(HdrImage, SurvivesChangedBytes) {
     const std::string row =
         bytes_of({2, 2, 0, 8, 128 + 8, 1, 128 + 8, 2, 8, 1, 2, 3, 4, 5, 6, 7, 8, 128 + 8, 128});
@@ -212,7 +212,7 @@ TEST(HdrImage, ReadsFiles) {
 }
 
 // A photograph whose mean logarithmic luminance is known.
-TEST(HdrImage, ReadsAPublishedPicture) {
+TEST(HdrImage, ReadsAPublishedImage) {
     const char* shared = std::getenv("WEFT_SHARED");
     const std::filesystem::path path =
         (shared != nullptr ? std::filesystem::path(shared)

@@ -128,7 +128,7 @@ TEST(LoadImagePng, RefusesDamage) {
 TEST(LoadImagePng, RefusesSizesThatTheFileCannotHold) {
     const std::string whole = png_of(PNG_COLOR_TYPE_GRAY, 1, false, 3000, 800,
                                      std::vector<png_byte>(std::size_t{375} * 800));
-    EXPECT_EQ(refusal(whole), "") << "an honest picture of zeros";
+    EXPECT_EQ(refusal(whole), "") << "an honest image of zeros";
     EXPECT_NE(refusal(whole.substr(0, 100)).find("claims 3000 x 800 pixels"), std::string::npos);
 }
 
@@ -161,7 +161,7 @@ TEST(LoadImage, RefusesAnythingElse) {
             ADD_FAILURE() << text;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::bad_input);
-            EXPECT_NE(std::string(error.what()).find("is not a picture"), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("is not an image"), std::string::npos);
         }
     }
     EXPECT_THROW(static_cast<void>(load_image(folder.path() / "missing.png")), Error);

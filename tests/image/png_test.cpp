@@ -32,17 +32,17 @@ class Png : public testing::Test {
 
     [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
 
-    /// Writes the picture and reads its 8-bit values back.
+    /// Writes the image and reads its 8-bit values back.
     [[nodiscard]] std::vector<png_byte> round_trip(const Image& image, double exposure_ev) const {
         write_png(file("a.png"), image, exposure_ev);
-        png_image picture{};
-        picture.version = PNG_IMAGE_VERSION;
-        if (png_image_begin_read_from_file(&picture, file("a.png").c_str()) == 0) return {};
-        EXPECT_EQ(picture.width, image.width);
-        EXPECT_EQ(picture.height, image.height);
-        EXPECT_EQ(picture.format, png_uint_32{PNG_FORMAT_RGB});
-        std::vector<png_byte> bytes(PNG_IMAGE_SIZE(picture));
-        if (png_image_finish_read(&picture, nullptr, bytes.data(), 0, nullptr) == 0) return {};
+        png_image png{};
+        png.version = PNG_IMAGE_VERSION;
+        if (png_image_begin_read_from_file(&png, file("a.png").c_str()) == 0) return {};
+        EXPECT_EQ(png.width, image.width);
+        EXPECT_EQ(png.height, image.height);
+        EXPECT_EQ(png.format, png_uint_32{PNG_FORMAT_RGB});
+        std::vector<png_byte> bytes(PNG_IMAGE_SIZE(png));
+        if (png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr) == 0) return {};
         return bytes;
     }
 
@@ -132,7 +132,7 @@ TEST_F(Png, CarriesColourSpaceAndText) {
     EXPECT_NE(bytes.find(std::string("tEXtSoftware\0Weft", 17)), std::string::npos);
     EXPECT_NE(bytes.find(std::string("iTXtTitle\0\0\0\0\0caf\xc3\xa9", 19)), std::string::npos);
     write_png(file("b.png"), image, 0.0);
-    EXPECT_EQ(bytes, slurp(file("b.png"))) << "the same picture gives the same bytes";
+    EXPECT_EQ(bytes, slurp(file("b.png"))) << "the same image gives the same bytes";
 }
 
 TEST_F(Png, FailuresKeepTheOldFile) {

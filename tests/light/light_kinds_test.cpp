@@ -212,7 +212,7 @@ native::LitPoint floor_at(float x, float y) {
     return surface;
 }
 
-/// Irradiance that a sample estimates, of the last channel, by its own density alone.
+/// Irradiance that a sample estimates, of the last channel, by its own pdf alone.
 double irradiance_of(const native::LightSample& sample) {
     const auto power = static_cast<double>(sample.power.z);
     if (!(sample.pdf > 0.0F)) return power * static_cast<double>(sample.share);
@@ -346,7 +346,7 @@ TEST(LightKinds, TheEnvironmentGivesPiOfItsRadiance) {
                     const float u = native::next_random(random);
                     const float v = native::next_random(random);
                     const float3 d = native::environment_local_direction(u, v);
-                    // The cosine over its density, where that is not 0.
+                    // The cosine over its pdf, where that is not 0.
                     return d.z > 0.0F ? static_cast<double>(d.z) / double(native::cosine_pdf(d.z))
                                       : pi;
                 }),

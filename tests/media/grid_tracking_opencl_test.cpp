@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/density_grid_twin.h"
+#include "tests/testing/density_grid_reference.h"
 #include "tests/testing/opencl_probe.h"
 
 #define NATIVE_KERNELS "kernels/media/grid_tracking.h"

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/testing/density_grid_twin.h"
+#include "tests/testing/density_grid_reference.h"
 
 #define NATIVE_KERNELS "kernels/media/grid_walk.h"
 #include "tests/testing/native_kernels.h"

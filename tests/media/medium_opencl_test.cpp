@@ -32,22 +32,22 @@ KERNEL_ENTRY void evaluate(GLOBAL const float* inputs, GLOBAL float* results, ui
     r[0] = transmittance1(sigma, length);
     r[1] = opacity1(sigma, length);
     r[2] = lit_length1(sigma, length);
-    float density = 0.0f;
+    float pdf = 0.0f;
     const float3 along = normalize3(f3(0.3f, u - 0.5f, 0.2f));
-    const float3 to = scatter_direction(g, along, u, 0.7f, &density);
+    const float3 to = scatter_direction(g, along, u, 0.7f, &pdf);
     r[3] = to.x;
     r[4] = to.y;
     r[5] = to.z;
-    r[6] = density;
+    r[6] = pdf;
     r[7] = phase_function(g, along, to);
     const float3 extinction = f3(sigma, 0.5f, 0.0f);
     float3 ratio = f3(1.0f, 1.0f, 1.0f);
     r[8] = free_path(extinction, ratio, u, 0.4f);
-    r[9] = update_ratio(&ratio, transmittance(extinction, 0.5f));
+    r[9] = update_ratio(&ratio, beer_transmittance(extinction, 0.5f));
     r[10] = ratio.x;
     const AngularView view = angular_view(f3(0.0f, 0.0f, 0.0f), along, 2.0f, f3(u, g, 0.4f));
     r[11] = angular_sample(view, 2.0f, u);
-    r[12] = angular_density(view, r[11]);
+    r[12] = angular_pdf(view, r[11]);
     // The phase function at an angle of its own, for its integral.
     r[13] = phase_function(g, f3(0.0f, 0.0f, 1.0f),
                            f3(square_root(4.0f * u * (1.0f - u)), 0.0f, 1.0f - 2.0f * u));

@@ -67,8 +67,8 @@ TEST(Medium, SlabsAtTheEndsOfTheRange) {
     for (const float sigma : {0.0F, least, 1e-30F, 1.0F, 1e30F, most})
         for (const float length : {0.0F, least, 1e-30F, 1.0F, 1e30F, most}) {
             const double depth = static_cast<double>(sigma) * static_cast<double>(length);
-            const double left = native::transmittance1(sigma, length);
-            EXPECT_NEAR(left, std::exp(-depth), 1e-6) << sigma << ' ' << length;
+            const double transmittance = native::transmittance1(sigma, length);
+            EXPECT_NEAR(transmittance, std::exp(-depth), 1e-6) << sigma << ' ' << length;
             EXPECT_NEAR(native::opacity1(sigma, length), -std::expm1(-depth), 1e-6);
             const double lit = native::lit_length1(sigma, length);
             EXPECT_TRUE(std::isfinite(lit) && lit >= 0.0 && lit <= static_cast<double>(length));
@@ -120,7 +120,7 @@ TEST(Medium, PhaseFunctionIsNormalisedAndHasItsMeanCosine) {
     }
 }
 
-TEST(Medium, SampledDirectionsHaveTheDensityOfThePhaseFunction) {
+TEST(Medium, SampledDirectionsHaveThePdfOfThePhaseFunction) {
     const native::float3 along = native::normalize3(native::f3(0.3F, -0.8F, 0.5F));
     native::Random random = native::make_random(1, 2, 3);
     for (const float g : anisotropies) {
@@ -129,13 +129,13 @@ TEST(Medium, SampledDirectionsHaveTheDensityOfThePhaseFunction) {
         for (int i = 0; i < count; ++i) {
             const float u = native::next_random(&random);
             const float v = native::next_random(&random);
-            float density = 0.0F;
-            const native::float3 to = native::scatter_direction(g, along, u, v, &density);
+            float pdf = 0.0F;
+            const native::float3 to = native::scatter_direction(g, along, u, v, &pdf);
             ASSERT_NEAR(static_cast<double>(native::length3(to)), 1.0, 1e-6);
             const double found = static_cast<double>(native::phase_function(g, along, to));
             // Of the sampled direction's rounding, which a peak of (1 - |g|)^2 magnifies.
             const double slack = std::abs(g) > 0.999F ? 0.2 : (std::abs(g) > 0.98F ? 1e-2 : 1e-4);
-            ASSERT_NEAR(found / static_cast<double>(density), 1.0, slack) << g << ' ' << u;
+            ASSERT_NEAR(found / static_cast<double>(pdf), 1.0, slack) << g << ' ' << u;
             cosines.push_back(static_cast<double>(native::dot3(to, along)));
         }
         const test::Estimate mean = test::estimate(cosines);
@@ -149,9 +149,9 @@ TEST(Medium, SampledDirectionsInvertTheDistribution) {
     for (const double g : {-0.9, -0.5, 0.3, 0.75, 0.95})
         for (int i = 0; i < 1000; ++i) {
             const float u = static_cast<float>(i) / 1000.0F;
-            float density = 0.0F;
+            float pdf = 0.0F;
             const native::float3 to =
-                native::scatter_direction(static_cast<float>(g), along, u, 0.0F, &density);
+                native::scatter_direction(static_cast<float>(g), along, u, 0.0F, &pdf);
             const double t = (1.0 - g * g) / (1.0 - g + 2.0 * g * static_cast<double>(u));
             EXPECT_NEAR(static_cast<double>(to.z), (1.0 + g * g - t * t) / (2.0 * g), 2e-5) << g;
         }
@@ -162,10 +162,10 @@ TEST(Medium, ExtremeAnisotropyStaysFinite) {
     const float last = std::nextafter(1.0F, 0.0F);
     for (const float g : {last, -last})
         for (const float u : {0.0F, 1e-7F, 0.25F, 0.5F, 0.99999994F}) {
-            float density = 0.0F;
-            const native::float3 to = native::scatter_direction(g, along, u, 0.3F, &density);
+            float pdf = 0.0F;
+            const native::float3 to = native::scatter_direction(g, along, u, 0.3F, &pdf);
             EXPECT_TRUE(native::is_finite3(to)) << g << ' ' << u;
-            EXPECT_TRUE(std::isfinite(density) && density > 0.0F) << g << ' ' << u;
+            EXPECT_TRUE(std::isfinite(pdf) && pdf > 0.0F) << g << ' ' << u;
             EXPECT_TRUE(std::isfinite(native::phase_function(g, along, to)));
             EXPECT_TRUE(std::isfinite(native::phase_function(g, along, along)));
         }
@@ -181,7 +181,7 @@ TEST(Medium, FreePathsOfAllChannelsTogetherAreUnbiased) {
         std::array<std::vector<double>, 3> passed;
         for (int i = 0; i < 100'000; ++i) {
             native::float3 ratio = native::f3(1.0F, 1.0F, 1.0F);
-            // Two stretches, so that ratios are carried on.
+            // Two segments, so that ratios are carried on.
             bool through = true;
             for (const float length : {0.3F, 0.7F}) {
                 const float choice = native::next_random(&random);
@@ -190,8 +190,8 @@ TEST(Medium, FreePathsOfAllChannelsTogetherAreUnbiased) {
                     through = false;
                     break;
                 }
-                const native::float3 left = native::transmittance(sigma, length);
-                ASSERT_GT(native::update_ratio(&ratio, left), 0.0F);
+                const native::float3 transmittance = native::beer_transmittance(sigma, length);
+                ASSERT_GT(native::update_ratio(&ratio, transmittance), 0.0F);
                 ASSERT_LE(native::max_component(ratio), 3.001F);
             }
             passed[0].push_back(through ? static_cast<double>(ratio.x) : 0.0);
@@ -230,11 +230,11 @@ test::Estimate airlight(bool angular, double beta, double intensity, double to_l
             values.push_back(0.0);
             continue;
         }
-        const double density = angular ? static_cast<double>(native::angular_density(view, t))
-                                       : beta * std::exp(-beta * static_cast<double>(t));
+        const double pdf = angular ? static_cast<double>(native::angular_pdf(view, t))
+                                   : beta * std::exp(-beta * static_cast<double>(t));
         const double d = static_cast<double>(native::length3(light - (origin + along * t)));
         values.push_back(beta * std::exp(-beta * (static_cast<double>(t) + d)) * intensity /
-                         (4.0 * pi * d * d) / density);
+                         (4.0 * pi * d * d) / pdf);
     }
     return test::estimate(values);
 }
@@ -247,7 +247,7 @@ TEST(Medium, AirlightByBothEstimators) {
     }
 }
 
-TEST(Medium, AngularDensityIsThatOfItsSamples) {
+TEST(Medium, AngularPdfIsThatOfItsSamples) {
     // Its integral is 1, wherever the light is: beside, before, behind, far away, on the ray.
     const native::float3 origin = native::f3(0.0F, 0.0F, 0.0F);
     const native::float3 along = native::f3(1.0F, 0.0F, 0.0F);
@@ -266,7 +266,7 @@ TEST(Medium, AngularDensityIsThatOfItsSamples) {
                 const double b = native::angular_sample(view, length, next);
                 ASSERT_LE(a, b + 1e-6 * b);
                 const float middle = native::angular_sample(view, length, 0.5F * (u + next));
-                sum += (b - a) * static_cast<double>(native::angular_density(view, middle));
+                sum += (b - a) * static_cast<double>(native::angular_pdf(view, middle));
             }
             EXPECT_NEAR(sum, 1.0, 2e-3) << light.x << ' ' << light.y << ' ' << length;
         }
@@ -282,8 +282,8 @@ TEST(Medium, LightsOnTheRayAreFinite) {
             for (const float u : {0.0F, 0.5F, 0.99999994F}) {
                 const float t = native::angular_sample(view, length, u);
                 EXPECT_TRUE(t >= 0.0F && t <= length) << at << ' ' << length;
-                const float density = native::angular_density(view, t);
-                EXPECT_TRUE(std::isfinite(density) && density >= 0.0F) << at << ' ' << length;
+                const float pdf = native::angular_pdf(view, t);
+                EXPECT_TRUE(std::isfinite(pdf) && pdf >= 0.0F) << at << ' ' << length;
             }
         }
 }

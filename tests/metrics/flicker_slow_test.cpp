@@ -24,14 +24,14 @@
 namespace weft {
 namespace {
 
-constexpr int pictures = 60;
+constexpr int images = 60;
 constexpr std::uint32_t size = 128;
 constexpr double luminance_scale = 100.0;
 
 /// Two seconds at 30 frames per second: to the side and back, up and down, forwards, and a turn;
-/// at most about a pixel of this size from picture to picture.
-Camera moved(const Camera& camera, double radius, int picture) {
-    const double t = picture / 60.0;
+/// at most about a pixel of this size from image to image.
+Camera moved(const Camera& camera, double radius, int image) {
+    const double t = image / 60.0;
     const glm::dvec3 way(0.15 * std::sin(1.7 * t), 0.05 * std::sin(2.3 * t), -0.12 * t);
     Camera placed = camera;
     placed.to_world = glm::rotate(glm::translate(camera.to_world, radius * way),
@@ -78,19 +78,19 @@ void measure(const std::string& file, std::span<Method> methods) {
         RenderSettings settings = test::small_settings(Algorithm::ais, size, size);
         // Undersampling as by its quality, with as many VPLs and points on lights for all.
         const SamplingSettings of_quality = sampling_of(method.quality);
-        settings.sampling.first_look_samples = of_quality.first_look_samples;
+        settings.sampling.min_probed_samples = of_quality.min_probed_samples;
         settings.sampling.threshold = method.full ? 0.0 : of_quality.threshold;
         settings.sampling.enough_support = of_quality.enough_support;
         settings.sampling.roulette = of_quality.roulette;
-        method.renderer = std::make_unique<Renderer>(test::shared_executor(test::Backend::embree),
-                                                     flat, start, settings);
+        method.renderer = std::make_unique<Renderer>(
+            test::shared_executor(test::TestBackend::embree), flat, start, settings);
     }
     Method& reference = methods.back();
     Camera before;
-    for (int picture = 0; picture < pictures; ++picture) {
-        const Camera now = moved(start, radius, picture);
-        for (Method& method : methods) advance(method, now, picture == 0);
-        if (picture > 0) {
+    for (int image = 0; image < images; ++image) {
+        const Camera now = moved(start, radius, image);
+        for (Method& method : methods) advance(method, now, image == 0);
+        if (image > 0) {
             const auto matches = matching_pixels({reference.before, before}, {reference.now, now});
             for (Method& method : methods) {
                 const auto excess = excess_change(method.before, method.now, reference.before,
@@ -131,7 +131,7 @@ TEST(FlickerSlow, TheCornellBoxIsSteady) {
     auto all = methods();
     measure("cornell-box.gltf", all);
     report("cornell-box.gltf", all);
-    EXPECT_GT(all[0].all, std::size_t{size} * size * pictures / 2) << "too little is found again";
+    EXPECT_GT(all[0].all, std::size_t{size} * size * images / 2) << "too little is found again";
     EXPECT_EQ(all[3].share(), 1.0) << "the reference differs from itself";
     EXPECT_GE(all[0].share(), 0.9965);
     // Preview lets more pass than a unit: what it is, not what is aimed at (docs/validation.md).
@@ -143,7 +143,7 @@ TEST(FlickerSlow, TheGalleryIsSteady) {
     auto all = methods();
     measure("gallery.gltf", all);
     report("gallery.gltf", all);
-    EXPECT_GT(all[0].all, std::size_t{size} * size * pictures / 3) << "too little is found again";
+    EXPECT_GT(all[0].all, std::size_t{size} * size * images / 3) << "too little is found again";
     EXPECT_EQ(all[3].share(), 1.0) << "the reference differs from itself";
     EXPECT_GE(all[0].share(), 0.9965);
     EXPECT_GE(all[1].share(), 0.971);

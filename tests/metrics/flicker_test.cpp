@@ -26,7 +26,7 @@ void fill(Image& image, const char* name, const char* channels, std::initializer
     image.layers.push_back(std::move(layer));
 }
 
-/// A grey wall at depth 2 that fills the picture and sends `radiance`.
+/// A grey wall at depth 2 that fills the image and sends `radiance`.
 Image wall(float radiance) {
     Image image;
     image.width = width;
@@ -86,13 +86,13 @@ TEST(Flicker, OtherSurfacesAreNoMatch) {
     const auto matches = matching_pixels({before, camera}, {now, camera});
     for (const std::uint32_t other : {1U, 3U, 5U, 6U}) EXPECT_EQ(matches[other], no_pixel) << other;
     for (const std::uint32_t same : {0U, 2U, 4U, 7U, 8U}) EXPECT_EQ(matches[same], same);
-    Image lamp = wall(1.0F);
-    at(lamp, "emission", 9, 2) = 0.1F;
-    at(lamp, "depth", 10) = 0.0F;
-    const auto of_lamp = matching_pixels({now, camera}, {lamp, camera});
-    EXPECT_EQ(of_lamp[9], no_pixel);
-    EXPECT_EQ(of_lamp[10], no_pixel);
-    EXPECT_EQ(of_lamp[11], 11U);
+    Image area_light = wall(1.0F);
+    at(area_light, "emission", 9, 2) = 0.1F;
+    at(area_light, "depth", 10) = 0.0F;
+    const auto of_area_light = matching_pixels({now, camera}, {area_light, camera});
+    EXPECT_EQ(of_area_light[9], no_pixel);
+    EXPECT_EQ(of_area_light[10], no_pixel);
+    EXPECT_EQ(of_area_light[11], 11U);
 }
 
 TEST(Flicker, MatchesAreNearInARenderedScene) {
@@ -111,7 +111,7 @@ TEST(Flicker, MatchesAreNearInARenderedScene) {
             Camera second = test::look_at({0.35, 0.13, 0.85}, {-0.05, -0.1, 0.0}, 1.1);
             second.fov_axis = axis;
             second.mirror_x = mirrored;
-            Executor& executor = test::shared_executor(test::Backend::embree);
+            Executor& executor = test::shared_executor(test::TestBackend::embree);
             const Image before = test::render_flat(executor, flat, first, settings).image;
             const Image now = test::render_flat(executor, flat, second, settings).image;
             const auto matches = matching_pixels({before, first}, {now, second});

@@ -17,26 +17,26 @@
 namespace weft {
 namespace {
 
-struct Picture {
+struct TestImage {
     std::vector<float> values;
     std::uint32_t width, height;
 
     [[nodiscard]] RgbView view() const { return {values, width, height}; }
 };
 
-Picture constant(std::uint32_t width, std::uint32_t height, std::array<float, 3> colour) {
-    Picture picture{{}, width, height};
+TestImage constant(std::uint32_t width, std::uint32_t height, std::array<float, 3> colour) {
+    TestImage image{{}, width, height};
     for (const float value : colour)
-        picture.values.insert(picture.values.end(), std::size_t{width} * height, value);
-    return picture;
+        image.values.insert(image.values.end(), std::size_t{width} * height, value);
+    return image;
 }
 
-Picture noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
+TestImage noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
-    Picture picture = constant(width, height, {});
-    for (float& value : picture.values) value = uniform(random);
-    return picture;
+    TestImage image = constant(width, height, {});
+    for (float& value : image.values) value = uniform(random);
+    return image;
 }
 
 using Vector = std::array<double, 3>;
@@ -44,7 +44,7 @@ using Vector = std::array<double, 3>;
 /// FLIP once more, straight from its definition: two-dimensional kernels, no rows and columns.
 class BruteForce {
   public:
-    BruteForce(const Picture& picture, double ppd) : picture_(picture), ppd_(ppd) {}
+    BruteForce(const TestImage& image, double ppd) : image_(image), ppd_(ppd) {}
 
     [[nodiscard]] Vector filtered_rgb(int x, int y) const {
         const int radius = static_cast<int>(
@@ -110,10 +110,10 @@ class BruteForce {
                 (0.0193308187 * c[0] + 0.1191947798 * c[1] + 0.9505321522 * c[2]) / 1.0889};
     }
     [[nodiscard]] Vector ycxcz(int x, int y) const {
-        const auto column = static_cast<std::size_t>(std::clamp(x, 0, int(picture_.width) - 1));
-        const auto row = static_cast<std::size_t>(std::clamp(y, 0, int(picture_.height) - 1));
-        const std::size_t i = row * picture_.width + column;
-        const RgbView view = picture_.view();
+        const auto column = static_cast<std::size_t>(std::clamp(x, 0, int(image_.width) - 1));
+        const auto row = static_cast<std::size_t>(std::clamp(y, 0, int(image_.height) - 1));
+        const std::size_t i = row * image_.width + column;
+        const RgbView view = image_.view();
         const Vector n = xyz({view.plane(0)[i], view.plane(1)[i], view.plane(2)[i]});
         return {116.0 * n[1] - 16.0, 500.0 * (n[0] - n[1]), 200.0 * (n[1] - n[2])};
     }
@@ -128,7 +128,7 @@ class BruteForce {
                 std::clamp(linear[2], 0.0, 1.0)};
     }
 
-    const Picture& picture_;
+    const TestImage& image_;
     double ppd_;
 };
 
@@ -155,8 +155,8 @@ double brute_force_flip(const BruteForce& a, const BruteForce& b, int x, int y) 
 // Wider than the blocks of the fast convolution, and less high than a kernel.
 TEST(Flip, AgreesWithTheDefinition) {
     for (const double ppd : {67.0206432766, 20.0}) {
-        const Picture a = noise(37, 9, 1);
-        const Picture b = noise(37, 9, 2);
+        const TestImage a = noise(37, 9, 1);
+        const TestImage b = noise(37, 9, 2);
         const FlipResult result = ldr_flip(a.view(), b.view(), ppd);
         const BruteForce slow_a(a, ppd);
         const BruteForce slow_b(b, ppd);
@@ -176,56 +176,56 @@ TEST(Flip, AgreesWithTheDefinition) {
 TEST(Flip, OfConstantsIsTheirColourDifference) {
     const std::array<float, 3> grey = {0.2F, 0.2F, 0.2F};
     const std::array<float, 3> red = {0.6F, 0.1F, 0.05F};
-    const Picture a = constant(20, 20, grey);
-    const Picture b = constant(20, 20, red);
+    const TestImage a = constant(20, 20, grey);
+    const TestImage b = constant(20, 20, red);
     const FlipResult result = ldr_flip(a.view(), b.view());
     const double expected = colour_difference({0.2, 0.2, 0.2}, {0.6, 0.1, 0.05});
     EXPECT_NEAR(result.mean, expected, 1e-4);
     for (const float value : result.map) EXPECT_NEAR(value, expected, 1e-4);
-    const Picture green = constant(4, 4, {0.0F, 1.0F, 0.0F});
-    const Picture blue = constant(4, 4, {0.0F, 0.0F, 1.0F});
+    const TestImage green = constant(4, 4, {0.0F, 1.0F, 0.0F});
+    const TestImage blue = constant(4, 4, {0.0F, 0.0F, 1.0F});
     EXPECT_NEAR(ldr_flip(green.view(), blue.view()).mean, 1.0, 1e-4) << "the largest there is";
 }
 
-TEST(Flip, OfEqualPicturesIsZeroAndOrderDoesNotMatter) {
-    const Picture a = noise(33, 21, 3);
-    const Picture b = noise(33, 21, 4);
+TEST(Flip, OfEqualImagesIsZeroAndOrderDoesNotMatter) {
+    const TestImage a = noise(33, 21, 3);
+    const TestImage b = noise(33, 21, 4);
     const FlipResult same = ldr_flip(a.view(), a.view());
     EXPECT_EQ(same.mean, 0.0);
     for (const float value : same.map) EXPECT_EQ(value, 0.0F);
     EXPECT_EQ(ldr_flip(a.view(), b.view()).map, ldr_flip(b.view(), a.view()).map);
-    const Picture pixel = constant(1, 1, {0.5F, 0.5F, 0.5F});
+    const TestImage pixel = constant(1, 1, {0.5F, 0.5F, 0.5F});
     EXPECT_EQ(ldr_flip(pixel.view(), pixel.view()).mean, 0.0);
 }
 
 TEST(Flip, ClampsToTheDisplay) {
-    const Picture white = constant(12, 12, {1.0F, 1.0F, 1.0F});
-    const Picture bright = constant(12, 12, {7.0F, 1.0F, 3e38F});
+    const TestImage white = constant(12, 12, {1.0F, 1.0F, 1.0F});
+    const TestImage bright = constant(12, 12, {7.0F, 1.0F, 3e38F});
     EXPECT_EQ(ldr_flip(white.view(), bright.view()).mean, 0.0);
 }
 
 TEST(Flip, ExposuresPutBrightestAndMedianBelowWhite) {
-    Picture picture = constant(5, 1, {0.25F, 0.25F, 0.25F});
-    for (std::size_t c = 0; c < 3; ++c) picture.values[c * 5] = 8.0F;
-    const FlipExposures exposures = flip_exposures(picture.view());
+    TestImage image = constant(5, 1, {0.25F, 0.25F, 0.25F});
+    for (std::size_t c = 0; c < 3; ++c) image.values[c * 5] = 8.0F;
+    const FlipExposures exposures = flip_exposures(image.view());
     const double x = 8.0 * std::exp2(exposures.start);
     EXPECT_NEAR((0.9036 * x * x + 0.018 * x) / (0.8748 * x * x + 0.354 * x + 0.14), 0.85, 1e-6);
     EXPECT_NEAR(exposures.stop - exposures.start, 5.0, 1e-6);
     EXPECT_NEAR(exposures.count, 5.5, 0.5) << "rounding may make it six";
-    picture = constant(4, 4, {1.0F, 1.0F, 1.0F});
-    EXPECT_EQ(flip_exposures(picture.view()).count, 2);
+    image = constant(4, 4, {1.0F, 1.0F, 1.0F});
+    EXPECT_EQ(flip_exposures(image.view()).count, 2);
 }
 
 TEST(Flip, ExposuresOfBlack) {
-    const Picture black = constant(4, 4, {});
+    const TestImage black = constant(4, 4, {});
     EXPECT_EQ(flip_exposures(black.view()).count, 1);
     EXPECT_EQ(flip_exposures(black.view()).start, 0.0);
-    Picture nearly = constant(9, 1, {});
+    TestImage nearly = constant(9, 1, {});
     for (std::size_t c = 0; c < 3; ++c) nearly.values[c * 9 + 4] = 2.0F;
     const FlipExposures exposures = flip_exposures(nearly.view());
     EXPECT_TRUE(std::isfinite(exposures.start) && std::isfinite(exposures.stop));
     EXPECT_EQ(exposures.start, exposures.stop);
-    const Picture grey = constant(4, 4, {0.5F, 0.5F, 0.5F});
+    const TestImage grey = constant(4, 4, {0.5F, 0.5F, 0.5F});
     const double mean = hdr_flip(black.view(), grey.view(), flip_exposures(black.view())).mean;
     EXPECT_GT(mean, 0.1);
     EXPECT_LE(mean, 1.0);
@@ -234,19 +234,19 @@ TEST(Flip, ExposuresOfBlack) {
 
 // Exposures follow the reference, so that units do not matter.
 TEST(Flip, OfHighRangesDoesNotDependOnTheirScale) {
-    Picture a = noise(24, 24, 5);
-    Picture b = noise(24, 24, 6);
+    TestImage a = noise(24, 24, 5);
+    TestImage b = noise(24, 24, 6);
     for (std::size_t i = 0; i < a.values.size(); i += 7) a.values[i] *= 100.0F;
     const double mean = hdr_flip(a.view(), b.view(), flip_exposures(a.view())).mean;
-    for (Picture* picture : {&a, &b})
-        for (float& value : picture->values) value *= 0x1p-20F;
+    for (TestImage* image : {&a, &b})
+        for (float& value : image->values) value *= 0x1p-20F;
     EXPECT_NEAR(hdr_flip(a.view(), b.view(), flip_exposures(a.view())).mean, mean, 1e-6);
     EXPECT_GT(mean, 0.05);
 }
 
 TEST(Flip, OfHighRangesIsTheLargestOverTheExposures) {
-    const Picture a = noise(16, 16, 7);
-    const Picture b = noise(16, 16, 8);
+    const TestImage a = noise(16, 16, 7);
+    const TestImage b = noise(16, 16, 8);
     const FlipResult both = hdr_flip(a.view(), b.view(), {-3.0, 1.0, 2});
     const FlipResult dark = hdr_flip(a.view(), b.view(), {-3.0, -3.0, 1});
     const FlipResult bright = hdr_flip(a.view(), b.view(), {1.0, 1.0, 1});
@@ -256,8 +256,8 @@ TEST(Flip, OfHighRangesIsTheLargestOverTheExposures) {
 }
 
 TEST(Flip, StaysInRangeForExtremeValues) {
-    Picture a = constant(12, 12, {3e38F, 1e-38F, 0.0F});
-    const Picture b = constant(12, 12, {-3e38F, 3e38F, 1.0F});
+    TestImage a = constant(12, 12, {3e38F, 1e-38F, 0.0F});
+    const TestImage b = constant(12, 12, {-3e38F, 3e38F, 1.0F});
     const FlipResult result = hdr_flip(a.view(), b.view(), flip_exposures(a.view()));
     for (const float value : result.map) {
         EXPECT_GE(value, 0.0F);
@@ -266,8 +266,8 @@ TEST(Flip, StaysInRangeForExtremeValues) {
 }
 
 TEST(Flip, RefusesWhatDoesNotFit) {
-    const Picture a = constant(4, 4, {});
-    const Picture b = constant(2, 8, {});
+    const TestImage a = constant(4, 4, {});
+    const TestImage b = constant(2, 8, {});
     EXPECT_THROW(static_cast<void>(ldr_flip(a.view(), b.view())), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(ldr_flip({}, {})), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(ldr_flip(a.view(), a.view(), 0.0)), std::invalid_argument);

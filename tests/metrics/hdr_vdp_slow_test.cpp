@@ -87,7 +87,7 @@ std::vector<float> luminance_of(const Image& image) {
     return luminance;
 }
 
-// The pair of pictures that comes with the original program.
+// The pair of images that comes with the original program.
 TEST(HdrVdpSlow, PublicPairAgreesWithTheOriginal) {
     const char* shared = std::getenv("WEFT_SHARED");
     const fs::path folder =

@@ -110,7 +110,7 @@ TEST(HdrVdp, SummaryDescribesTheMap) {
     EXPECT_LT(above_75, edge * edge);
 }
 
-// A picture that is turned about a diagonal or shifted around its edges looks no different.
+// An image that is turned about a diagonal or shifted around its edges looks no different.
 TEST(HdrVdp, FollowsASwapOfTheAxes) {
     const auto swapped = [](const std::vector<float>& map) {
         std::vector<float> result(map.size());

@@ -21,7 +21,7 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// The colours of a picture as a PNG keeps them.
+/// The colours of an image as a PNG keeps them.
 class Written {
   public:
     explicit Written(const Image& image) {
@@ -68,22 +68,22 @@ TEST(HeatMap, ShowsValuesAndAScale) {
     const std::uint32_t height = 10;
     std::vector<float> values(std::size_t{width} * height);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.002F * static_cast<float>(i);
-    const Written picture(heat_map(values, width, height, 2.0));
-    ASSERT_EQ(picture.width(), width);
-    ASSERT_GT(picture.height(), std::size_t{height} + 15);
+    const Written image(heat_map(values, width, height, 2.0));
+    ASSERT_EQ(image.width(), width);
+    ASSERT_GT(image.height(), std::size_t{height} + 15);
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x)
-            EXPECT_EQ(picture.at(x, y), viridis(values[y * width + x] / 2.0));
+            EXPECT_EQ(image.at(x, y), viridis(values[y * width + x] / 2.0));
     const std::size_t bar = height + 6;
-    EXPECT_EQ(picture.at(4, bar), viridis(0.0));
-    EXPECT_EQ(picture.at(width - 5, bar), viridis(1.0));
+    EXPECT_EQ(image.at(4, bar), viridis(0.0));
+    EXPECT_EQ(image.at(width - 5, bar), viridis(1.0));
     // A 0 at the left and a 2 at the right, whose lowest row is all five dots.
     const Colour white = {255, 255, 255};
     const std::size_t top = height + 16;
-    EXPECT_EQ(picture.at(5, top), white);
-    EXPECT_NE(picture.at(4, top), white);
-    for (std::size_t x = width - 9; x < width - 4; ++x) EXPECT_EQ(picture.at(x, top + 6), white);
-    EXPECT_NE(picture.at(width - 10, top + 6), white);
+    EXPECT_EQ(image.at(5, top), white);
+    EXPECT_NE(image.at(4, top), white);
+    for (std::size_t x = width - 9; x < width - 4; ++x) EXPECT_EQ(image.at(x, top + 6), white);
+    EXPECT_NE(image.at(width - 10, top + 6), white);
 }
 
 TEST(HeatMap, OfASmallMapIsWideEnoughForItsNumbers) {

@@ -13,28 +13,28 @@
 // Path tracing in surroundings where radiance is known everywhere: furnaces, the integrating
 // sphere, and plates without end.
 //
-// Pixels all have the same expectation. The mean of a picture is compared with it by its standard
+// Pixels all have the same expectation. The mean of an image is compared with it by its standard
 // error; the limit is that of 300 comparisons (sidak_limit: about 5.1 standard errors), more than
 // this file makes, and the standard error itself is bounded.
 namespace weft {
 namespace {
 
 using test::at;
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 using test::Tolerance;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
 
-std::string name_of(Backend backend, const std::string& what, std::uint32_t channel) {
+std::string name_of(TestBackend backend, const std::string& what, std::uint32_t channel) {
     return std::string(test::backend_name(backend)) + " " + what + " channel " +
            std::to_string(channel);
 }
 
 /// That every order of light has its share of e / (1 - rho).
-void expect_furnace(Backend backend, const Rendering& rendering, const glm::vec3& emission,
+void expect_furnace(TestBackend backend, const Rendering& rendering, const glm::vec3& emission,
                     const glm::vec3& albedo, double largest_error) {
     for (std::uint32_t c = 0; c < 3; ++c) {
         const double e = at(emission, c);
@@ -67,10 +67,10 @@ TEST(PathFurnace, ClosedRoomThatEmitsEverywhere) {
           std::pair{glm::vec3(3.0F, 1e-3F, 1.0F), glm::vec3(0.2F, 0.7F, 0.8F)}}) {
         SceneBuilder builder;
         builder.add(test::room_mesh(), builder.material(albedo, emission));
-        for (const Backend backend : test::backends())
+        for (const TestBackend backend : test::light_backends())
             expect_furnace(backend,
-                           test::path_picture(backend, builder.scene, inside(),
-                                              test::path_settings(24, 24, 256)),
+                           test::path_image(backend, builder.scene, inside(),
+                                            test::path_settings(24, 24, 256)),
                            emission, albedo, 0.005);
     }
 }
@@ -88,11 +88,11 @@ TEST(PathFurnace, HoldsWithObjectsWithin) {
     builder.add(test::icosphere(1, false), material, test::placement(0.01, {0.1, 0.0, 0.1}));
     builder.add(test::quad_mesh({0.2F, -0.8F, -0.6F}, {0.5F, 0.1F, 0.0F}, {0.0F, 0.7F, 0.2F}),
                 both);
-    for (const Backend backend : test::backends())
-        expect_furnace(backend,
-                       test::path_picture(backend, builder.scene, inside(),
-                                          test::path_settings(24, 24, 256, 1)),
-                       emission, albedo, 0.005);
+    for (const TestBackend backend : test::light_backends())
+        expect_furnace(
+            backend,
+            test::path_image(backend, builder.scene, inside(), test::path_settings(24, 24, 256, 1)),
+            emission, albedo, 0.005);
 }
 
 TEST(PathFurnace, WhiteConvexObjectsVanishInTheEnvironment) {
@@ -102,10 +102,10 @@ TEST(PathFurnace, WhiteConvexObjectsVanishInTheEnvironment) {
         SceneBuilder builder;
         builder.scene.environment = Environment{radiance};
         builder.add(test::icosphere(2, false), builder.material(glm::vec3(rho)));
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             const Rendering rendering =
-                test::path_picture(backend, builder.scene, test::look_at({0, 0, 3}, {0, 0, 0}, 0.9),
-                                   test::path_settings(24, 24, 16));
+                test::path_image(backend, builder.scene, test::look_at({0, 0, 3}, {0, 0, 0}, 0.9),
+                                 test::path_settings(24, 24, 16));
             double covered = 0.0;
             for (std::uint32_t y = 0; y < 24; ++y)
                 for (std::uint32_t x = 0; x < 24; ++x) {
@@ -136,10 +136,10 @@ TEST(PathFurnace, WhiteBowlsVanishInTheEnvironment) {
     Mesh box = test::room_mesh();
     box.triangles.resize(10);  // without the side towards +z
     builder.add(std::move(box), builder.material(glm::vec3(1.0F)));
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering =
-            test::path_picture(backend, builder.scene, test::look_at({0, 0, 2.5}, {0, 0, -1}, 0.7),
-                               test::path_settings(24, 24, 256));
+            test::path_image(backend, builder.scene, test::look_at({0, 0, 2.5}, {0, 0, -1}, 0.7),
+                             test::path_settings(24, 24, 256));
         for (std::uint32_t c = 0; c < 3; ++c)
             test::expect_estimate(test::beauty_of(rendering, c), at(radiance, c),
                                   {comparisons, 0.002, 1e-5}, name_of(backend, "bowl", c));
@@ -164,9 +164,9 @@ TEST(PathFurnace, IntegratingSphere) {
     const FlatScene flat = flatten(builder.scene);
     const Camera camera = test::look_at(centre + radius * glm::dvec3(0.1, -0.2, 0.3),
                                         centre + radius * glm::dvec3(-0.5, 0.3, -0.8), 1.2);
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(test::shared_executor(backend), flat, camera,
-                                                       test::path_settings(32, 32, 128, 2));
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(test::shared_executor(backend), flat, camera,
+                                                     test::path_settings(32, 32, 128, 2));
         for (std::uint32_t c = 0; c < 3; ++c) {
             const double rho = at(albedo, c);
             const double direct = rho / pi * at(intensity, c) / (radius * radius);
@@ -184,8 +184,8 @@ TEST(PathFurnace, ThePublishedSphereHasRadianceOne) {
     SceneBuilder builder;
     builder.add(test::icosphere(5, true), builder.material(glm::vec3(0.5F)));
     builder.light(LightType::point, {0, 0, 0}, glm::vec3(std::numbers::pi_v<float>));
-    const Rendering rendering = test::path_picture(Backend::own_bvh, builder.scene, inside(),
-                                                   test::path_settings(32, 32, 256, 3));
+    const Rendering rendering = test::path_image(TestBackend::own_bvh, builder.scene, inside(),
+                                                 test::path_settings(32, 32, 256, 3));
     test::expect_estimate(test::beauty_of(rendering, 0), 1.0, {comparisons, 0.002, 1e-3},
                           "published sphere");
 }
@@ -202,10 +202,10 @@ TEST(PathFurnace, PlatesWithoutEnd) {
                 builder.material(rho1, e1));
     builder.add(test::quad_mesh({-500, -500, 1}, {0, 1000, 0}, {1000, 0, 0}),
                 builder.material(rho2, e2));
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering rendering =
-            test::path_picture(backend, builder.scene, test::look_at({0, 0, 0.6}, {0, 0, 0}, 1.0),
-                               test::path_settings(24, 24, 256, 4));
+            test::path_image(backend, builder.scene, test::look_at({0, 0, 0.6}, {0, 0, 0}, 1.0),
+                             test::path_settings(24, 24, 256, 4));
         for (std::uint32_t c = 0; c < 3; ++c) {
             const double direct = at(rho1, c) * at(e2, c);
             const double all = (at(e1, c) + direct) / (1.0 - at(rho1, c) * at(rho2, c));
@@ -225,8 +225,8 @@ TEST(PathFurnace, TheVarianceIsThatOfThePixels) {
     const glm::vec3 emission(1.0F, 2.0F, 0.5F);
     SceneBuilder builder;
     builder.add(test::icosphere(2, true), builder.material({0.5F, 0.8F, 0.7F}, emission));
-    const Rendering rendering = test::path_picture(Backend::own_bvh, builder.scene, inside(),
-                                                   test::path_settings(64, 64, 32, 5));
+    const Rendering rendering = test::path_image(TestBackend::own_bvh, builder.scene, inside(),
+                                                 test::path_settings(64, 64, 32, 5));
     for (std::uint32_t c = 0; c < 3; ++c) {
         const double by_renderer = test::beauty_of(rendering, c).error;
         const double between = test::layer_of(rendering, "", c).error;

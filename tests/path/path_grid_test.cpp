@@ -25,7 +25,6 @@ namespace {
 using test::add_boundary;
 using test::add_grid;
 using test::at;
-using test::Backend;
 using test::cube_mesh;
 using test::foggy_room;
 using test::medium_of;
@@ -33,6 +32,7 @@ using test::patchy_grid;
 using test::Rendering;
 using test::room_camera;
 using test::SceneBuilder;
+using test::TestBackend;
 using test::Tolerance;
 using test::turned;
 
@@ -48,7 +48,7 @@ DensityGrid linear_grid() {
     return make_grid({2, 3, 64}, [](auto, auto, std::uint32_t k) { return 2.0 * (k + 0.5) / 64; });
 }
 
-/// Two pictures of the same light: means of a layer differ by no more than chance explains.
+/// Two images of the same light: means of a layer differ by no more than chance explains.
 void expect_same_light(const Rendering& a, const Rendering& b, const std::string& layer,
                        double error, const std::string& what) {
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -76,12 +76,12 @@ TEST(PathGrid, ConstantGridsAreHomogeneousMedia) {
     open.media[0].scale = 0.25F;
     open.medium_boundaries.clear();
     open.outer_medium = 0;
-    for (const Backend backend : test::backends()) {
-        const Rendering expected = test::path_picture(backend, fog.scene, room_camera(),
-                                                      test::path_settings(24, 24, 256, 1));
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering expected = test::path_image(backend, fog.scene, room_camera(),
+                                                    test::path_settings(24, 24, 256, 1));
         for (const Scene* const scene : {&bounded, &open}) {
-            const Rendering found = test::path_picture(backend, *scene, room_camera(),
-                                                       test::path_settings(24, 24, 256, 2));
+            const Rendering found = test::path_image(backend, *scene, room_camera(),
+                                                     test::path_settings(24, 24, 256, 2));
             // Blue is dim: the standard error of its difference is 2.8 % with these samples.
             expect_same_light(
                 found, expected, "", 0.03,
@@ -101,12 +101,12 @@ TEST(PathGrid, WhiteGridsVanishInTheEnvironment) {
         builder.scene.media.push_back(medium_of(sigma, glm::vec3(1.0F), g));
         add_grid(builder.scene, 0, patchy_grid(), turned(0.8, {0.1, 0.0, 0.0}));
         add_boundary(builder.scene, test::icosphere(1, false), glm::dmat4(1.0), 0);
-        for (const Backend backend : test::backends())
+        for (const TestBackend backend : test::light_backends())
             for (const double distance : {3.0, 0.4}) {
                 const Rendering rendering =
-                    test::path_picture(backend, builder.scene,
-                                       test::look_at({0.0, 0.1, distance}, {0.1, 0.0, -1.0}, 0.5),
-                                       test::path_settings(24, 24, 64));
+                    test::path_image(backend, builder.scene,
+                                     test::look_at({0.0, 0.1, distance}, {0.1, 0.0, -1.0}, 0.5),
+                                     test::path_settings(24, 24, 64));
                 for (std::uint32_t c = 0; c < 3; ++c)
                     test::expect_estimate(test::beauty_of(rendering, c), at(radiance, c),
                                           Tolerance{comparisons, 0.02, 1e-5},
@@ -139,11 +139,11 @@ TEST(PathGrid, LinearSlabsLeaveTheirTransmittance) {
             add_grid(builder.scene, 0, linear_grid(), turn);
             builder.scene.outer_medium = 0;
             const double depth = depth_to(std::min(from, 1.0));
-            for (const Backend backend : test::backends()) {
-                const Rendering rendering = test::path_picture(
-                    backend, builder.scene,
-                    test::look_at(placed({0, 0, from}), placed({0, 0, -9}), 1e-4),
-                    test::path_settings(16, 16, 64));
+            for (const TestBackend backend : test::light_backends()) {
+                const Rendering rendering =
+                    test::path_image(backend, builder.scene,
+                                     test::look_at(placed({0, 0, from}), placed({0, 0, -9}), 1e-4),
+                                     test::path_settings(16, 16, 64));
                 for (std::uint32_t c = 0; c < 3; ++c) {
                     const double expected = at(radiance, c) * std::exp(-depth * at(sigma, c));
                     if (albedo > 0.0F)
@@ -174,8 +174,8 @@ TEST(PathGrid, LightsShineThroughGrids) {
     light.intensity = glm::vec3(3.0F);
     light.position = {0.3, 0.2, 0.0};
     builder.scene.lights.push_back(light);
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(
             backend, builder.scene, test::look_at({0.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, 1e-4),
             test::path_settings(16, 16, 64));
         const double d = std::sqrt(0.09 + 1.44);
@@ -222,7 +222,7 @@ TEST(PathGrid, SingleScattering) {
     const glm::vec3 corner(0.3F, -0.5F, -2.0F);
     const glm::vec3 sigma(0.3F, 1.0F, 2.0F);
     const glm::vec3 albedo(0.8F, 1.0F, 0.5F);
-    const glm::dvec3 lamp(0.05, 0.1, -1.5);
+    const glm::dvec3 area_light(0.05, 0.1, -1.5);
     for (const bool area : {true, false})
         for (const float g : {0.0F, 0.7F}) {
             SceneBuilder builder;
@@ -234,7 +234,7 @@ TEST(PathGrid, SingleScattering) {
                 builder.material(glm::vec3(0.0F)));
             if (!area) {
                 PunctualLight light;
-                light.position = lamp;
+                light.position = area_light;
                 builder.scene.lights.push_back(light);
             }
             builder.scene.media.push_back(medium_of(sigma, albedo, g));
@@ -246,8 +246,8 @@ TEST(PathGrid, SingleScattering) {
             builder.scene.outer_medium = 0;
             PathSettings settings = test::path_settings(32, 32, 128);
             settings.indirect = false;
-            for (const Backend backend : test::backends()) {
-                const Rendering rendering = test::path_picture(
+            for (const TestBackend backend : test::light_backends()) {
+                const Rendering rendering = test::path_image(
                     backend, builder.scene, test::look_at({0, 0, 0}, {0, 0, -1}, 1e-4), settings);
                 for (std::uint32_t c = 0; c < 3; ++c) {
                     const ScatteredOnce once{at(sigma, c), at(albedo, c), static_cast<double>(g)};
@@ -255,7 +255,7 @@ TEST(PathGrid, SingleScattering) {
                         3.0 * mean_over(area ? 300 : 20000, [&](double s) {
                             const double t = 3.0 * s;
                             const glm::dvec3 place(0.0, 0.0, -t);
-                            if (!area) return once.from(t, lamp - place);
+                            if (!area) return once.from(t, area_light - place);
                             return mean_over(40, [&](double a) {
                                 return mean_over(40, [&](double b) {
                                     const glm::dvec3 to =
@@ -289,11 +289,11 @@ TEST(PathGrid, GridsMoveWithTheirTransform) {
     there.media[0].grid_to_world = move * there.media[0].grid_to_world;
     Camera moved = room_camera();
     moved.to_world = move * moved.to_world;
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_same_light(
-            test::path_picture(backend, there, moved, test::path_settings(24, 24, 256, 3)),
-            test::path_picture(backend, here.scene, room_camera(),
-                               test::path_settings(24, 24, 256, 4)),
+            test::path_image(backend, there, moved, test::path_settings(24, 24, 256, 3)),
+            test::path_image(backend, here.scene, room_camera(),
+                             test::path_settings(24, 24, 256, 4)),
             "", 0.02, test::backend_name(backend));
 }
 

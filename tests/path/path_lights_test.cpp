@@ -15,7 +15,7 @@
 // Direct light of path tracing against closed forms: every kind of light at points of a floor, and
 // form factors of squares.
 //
-// A picture of 16 x 16 pixels shows one point of the floor. Its mean of 65,536 samples is compared
+// An image of 16 x 16 pixels shows one point of the floor. Its mean of 65,536 samples is compared
 // with the closed form by its standard error from the scatter of the 256 pixels; the limit is that
 // of 300 comparisons (sidak_limit: about 5.1 standard errors), more than this file makes, and the
 // standard error itself must be small. Lights without an area have no variance and are compared
@@ -23,16 +23,16 @@
 namespace weft {
 namespace {
 
-using test::Backend;
+using test::area_light_mesh;
 using test::corners_of;
 using test::eye_offset;
 using test::floor_scene;
-using test::lamp_mesh;
 using test::polygon_irradiance;
 using test::radiance;
 using test::receiver_albedo;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
@@ -43,10 +43,10 @@ PathSettings direct_only(std::uint32_t edge, std::uint32_t samples, std::uint32_
     return settings;
 }
 
-void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point,
+void expect_sampled(TestBackend backend, const Scene& scene, const glm::dvec3& point,
                     const glm::dvec3& expected, double bias = 0.0,
                     const glm::dvec3& eye = eye_offset) {
-    const Rendering rendering = test::path_picture(
+    const Rendering rendering = test::path_image(
         backend, scene, test::look_at(point + eye, point, 0.001), direct_only(16, 256));
     for (std::uint32_t c = 0; c < 3; ++c) {
         const auto k = static_cast<glm::length_t>(c);
@@ -59,12 +59,12 @@ void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point
     }
 }
 
-void expect_exact(Backend backend, const Scene& scene, const glm::dvec3& point,
+void expect_exact(TestBackend backend, const Scene& scene, const glm::dvec3& point,
                   const glm::dvec3& expected, double absolute = 0.0) {
     PathSettings settings = direct_only(1, 3);
     settings.through_centres = true;
-    const Rendering rendering = test::path_picture(
-        backend, scene, test::look_at(point + eye_offset, point, 0.001), settings);
+    const Rendering rendering =
+        test::path_image(backend, scene, test::look_at(point + eye_offset, point, 0.001), settings);
     for (std::uint32_t c = 0; c < 3; ++c)
         EXPECT_NEAR(rendering.irradiance("direct", 0, 0, c),
                     expected[static_cast<glm::length_t>(c)],
@@ -74,8 +74,8 @@ void expect_exact(Backend backend, const Scene& scene, const glm::dvec3& point,
 
 TEST(PathLights, SquareLightGivesLambertsIrradiance) {
     SceneBuilder builder = floor_scene();
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F), radiance));
-    for (const Backend backend : test::backends()) {
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F), radiance));
+    for (const TestBackend backend : test::light_backends()) {
         expect_sampled(backend, builder.scene, {0, 0, 0}, 0.7522746885 * glm::dvec3(radiance));
         expect_sampled(backend, builder.scene, {1, 0, 0}, 0.2650048523 * glm::dvec3(radiance));
     }
@@ -85,13 +85,13 @@ TEST(PathLights, NearAndFarSquaresAreSampledAlikeWell) {
     // Close to a light scattered rays do better, far from it its samples do: both must be weighted.
     for (const double height : {0.01, 0.1, 10.0, 1000.0}) {
         const auto h = static_cast<float>(height);
-        const Mesh lamp = test::quad_mesh({-0.5F, -0.5F, h}, {0, 1, 0}, {1, 0, 0});
+        const Mesh area_light = test::quad_mesh({-0.5F, -0.5F, h}, {0, 1, 0}, {1, 0, 0});
         SceneBuilder builder = floor_scene();
-        builder.add(lamp, builder.material(glm::vec3(0.0F), radiance));
-        expect_sampled(
-            Backend::own_bvh, builder.scene, {0.1, 0.2, 0},
-            polygon_irradiance(corners_of(lamp), {0.1, 0.2, 0}, {0, 0, 1}) * glm::dvec3(radiance),
-            0.0, std::min(1.0, 2.0 * height) * eye_offset);
+        builder.add(area_light, builder.material(glm::vec3(0.0F), radiance));
+        expect_sampled(TestBackend::own_bvh, builder.scene, {0.1, 0.2, 0},
+                       polygon_irradiance(corners_of(area_light), {0.1, 0.2, 0}, {0, 0, 1}) *
+                           glm::dvec3(radiance),
+                       0.0, std::min(1.0, 2.0 * height) * eye_offset);
     }
 }
 
@@ -101,7 +101,7 @@ TEST(PathLights, TiltedParallelogramsOfTwoSides) {
         const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
         builder.scene.materials[material].emission.both_sides = true;
         builder.add(quad, material);
-        for (const Backend backend : test::backends())
+        for (const TestBackend backend : test::light_backends())
             for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(-0.7, 0.4, 0)})
                 expect_sampled(
                     backend, builder.scene, point,
@@ -113,31 +113,31 @@ TEST(PathLights, OneSidedEmittersShineToTheirFrontOnly) {
     SceneBuilder builder = floor_scene();
     builder.add(test::quad_mesh({-3, -3, 2}, {0, 6, 0}, {6, 0, 0}),
                 builder.material(receiver_albedo));
-    const std::uint32_t lamp = builder.material(glm::vec3(0.0F), radiance);
-    builder.add(lamp_mesh(), lamp);
+    const std::uint32_t area_light = builder.material(glm::vec3(0.0F), radiance);
+    builder.add(area_light_mesh(), area_light);
     const glm::dvec3 full = 0.7522746885 * glm::dvec3(radiance);
     const glm::dvec3 eye(0.05, -0.1, -0.2);
-    for (const Backend backend : test::backends()) {
-        builder.scene.materials[lamp].emission.both_sides = false;
-        const Rendering dark = test::path_picture(
-            backend, builder.scene, test::look_at({0.05, -0.1, 1.8}, {0, 0, 2}, 0.001),
-            direct_only(4, 64));
+    for (const TestBackend backend : test::light_backends()) {
+        builder.scene.materials[area_light].emission.both_sides = false;
+        const Rendering dark = test::path_image(backend, builder.scene,
+                                                test::look_at({0.05, -0.1, 1.8}, {0, 0, 2}, 0.001),
+                                                direct_only(4, 64));
         for (const float value : dark.layer("direct")) EXPECT_EQ(value, 0.0F);
         expect_sampled(backend, builder.scene, {0, 0, 0}, full);
-        builder.scene.materials[lamp].emission.both_sides = true;
+        builder.scene.materials[area_light].emission.both_sides = true;
         expect_sampled(backend, builder.scene, {0, 0, 2}, full, 0.0, eye);
     }
 }
 
 TEST(PathLights, DiskOnAxis) {
     const test::LitFloor floor = test::disk_over_floor();
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 TEST(PathLights, SphereAboveTheHorizon) {
     const test::LitFloor floor = test::sphere_over_floor();
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
@@ -145,7 +145,7 @@ TEST(PathLights, PointLightIsExact) {
     const double height = 1.7;
     SceneBuilder builder = floor_scene();
     builder.light(LightType::point, {0.2, 0.1, height}, radiance);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const glm::dvec3& point :
              {glm::dvec3(0.2, 0.1, 0), glm::dvec3(-1.0, 0.5, 0), glm::dvec3(2.9, -2.8, 0)}) {
             const glm::dvec3 d = glm::dvec3(0.2, 0.1, height) - point;
@@ -154,7 +154,7 @@ TEST(PathLights, PointLightIsExact) {
                          std::pow(cosine, 3.0) / (height * height) * glm::dvec3(radiance));
         }
     builder.scene.lights[0].position.z = -height;
-    expect_exact(Backend::own_bvh, builder.scene, {0, 0, 0}, glm::dvec3(0.0));
+    expect_exact(TestBackend::own_bvh, builder.scene, {0, 0, 0}, glm::dvec3(0.0));
 }
 
 TEST(PathLights, SpotFallsOffBetweenItsCones) {
@@ -164,7 +164,7 @@ TEST(PathLights, SpotFallsOffBetweenItsCones) {
         builder.light(LightType::spot, {0.0, 0.0, height}, radiance, {0.0, 0.0, -1.0});
     spot.cos_inner = 0.9F;
     spot.cos_outer = 0.7F;
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const double cosine : {1.0, 0.95, 0.9001, 0.85, 0.8, 0.71, 0.701, 0.699, 0.5}) {
             SCOPED_TRACE(cosine);
             const glm::dvec3 point(height * std::tan(std::acos(cosine)), 0.0, 0.0);
@@ -183,7 +183,7 @@ TEST(PathLights, DirectionalLightIsExactAndCastsShadows) {
     builder.add(test::quad_mesh({-0.5F, -0.5F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}),
                 builder.material(glm::vec3(0.5F)));
     // The square's shadow is moved by (0.6, 0.2): its corners from (0.1, -0.3) to (1.1, 0.7).
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         for (const glm::dvec3& dark : {glm::dvec3(0.11, -0.29, 0), glm::dvec3(1.09, 0.69, 0)})
             expect_exact(backend, builder.scene, dark, glm::dvec3(0.0));
         for (const glm::dvec3& lit : {glm::dvec3(0.09, -0.29, 0), glm::dvec3(1.11, 0.69, 0)})
@@ -194,19 +194,19 @@ TEST(PathLights, DirectionalLightIsExactAndCastsShadows) {
 TEST(PathLights, EnvironmentOverAnOpenPlaneAndBehindASquare) {
     SceneBuilder builder = floor_scene();
     builder.scene.environment = Environment{radiance};
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_exact(backend, builder.scene, {0, 0, 0}, pi * glm::dvec3(radiance));
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F)));
-    for (const Backend backend : test::backends())
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F)));
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, builder.scene, {0, 0, 0},
                        (pi - 0.7522746885) * glm::dvec3(radiance));
 }
 
 TEST(PathLights, HalfPlaneCastsTheExactPenumbra) {
-    // A half plane at height 1/2 over x > 0.1 hides the lamp's x > 0.2 - p from the point p: the
-    // penumbra reaches from -0.3 to 0.7.
+    // A half plane at height 1/2 over x > 0.1 hides the area light's x > 0.2 - p from the point p:
+    // the penumbra reaches from -0.3 to 0.7.
     SceneBuilder builder = floor_scene();
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F), radiance));
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F), radiance));
     builder.add(test::quad_mesh({0.1F, -5.0F, 0.5F}, {5.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}),
                 builder.material(glm::vec3(0.0F)));
     for (const double p : {-0.6, -0.31, -0.29, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5}) {
@@ -214,32 +214,32 @@ TEST(PathLights, HalfPlaneCastsTheExactPenumbra) {
         const std::vector<glm::dvec3> visible{
             {-0.5, -0.5, 1.0}, {-0.5, 0.5, 1.0}, {x, 0.5, 1.0}, {x, -0.5, 1.0}};
         const double expected = polygon_irradiance(visible, {p, 0, 0}, {0, 0, 1});
-        for (const Backend backend : test::backends())
-            if (backend == Backend::own_bvh || p == 0.1)
+        for (const TestBackend backend : test::light_backends())
+            if (backend == TestBackend::own_bvh || p == 0.1)
                 expect_sampled(backend, builder.scene, {p, 0, 0}, expected * glm::dvec3(radiance));
     }
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_exact(backend, builder.scene, {0.71, 0, 0}, glm::dvec3(0.0));
 }
 
-TEST(PathLights, ManyFaintLampsBesideASun) {
-    // The sun shines from below and outshines the lamps by 2^40.
+TEST(PathLights, ManyFaintAreaLightsBesideASun) {
+    // The sun shines from below and outshines the area lights by 2^40.
     SceneBuilder builder = floor_scene();
     const std::uint32_t material = builder.material(glm::vec3(0.0F), radiance);
     const std::uint32_t bright = builder.material(glm::vec3(0.0F), 3.0F * radiance);
     glm::dvec3 expected(0.0);
     for (int i = 0; i < 70; ++i) {
-        const Mesh lamp =
+        const Mesh area_light =
             test::quad_mesh({-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
                             {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
-        builder.add(lamp, i % 3 == 0 ? bright : material);
-        expected += polygon_irradiance(corners_of(lamp), {0, 0, 0}, {0, 0, 1}) *
+        builder.add(area_light, i % 3 == 0 ? bright : material);
+        expected += polygon_irradiance(corners_of(area_light), {0, 0, 0}, {0, 0, 1}) *
                     (i % 3 == 0 ? 3.0 : 1.0) * glm::dvec3(radiance);
     }
     builder.light(LightType::directional, {}, glm::vec3(0x1p40F)).direction = {0.0, 0.0, 1.0};
-    // The sums count 2^-52 of the sun, so that a sample of a lamp is rounded to about 1e-3 of it,
-    // up as often as down.
-    for (const Backend backend : test::backends())
+    // The sums count 2^-52 of the sun, so that a sample of an area light is rounded to about 1e-3
+    // of it, up as often as down.
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, builder.scene, {0, 0, 0}, expected, 1e-4);
 }
 
@@ -258,21 +258,21 @@ TEST(PathLights, ShadingNormalsTurnTheCosineButNotTheHorizon) {
     point.light(LightType::point, {1.0, 0.2, 0.7}, radiance);
     SceneBuilder hidden = scene();
     hidden.light(LightType::point, {-2.0, 0.0, 1.0}, radiance);  // behind the leaning normal
-    SceneBuilder lamp = scene();
-    lamp.add(lamp_mesh(), lamp.material(glm::vec3(0.5F), radiance));
+    SceneBuilder area_light = scene();
+    area_light.add(area_light_mesh(), area_light.material(glm::vec3(0.5F), radiance));
     SceneBuilder sky = scene();
     sky.scene.environment = Environment{radiance};
     const glm::dvec3 d(1.0, 0.2, 0.7);
-    const glm::dvec3 by_lamp =
-        polygon_irradiance(corners_of(lamp_mesh()), {0, 0, 0}, normal) * glm::dvec3(radiance);
-    for (const Backend backend : test::backends()) {
+    const glm::dvec3 by_area_light =
+        polygon_irradiance(corners_of(area_light_mesh()), {0, 0, 0}, normal) * glm::dvec3(radiance);
+    for (const TestBackend backend : test::light_backends()) {
         expect_exact(backend, point.scene, {0, 0, 0},
                      glm::dot(d, normal) / std::pow(glm::length(d), 3.0) * glm::dvec3(radiance));
         expect_exact(backend, hidden.scene, {0, 0, 0}, glm::dvec3(0.0));
-        expect_sampled(backend, lamp.scene, {0, 0, 0}, by_lamp);
+        expect_sampled(backend, area_light.scene, {0, 0, 0}, by_area_light);
         const Rendering all =
-            test::path_picture(backend, sky.scene, test::look_at(eye_offset, {0, 0, 0}, 0.001),
-                               test::path_settings(16, 16, 256));
+            test::path_image(backend, sky.scene, test::look_at(eye_offset, {0, 0, 0}, 0.001),
+                             test::path_settings(16, 16, 256));
         for (std::uint32_t c = 0; c < 3; ++c) {
             const auto k = static_cast<glm::length_t>(c);
             const double full = double{receiver_albedo[k]} * double{radiance[k]};
@@ -285,42 +285,42 @@ TEST(PathLights, ShadingNormalsTurnTheCosineButNotTheHorizon) {
 }
 
 TEST(PathLights, PixelsAverageOverTheirBox) {
-    // A lamp that covers 0.3 x 0.6 of a pixel from its left lower corner, or has its edge at the
-    // centre's left or right.
-    const auto picture = [](float left, float bottom, bool centres, std::uint32_t samples) {
+    // An area light that covers 0.3 x 0.6 of a pixel from its left lower corner, or has its edge at
+    // the centre's left or right.
+    const auto image = [](float left, float bottom, bool centres, std::uint32_t samples) {
         SceneBuilder builder;
         builder.add(test::quad_mesh({left - 2.0F, bottom - 2.0F, 0}, {2, 0, 0}, {0, 2, 0}),
                     builder.material(glm::vec3(0.0F), radiance));
         PathSettings settings = test::path_settings(2, 2, samples, 3);
         settings.through_centres = centres;
-        // The picture shows [-1, 1]^2: pixel (0, 1) is [-1, 0]^2.
-        return test::path_picture(Backend::own_bvh, builder.scene,
-                                  test::look_at({0, 0, 1}, {0, 0, 0}, pi / 2.0), settings);
+        // The image shows [-1, 1]^2: pixel (0, 1) is [-1, 0]^2.
+        return test::path_image(TestBackend::own_bvh, builder.scene,
+                                test::look_at({0, 0, 1}, {0, 0, 0}, pi / 2.0), settings);
     };
-    const Rendering box = picture(-0.7F, -0.4F, false, 200'000);
+    const Rendering box = image(-0.7F, -0.4F, false, 200'000);
     test::expect_estimate({box.at("", 0, 1), std::sqrt(double(box.at("variance", 0, 1)))}, 0.18,
                           {comparisons, 0.006, 1e-5}, "coverage");
     for (const auto& [x, y] : {std::pair{0U, 0U}, std::pair{1U, 0U}, std::pair{1U, 1U}})
         EXPECT_EQ(box.at("", x, y), 0.0F);
-    EXPECT_EQ(picture(-0.501F, -0.1F, true, 4).at("", 0, 1), 0.0F);
-    EXPECT_EQ(picture(-0.499F, -0.1F, true, 4).at("", 0, 1), 1.0F);
-    EXPECT_EQ(picture(-0.1F, -0.501F, true, 4).at("", 0, 1), 0.0F);
-    EXPECT_EQ(picture(-0.1F, -0.499F, true, 4).at("", 0, 1), 1.0F);
+    EXPECT_EQ(image(-0.501F, -0.1F, true, 4).at("", 0, 1), 0.0F);
+    EXPECT_EQ(image(-0.499F, -0.1F, true, 4).at("", 0, 1), 1.0F);
+    EXPECT_EQ(image(-0.1F, -0.501F, true, 4).at("", 0, 1), 0.0F);
+    EXPECT_EQ(image(-0.1F, -0.499F, true, 4).at("", 0, 1), 1.0F);
 }
 
-/// The square [0, 1]^2 in z = 0, which faces up and fills the picture, and lamps of radiance 1.
-test::Estimate form_factor(Backend backend, const std::vector<Mesh>& lamps) {
+/// The square [0, 1]^2 in z = 0, which faces up and fills the image, and area lights of radiance 1.
+test::Estimate form_factor(TestBackend backend, const std::vector<Mesh>& area_lights) {
     SceneBuilder builder;
     builder.add(test::quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                 builder.material(glm::vec3(1.0F)));
     const std::uint32_t material = builder.material(glm::vec3(0.0F), glm::vec3(1.0F));
-    for (const Mesh& lamp : lamps) builder.add(lamp, material);
-    // From half way up a picture of 90 degrees shows the square evenly; the box filter integrates
+    for (const Mesh& area_light : area_lights) builder.add(area_light, material);
+    // From half way up an image of 90 degrees shows the square evenly; the box filter integrates
     // over all of it.
     return test::beauty_of(
-        test::path_picture(backend, builder.scene,
-                           test::look_at({0.5, 0.5, 0.5}, {0.5, 0.5, 0.0}, pi / 2.0),
-                           direct_only(32, 256)),
+        test::path_image(backend, builder.scene,
+                         test::look_at({0.5, 0.5, 0.5}, {0.5, 0.5, 0.0}, pi / 2.0),
+                         direct_only(32, 256)),
         0);
 }
 
@@ -338,7 +338,7 @@ std::vector<Mesh> walls() {
 
 TEST(PathLights, FormFactorsOfSquares) {
     const test::Tolerance tolerance{comparisons, 3e-3, 1e-6};
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         test::expect_estimate(form_factor(backend, {opposite()}), 0.1998248957, tolerance,
                               "parallel");
         // Squares with a common edge are hard: near it their samples are of unbounded value.
@@ -351,7 +351,7 @@ TEST(PathLights, FormFactorsOfSquares) {
 TEST(PathLights, FormFactorsAddUpToOne) {
     std::vector<Mesh> all = walls();
     all.push_back(opposite());
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         test::expect_estimate(form_factor(backend, all), 1.0, {comparisons, 2e-3, 1e-6}, "closure");
 }
 

@@ -21,11 +21,11 @@ namespace {
 
 using test::add_boundary;
 using test::at;
-using test::Backend;
 using test::cube_mesh;
 using test::medium_of;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 using test::Tolerance;
 
 constexpr double pi = std::numbers::pi;
@@ -49,12 +49,12 @@ TEST(PathMedia, WhiteMediaVanishInTheEnvironment) {
         builder.scene.environment = Environment{radiance};
         builder.scene.media.push_back(medium_of(sigma, glm::vec3(1.0F), g));
         add_boundary(builder.scene, test::icosphere(1, false), glm::dmat4(1.0), 0);
-        for (const Backend backend : test::backends())
+        for (const TestBackend backend : test::light_backends())
             for (const double distance : {3.0, 0.4}) {
                 const Rendering rendering =
-                    test::path_picture(backend, builder.scene,
-                                       test::look_at({0.0, 0.1, distance}, {0.1, 0.0, -1.0}, 0.5),
-                                       test::path_settings(24, 24, 64));
+                    test::path_image(backend, builder.scene,
+                                     test::look_at({0.0, 0.1, distance}, {0.1, 0.0, -1.0}, 0.5),
+                                     test::path_settings(24, 24, 64));
                 expect_beauty(rendering, radiance, 0.02,
                               std::string(test::backend_name(backend)) + " furnace from " +
                                   std::to_string(distance));
@@ -74,10 +74,10 @@ TEST(PathMedia, WhiteSurfacesInWhiteMediaVanish) {
     // Overlaps the surface, the first boundary and clear air.
     add_boundary(builder.scene, test::icosphere(1, false), test::placement(0.7, {0.8, 0.1, 0.0}),
                  1);
-    for (const Backend backend : test::backends())
-        expect_beauty(test::path_picture(backend, builder.scene,
-                                         test::look_at({0.5, 0.6, 4.0}, {0.2, 0.0, 0.0}, 0.5),
-                                         test::path_settings(24, 24, 128)),
+    for (const TestBackend backend : test::light_backends())
+        expect_beauty(test::path_image(backend, builder.scene,
+                                       test::look_at({0.5, 0.6, 4.0}, {0.2, 0.0, 0.0}, 0.5),
+                                       test::path_settings(24, 24, 128)),
                       radiance, 0.02, test::backend_name(backend));
 }
 
@@ -97,8 +97,8 @@ TEST(PathMedia, AirlightOfAPointLight) {
     builder.scene.cameras.push_back(camera);
     PathSettings settings = test::path_settings(32, 32, 64);
     settings.indirect = false;
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(backend, builder.scene, camera, settings);
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(backend, builder.scene, camera, settings);
         for (std::uint32_t c = 0; c < 3; ++c)
             test::expect_estimate(test::layer_of(rendering, "direct", c),
                                   0.03389058698 * at(light.intensity, c) / 2.0,
@@ -119,8 +119,8 @@ TEST(PathMedia, SlabsLeaveTheirTransmittance) {
             builder.scene.media.push_back(medium_of(sigma, glm::vec3(albedo)));
             add_boundary(builder.scene, cube_mesh(), glm::dmat4(1.0), 0);
             const double depth = from > 1.0 ? 2.0 : 1.0;
-            for (const Backend backend : test::backends()) {
-                const Rendering rendering = test::path_picture(
+            for (const TestBackend backend : test::light_backends()) {
+                const Rendering rendering = test::path_image(
                     backend, builder.scene, test::look_at({0, 0, from}, {0, 0, -9}, 1e-4),
                     test::path_settings(16, 16, 64));
                 for (std::uint32_t c = 0; c < 3; ++c) {
@@ -154,8 +154,8 @@ TEST(PathMedia, TheSmallerOfOverlappingBoundariesCounts) {
     for (const auto& [from, depth] :
          {Case{5.0, 0.1 * 6.0 + 0.5 * 1.5}, Case{0.5, 0.1 * 2.0 + 0.5 * 1.25},
           Case{-0.5, 0.1 * 2.0 + 0.5 * 0.5}, Case{1.0, 0.1 * 2.0 + 0.5 * 1.5}})
-        for (const Backend backend : test::backends()) {
-            const Rendering rendering = test::path_picture(
+        for (const TestBackend backend : test::light_backends()) {
+            const Rendering rendering = test::path_image(
                 backend, builder.scene, test::look_at({0, 0, from}, {0, 0, -9}, 1e-4),
                 test::path_settings(4, 4, 4));
             for (const double value : test::channel_of(rendering, "", 0))
@@ -176,8 +176,8 @@ TEST(PathMedia, SurfacesAreLitThroughMedia) {
     light.intensity = glm::vec3(3.0F);
     light.position = {0.3, 0.2, 0.0};
     builder.scene.lights.push_back(light);
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(
             backend, builder.scene, test::look_at({0.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, 1e-4),
             test::path_settings(4, 4, 4));
         const double d = std::sqrt(0.09 + 1.44);
@@ -238,8 +238,8 @@ TEST(PathMedia, SingleScatteringOfAnAreaLight) {
                                               static_cast<double>(g), 3.0));
         PathSettings settings = test::path_settings(32, 32, 128);
         settings.indirect = false;
-        for (const Backend backend : test::backends()) {
-            const Rendering rendering = test::path_picture(
+        for (const TestBackend backend : test::light_backends()) {
+            const Rendering rendering = test::path_image(
                 backend, builder.scene, test::look_at({0, 0, 0}, {0, 0, -1}, 1e-4), settings);
             for (std::uint32_t c = 0; c < 3; ++c) {
                 ASSERT_GT(expected[c], 0.0);
@@ -252,7 +252,7 @@ TEST(PathMedia, SingleScatteringOfAnAreaLight) {
     }
 }
 
-/// A room with a lamp, fog in a box and a hole in it.
+/// A room with an area light, fog in a box and a hole in it.
 SceneBuilder foggy_room() {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material({0.7F, 0.5F, 0.3F}));
@@ -271,18 +271,18 @@ TEST(PathMedia, SameBitsOnDevicesAndInParts) {
     const Scene scene = foggy_room().scene;
     const Camera camera = test::look_at({0.1, 0.2, 0.9}, {0.0, -0.2, 0.0}, 1.2);
     const FlatScene flat = flatten(scene);
-    Executor& own = test::shared_executor(Backend::own_bvh);
+    Executor& own = test::shared_executor(TestBackend::own_bvh);
     const FilmSums whole = test::path_sums(own, flat, camera, test::path_settings(24, 16, 8));
     PathSettings half = test::path_settings(24, 16, 8);
     half.samples = {0, 3};
     const FilmSums first = test::path_sums(own, flat, camera, half);
     half.samples = {3, 8};
     EXPECT_EQ(test::path_sums(own, flat, camera, half, first).words, whole.words);
-    const auto single = test::make_executor(Backend::own_bvh, 0, 1);
+    const auto single = test::make_executor(TestBackend::own_bvh, 0, 1);
     EXPECT_EQ(test::path_sums(*single, flat, camera, test::path_settings(24, 16, 8)).words,
               whole.words);
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    EXPECT_EQ(test::path_sums(test::shared_executor(Backend::opencl), flat, camera,
+    EXPECT_EQ(test::path_sums(test::shared_executor(TestBackend::opencl), flat, camera,
                               test::path_settings(24, 16, 8))
                   .words,
               whole.words);
@@ -297,12 +297,12 @@ TEST(PathMedia, ClearMediaChangeNothing) {
     scene.media.clear();
     scene.medium_boundaries.clear();
     const FlatScene none = flatten(scene);
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const PathSettings settings = test::path_settings(16, 16, 4);
     const FilmSums a = test::path_sums(executor, clear, camera, settings);
     const FilmSums b = test::path_sums(executor, none, camera, settings);
     EXPECT_EQ(a.words, b.words);
-    EXPECT_EQ(a.picture, b.picture);
+    EXPECT_EQ(a.identity, b.identity);
 }
 
 TEST(PathMedia, HostileMediaStayFinite) {
@@ -314,19 +314,19 @@ TEST(PathMedia, HostileMediaStayFinite) {
             scene.media[0] = medium_of({sigma, 1.0F, 0.0F}, glm::vec3(0.9F), g);
             scene.lights[0].position = {0.0, 0.0, 0.0};
             for (const glm::dvec3& from : {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 0.0, 0.5)})
-                (void)test::path_picture(Backend::own_bvh, scene,
-                                         test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
-                                         test::path_settings(9, 9, 8));
+                (void)test::path_image(TestBackend::own_bvh, scene,
+                                       test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
+                                       test::path_settings(9, 9, 8));
             scene.medium_boundaries.clear();
             scene.instances.clear();
             scene.outer_medium = 0;
-            (void)test::path_picture(Backend::own_bvh, scene,
-                                     test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
-                                     test::path_settings(9, 9, 8));
+            (void)test::path_image(TestBackend::own_bvh, scene,
+                                   test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
+                                   test::path_settings(9, 9, 8));
             scene.lights.clear();
-            (void)test::path_picture(Backend::own_bvh, scene,
-                                     test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
-                                     test::path_settings(9, 9, 8));
+            (void)test::path_image(TestBackend::own_bvh, scene,
+                                   test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
+                                   test::path_settings(9, 9, 8));
         }
 }
 

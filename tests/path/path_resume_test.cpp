@@ -18,13 +18,13 @@
 #include "tests/testing/path_fixture.h"
 #include "tests/testing/run_program.h"
 
-// Path-traced pictures made in parts, and by every backend: the same bits as at once. Words are
+// Path-traced images made in parts, and by every backend: the same bits as at once. Words are
 // compared, not values.
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr std::uint32_t width = 23;
 constexpr std::uint32_t height = 17;
@@ -83,13 +83,14 @@ FilmSums render(Executor& executor, const PathSettings& settings, FilmSums befor
 }
 
 FilmSums render(SampleRange range, FilmSums before = {}) {
-    return render(test::shared_executor(Backend::own_bvh), settings_of(range), std::move(before));
+    return render(test::shared_executor(TestBackend::own_bvh), settings_of(range),
+                  std::move(before));
 }
 
 void expect_same(const FilmSums& a, const FilmSums& b) {
     EXPECT_TRUE(a.words == b.words);
     EXPECT_EQ(a.ranges, b.ranges);
-    EXPECT_EQ(a.picture, b.picture);
+    EXPECT_EQ(a.identity, b.identity);
     EXPECT_EQ(a.light_exponent, b.light_exponent);
     EXPECT_EQ(test::differing_values(resolve_sums(a), resolve_sums(b)), 0U);
 }
@@ -127,7 +128,7 @@ TEST(PathResume, TenContinuationsThroughFilesEqualTheWhole) {
         SCOPED_TRACE(stop);
         expect_same(render({stop, 40}, through_a_file(render({0, stop}))), whole);
     }
-    // One picture, left and gone on with ten times.
+    // One image, left and gone on with ten times.
     FilmSums sums;
     for (std::uint32_t first = 0; first < 40; first += 4)
         sums = through_a_file(render({first, first + 4}, std::move(sums)));
@@ -139,7 +140,7 @@ TEST(PathResume, FramesEndedByTheUserAreWhole) {
     PathSettings settings = settings_of({0, 30});
     FilmSums sums;
     for (std::uint32_t interruption = 1; interruption <= 10; ++interruption) {
-        PathRenderer renderer(test::shared_executor(Backend::own_bvh), everything(), camera(),
+        PathRenderer renderer(test::shared_executor(TestBackend::own_bvh), everything(), camera(),
                               settings, std::move(sums));
         // Asked to end at once: the first frame, of one sample, is finished all the same.
         EXPECT_FALSE(renderer.render_frame([](Stage, double) { return false; }));
@@ -148,7 +149,8 @@ TEST(PathResume, FramesEndedByTheUserAreWhole) {
         settings.samples.first = interruption;
         sums = renderer.sums();
     }
-    expect_same(render(test::shared_executor(Backend::own_bvh), settings, std::move(sums)), whole);
+    expect_same(render(test::shared_executor(TestBackend::own_bvh), settings, std::move(sums)),
+                whole);
 }
 
 TEST(PathResume, ThreeRangesAddUpToTheWhole) {
@@ -166,9 +168,9 @@ TEST(PathResume, ThreeRangesAddUpToTheWhole) {
     expect_same(render({11, 12}, gap), whole);
 }
 
-TEST(PathResume, OtherPicturesAreNotContinued) {
+TEST(PathResume, OtherImagesAreNotContinued) {
     const FilmSums part = render({0, 2});
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     expect_refused([&] { (void)render(executor, settings_of({2, 4}, 1), part); });
     expect_refused([&] { (void)render({1, 4}, part); });
     const auto with = [&](const std::function<void(PathSettings&)>& change) {
@@ -193,7 +195,7 @@ TEST(PathResume, OtherPicturesAreNotContinued) {
 }
 
 TEST(PathResume, SeedsAndSamplesDiffer) {
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const FilmSums first = render(executor, settings_of({0, 2}, 0));
     EXPECT_FALSE(first.words == render(executor, settings_of({0, 2}, 1)).words);
     EXPECT_FALSE(first.words == render(executor, settings_of({2, 4}, 0)).words);
@@ -201,7 +203,7 @@ TEST(PathResume, SeedsAndSamplesDiffer) {
 }
 
 TEST(PathResume, ThreadsDoNotMatter) {
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         SCOPED_TRACE(test::backend_name(backend));
         expect_same(render(*test::make_executor(backend, 0, 1), settings_of({0, 12})),
                     render(*test::make_executor(backend, 0, 2), settings_of({0, 12})));
@@ -212,19 +214,19 @@ TEST(PathResume, EveryPacketWidthGivesTheSameBits) {
     const FilmSums expected = render({3, 9});
     for (const std::uint32_t lanes : {1U, 4U, 8U, 16U}) {
         SCOPED_TRACE(lanes);
-        for (const Backend backend : {Backend::own_bvh, Backend::opencl}) {
-            if (backend == Backend::opencl && !test::has_opencl()) continue;
+        for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::opencl}) {
+            if (backend == TestBackend::opencl && !test::has_opencl()) continue;
             expect_same(render(*test::make_executor(backend, lanes), settings_of({3, 9})),
                         expected);
         }
     }
 }
 
-TEST(PathResume, BackendsShareAPicture) {
+TEST(PathResume, BackendsShareAnImage) {
     // Begun by one, continued by another: for own_bvh and OpenCL the very same bits.
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
     const FilmSums whole = render({0, 20});
-    Executor& opencl = test::shared_executor(Backend::opencl);
+    Executor& opencl = test::shared_executor(TestBackend::opencl);
     expect_same(render(opencl, settings_of({9, 20}), render({0, 9})), whole);
     expect_same(render({9, 20}, render(opencl, settings_of({0, 9}))), whole);
 }
@@ -232,13 +234,13 @@ TEST(PathResume, BackendsShareAPicture) {
 TEST(PathResume, EmbreeDiffersByAlmostNothing) {
     const Image own = resolve_sums(render({0, 16}));
     const Image embree =
-        resolve_sums(render(test::shared_executor(Backend::embree), settings_of({0, 16})));
+        resolve_sums(render(test::shared_executor(TestBackend::embree), settings_of({0, 16})));
     for (const Layer& layer : own.layers)
         EXPECT_LE(test::relative_mse(layer.values, embree.find(layer.name)->values), 1e-5)
             << layer.name;
 }
 
-/// The program on a small picture.
+/// The program on a small image.
 class PathResumeProgram : public testing::Test {
   protected:
     [[nodiscard]] std::string at(const std::string& name) const { return folder_.path() / name; }
@@ -268,12 +270,12 @@ class PathResumeProgram : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(PathResumeProgram, ContinuedPicturesEqualTheWhole) {
+TEST_F(PathResumeProgram, ContinuedImagesEqualTheWhole) {
     run("whole.exr", {"--samples", "0:24"});
     for (const char* samples : {"1", "5", "16", "24"})
         run("x.exr", {"--spp", samples, "--resume", at("kept.exr")});
     expect_same(sums("kept.exr"), sums("whole.exr"));
-    // The picture is the one without sums, too.
+    // The image is the one without sums, too.
     run("plain.exr", {"--spp", "24"});
     const Image plain = read_exr(at("plain.exr"));
     const Image continued = read_exr(at("x.exr"));

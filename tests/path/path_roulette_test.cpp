@@ -23,10 +23,10 @@ namespace weft {
 namespace {
 
 using test::at;
-using test::Backend;
 using test::polygon_irradiance;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t comparisons = 300;
@@ -91,8 +91,8 @@ void expect_furnace(const glm::vec3& albedo, std::uint32_t samples, double large
     const glm::vec3 emission(1.0F, 2.0F, 0.5F);
     SceneBuilder builder;
     builder.add(test::icosphere(2, true), builder.material(albedo, emission));
-    for (const Backend backend : test::backends()) {
-        const Rendering rendering = test::path_picture(
+    for (const TestBackend backend : test::light_backends()) {
+        const Rendering rendering = test::path_image(
             backend, builder.scene, test::look_at({0.1, 0.2, 0.3}, {-0.5, 0.1, -0.4}, 1.2),
             test::path_settings(24, 24, samples, 9));
         for (std::uint32_t c = 0; c < 3; ++c) {
@@ -121,18 +121,21 @@ TEST(PathRoulette, DarkSurfacesKeepTheirLight) {
     expect_furnace({0.2F, 0.1F, 0.02F}, 128, 0.01);
 }
 
-/// A floor point under two lamps of different kinds, by how its lights are chosen.
+/// A floor point under two area lights of different kinds, by how its lights are chosen.
 class PathRouletteChoice : public testing::Test {
   protected:
     PathRouletteChoice() {
         builder_.add(test::quad_mesh({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}),
                      builder_.material(glm::vec3(0.6F)));
-        const Mesh lamps[] = {test::quad_mesh({-1.1F, -0.5F, 0.8F}, {0, 1, 0}, {1, 0, 0}),
-                              test::quad_mesh({0.2F, -0.4F, 0.5F}, {0, 1, 0}, {0.8F, 0, 0.5F})};
+        const Mesh area_lights[] = {
+            test::quad_mesh({-1.1F, -0.5F, 0.8F}, {0, 1, 0}, {1, 0, 0}),
+            test::quad_mesh({0.2F, -0.4F, 0.5F}, {0, 1, 0}, {0.8F, 0, 0.5F})};
         for (int i = 0; i < 2; ++i) {
             const float radiance = i == 0 ? 1.0F : 3.0F;
-            builder_.add(lamps[i], builder_.material(glm::vec3(0.0F), glm::vec3(radiance)));
-            const auto corner = [&](std::size_t k) { return glm::dvec3(lamps[i].positions.at(k)); };
+            builder_.add(area_lights[i], builder_.material(glm::vec3(0.0F), glm::vec3(radiance)));
+            const auto corner = [&](std::size_t k) {
+                return glm::dvec3(area_lights[i].positions.at(k));
+            };
             expected_ += static_cast<double>(radiance) *
                          polygon_irradiance({corner(0), corner(1), corner(3), corner(2)}, {0, 0, 0},
                                             {0, 0, 1});
@@ -144,12 +147,12 @@ class PathRouletteChoice : public testing::Test {
     void expect_the_same(const std::string& name) const {
         PathSettings settings = test::path_settings(16, 16, 512, 11);
         settings.indirect = false;
-        for (const Backend backend : test::backends())
+        for (const TestBackend backend : test::light_backends())
             test::expect_estimate(
-                test::layer_of(test::path_picture(
-                                   test::shared_executor(backend), flat_,
-                                   test::look_at({0.02, -0.05, 0.1}, {0, 0, 0}, 0.001), settings),
-                               "direct", 0),
+                test::layer_of(
+                    test::path_image(test::shared_executor(backend), flat_,
+                                     test::look_at({0.02, -0.05, 0.1}, {0, 0, 0}, 0.001), settings),
+                    "direct", 0),
                 0.6 / pi * expected_, {comparisons, 0.01, 1e-5},
                 std::string(test::backend_name(backend)) + " " + name);
     }
@@ -172,14 +175,14 @@ TEST_F(PathRouletteChoice, AnyProbabilitiesGiveTheSameLight) {
 
 TEST_F(PathRouletteChoice, LightsThatAreInNoTableAreMet) {
     // One of them, and all.
-    flat_.instances[1].light = NO_TRIANGLE;
+    flat_.instances[1].light = INVALID_INDEX;
     flat_.instances[2].light = 0;
     flat_.lights.erase(flat_.lights.begin());
     flat_.lights[0].choice_probability = 1.0F;
     flat_.lights[0].choice_cumulative = 1.0F;
     flat_.area_lights = 1;
     expect_the_same("one light in the table");
-    flat_.instances[2].light = NO_TRIANGLE;
+    flat_.instances[2].light = INVALID_INDEX;
     flat_.lights.clear();
     flat_.area_lights = 0;
     expect_the_same("none in the table");
@@ -188,7 +191,7 @@ TEST_F(PathRouletteChoice, LightsThatAreInNoTableAreMet) {
 TEST(PathRoulette, AgreesWithInstantRadiosity) {
     // Another estimator of the same light: virtual point lights without a bound on a wall of a dark
     // room, whose orders above the eighth are 0.3^9 = 2e-5 of the light. Both give a mean over the
-    // picture; virtual lights that of 64 seeds, whose t distribution is close to normal.
+    // image; virtual lights that of 64 seeds, whose t distribution is close to normal.
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material({0.3F, 0.25F, 0.2F}));
     builder.add(test::quad_mesh({-0.3F, 0.9F, -0.3F}, {0.6F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.6F}),
@@ -199,7 +202,7 @@ TEST(PathRoulette, AgreesWithInstantRadiosity) {
     const FlatScene flat = flatten(builder.scene);
     const Camera camera = test::look_at({0.2, 0.1, 0.3}, {0.1, -1.0, 0.2}, 0.5);
     std::vector<std::vector<double>> virtual_lights(3);
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     for (std::uint32_t seed = 0; seed < 64; ++seed) {
         RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 8, 8));
         settings.samples = 16;
@@ -215,9 +218,9 @@ TEST(PathRoulette, AgreesWithInstantRadiosity) {
     }
     PathSettings settings = test::path_settings(8, 8, 8192, 13);
     settings.direct = false;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         const Rendering paths =
-            test::path_picture(test::shared_executor(backend), flat, camera, settings);
+            test::path_image(test::shared_executor(backend), flat, camera, settings);
         for (std::uint32_t c = 0; c < 3; ++c) {
             const test::Estimate a = test::estimate(virtual_lights[c]);
             const test::Estimate b = test::beauty_of(paths, c);

@@ -14,16 +14,16 @@ namespace weft {
 namespace {
 
 using test::add_grid;
-using test::Backend;
 using test::foggy_room;
 using test::medium_of;
 using test::room_camera;
 using test::room_eye;
 using test::smoky_room;
+using test::TestBackend;
 
 TEST(PathSmoke, SameBitsOnDevicesAndInParts) {
     const FlatScene flat = flatten(smoky_room());
-    Executor& own = test::shared_executor(Backend::own_bvh);
+    Executor& own = test::shared_executor(TestBackend::own_bvh);
     const FilmSums whole =
         test::path_sums(own, flat, room_camera(), test::path_settings(24, 16, 8));
     PathSettings half = test::path_settings(24, 16, 8);
@@ -31,11 +31,11 @@ TEST(PathSmoke, SameBitsOnDevicesAndInParts) {
     const FilmSums first = test::path_sums(own, flat, room_camera(), half);
     half.samples = {3, 8};
     EXPECT_EQ(test::path_sums(own, flat, room_camera(), half, first).words, whole.words);
-    const auto single = test::make_executor(Backend::own_bvh, 0, 1);
+    const auto single = test::make_executor(TestBackend::own_bvh, 0, 1);
     EXPECT_EQ(test::path_sums(*single, flat, room_camera(), test::path_settings(24, 16, 8)).words,
               whole.words);
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    EXPECT_EQ(test::path_sums(test::shared_executor(Backend::opencl), flat, room_camera(),
+    EXPECT_EQ(test::path_sums(test::shared_executor(TestBackend::opencl), flat, room_camera(),
                               test::path_settings(24, 16, 8))
                   .words,
               whole.words);
@@ -52,7 +52,7 @@ TEST(PathSmoke, EmptyGridsAreClearAir) {
     scene.media.clear();
     scene.grids.clear();
     scene.outer_medium = -1;
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const PathSettings settings = test::path_settings(16, 16, 4);
     EXPECT_EQ(test::path_sums(executor, empty, room_camera(), settings).words,
               test::path_sums(executor, flatten(scene), room_camera(), settings).words);
@@ -76,14 +76,14 @@ TEST(PathSmoke, HostileGridsStayFinite) {
             scene.outer_medium = 0;
             scene.lights[0].position = {0.0, 0.0, 0.0};
             for (const glm::dvec3& from : {room_eye, glm::dvec3(0.0, 0.0, 1.0)})
-                (void)test::path_picture(Backend::own_bvh, scene,
-                                         test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
-                                         test::path_settings(9, 9, 8));
+                (void)test::path_image(TestBackend::own_bvh, scene,
+                                       test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
+                                       test::path_settings(9, 9, 8));
             scene.instances.clear();
             scene.lights.clear();
-            (void)test::path_picture(Backend::own_bvh, scene,
-                                     test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
-                                     test::path_settings(9, 9, 8));
+            (void)test::path_image(TestBackend::own_bvh, scene,
+                                   test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
+                                   test::path_settings(9, 9, 8));
         }
 }
 

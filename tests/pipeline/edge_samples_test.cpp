@@ -15,7 +15,6 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::coverage;
 using test::eye;
 using test::fov;
@@ -24,6 +23,7 @@ using test::half_plane;
 using test::Line;
 using test::line_at;
 using test::Rendering;
+using test::TestBackend;
 
 RenderSettings settings_of(Algorithm algorithm, std::uint32_t width = 96,
                            std::uint32_t height = 72) {
@@ -89,10 +89,11 @@ TEST(EdgeSamples, ASlantedEdgeCoversWhatItShould) {
                     builder.material({0, 0, 0}, {1.0F, 1.0F, 1.0F}));
         const RenderSettings settings = settings_of(Algorithm::amax, width, height);
         const CoverageError smooth = coverage_error(
-            test::render(Backend::own_bvh, builder.scene, front_camera(), settings), line);
-        const CoverageError jagged = coverage_error(
-            test::render(Backend::own_bvh, builder.scene, front_camera(), without_edges(settings)),
-            line);
+            test::render(TestBackend::own_bvh, builder.scene, front_camera(), settings), line);
+        const CoverageError jagged =
+            coverage_error(test::render(TestBackend::own_bvh, builder.scene, front_camera(),
+                                        without_edges(settings)),
+                           line);
         // Steps of 1/5 leave 0.2 / sqrt(12) = 0.058 of an axis-parallel edge, and one sample 0.29.
         // Along rows of the lattice there are three steps, for half of the pixels.
         EXPECT_LT(std::abs(smooth.mean), 0.01);
@@ -111,9 +112,10 @@ TEST(EdgeSamples, OtherPixelsKeepTheirBits) {
                 builder.material({0.2F, 0.5F, 0.6F}));
     builder.light(LightType::point, {1.0, 2.0, 3.0}, {9.0F, 9.0F, 9.0F});
     const RenderSettings settings = settings_of(Algorithm::amax, width, height);
-    const Rendering with = test::render(Backend::own_bvh, builder.scene, front_camera(), settings);
+    const Rendering with =
+        test::render(TestBackend::own_bvh, builder.scene, front_camera(), settings);
     const Rendering without =
-        test::render(Backend::own_bvh, builder.scene, front_camera(), without_edges(settings));
+        test::render(TestBackend::own_bvh, builder.scene, front_camera(), without_edges(settings));
     std::size_t near_line = 0;
     std::size_t changed_there = 0;
     for (const Layer& layer : with.image.layers)
@@ -137,8 +139,8 @@ TEST(EdgeSamples, OtherPixelsKeepTheirBits) {
 }
 
 TEST(EdgeSamples, EverySampleTakesTheIrradianceOfItsOwnSurface) {
-    // The front surface reflects red light, the back one green light. A lamp at the camera shines
-    // on all that is seen, I cos / d^2.
+    // The front surface reflects red light, the back one green light. An area light at the camera
+    // shines on all that is seen, I cos / d^2.
     const std::uint32_t width = 96;
     const std::uint32_t height = 72;
     const Line line = line_at(24.0, width, height);
@@ -150,7 +152,7 @@ TEST(EdgeSamples, EverySampleTakesTheIrradianceOfItsOwnSurface) {
     RenderSettings settings = settings_of(Algorithm::amax, width, height);
     settings.indirect = false;
     const Rendering rendering =
-        test::render(Backend::own_bvh, builder.scene, front_camera(), settings);
+        test::render(TestBackend::own_bvh, builder.scene, front_camera(), settings);
     std::size_t mixed = 0;
     for (std::uint32_t y = 2; y < height - 2; ++y)
         for (std::uint32_t x = 2; x < width - 2; ++x) {
@@ -177,7 +179,7 @@ TEST(EdgeSamples, TheSurroundingsCountWithTheirRadiance) {
     test::SceneBuilder builder;
     builder.add(half_plane(line, 0.0, width, height), builder.material({0, 0, 0}, {3, 3, 3}));
     builder.scene.environment = Environment{{1.0F, 1.0F, 1.0F}};
-    const Rendering rendering = test::render(Backend::own_bvh, builder.scene, front_camera(),
+    const Rendering rendering = test::render(TestBackend::own_bvh, builder.scene, front_camera(),
                                              settings_of(Algorithm::amax, width, height));
     double sum = 0.0;
     double exact = 0.0;
@@ -197,7 +199,7 @@ TEST(EdgeSamples, ASceneWithoutEdgesTracesNothing) {
     builder.light(LightType::point, {0.1, 0.2, 0.1}, {1.0F, 1.0F, 1.0F});
     for (const Algorithm algorithm : {Algorithm::amax, Algorithm::ais}) {
         const Rendering rendering =
-            test::render(Backend::own_bvh, builder.scene,
+            test::render(TestBackend::own_bvh, builder.scene,
                          test::look_at({0, 0, 0.3}, {0, 0, -1}, 1.5), settings_of(algorithm));
         EXPECT_GT(rendering.plan.edge_samples, 0U);
         EXPECT_EQ(edge_stage(rendering), nullptr);
@@ -222,8 +224,8 @@ TEST(EdgeSamples, TextureMakesNoEdges) {
         builder.add(std::move(tile), checked);
     }
     builder.light(LightType::point, {0.0, 0.0, eye}, {9.0F, 9.0F, 9.0F});
-    const Rendering rendering =
-        test::render(Backend::own_bvh, builder.scene, front_camera(), settings_of(Algorithm::amax));
+    const Rendering rendering = test::render(TestBackend::own_bvh, builder.scene, front_camera(),
+                                             settings_of(Algorithm::amax));
     const auto& albedo = rendering.layer("albedo");
     const auto [least, most] = std::minmax_element(albedo.begin(), albedo.end());
     EXPECT_EQ(*least, 0.0F);
@@ -237,8 +239,8 @@ TEST(EdgeSamples, ColoursMakeEdgesOnAPlane) {
                 builder.material({0.8F, 0.1F, 0.1F}));
     builder.add(test::quad_mesh({0, -60, 0}, {60, 0, 0}, {0, 120, 0}),
                 builder.material({0.1F, 0.1F, 0.8F}));
-    const Rendering rendering =
-        test::render(Backend::own_bvh, builder.scene, front_camera(), settings_of(Algorithm::amax));
+    const Rendering rendering = test::render(TestBackend::own_bvh, builder.scene, front_camera(),
+                                             settings_of(Algorithm::amax));
     ASSERT_NE(edge_stage(rendering), nullptr);
     EXPECT_EQ(edge_stage(rendering)->rays, 2U * 72U * rendering.plan.edge_samples);
 }
@@ -256,7 +258,7 @@ TEST(EdgeSamples, WhatNoPixelShowsIsCounted) {
                                 {0.0F, 20.0F, 0.0F}),
                 builder.material({0.9F, 0.9F, 0.1F}));
     builder.light(LightType::point, {-2.0, 0.0, eye}, {30.0F, 30.0F, 30.0F});
-    const Rendering rendering = test::render(Backend::own_bvh, builder.scene, front_camera(),
+    const Rendering rendering = test::render(TestBackend::own_bvh, builder.scene, front_camera(),
                                              settings_of(Algorithm::amax, width, height));
     test::expect_clean(rendering);
     ASSERT_NE(edge_stage(rendering), nullptr);
@@ -301,7 +303,7 @@ TEST(EdgeSamples, AllBackendsWidthsTilesAndThreadsGiveTheSameBits) {
         const auto render = [&](Executor& executor) {
             return test::render(executor, scene, room_camera(), settings);
         };
-        const Rendering reference = render(*test::make_executor(Backend::own_bvh, 1, 1));
+        const Rendering reference = render(*test::make_executor(TestBackend::own_bvh, 1, 1));
         test::expect_clean(reference);
         ASSERT_NE(edge_stage(reference), nullptr);
         const auto expect_same = [&](const Rendering& other, const char* what) {
@@ -311,22 +313,22 @@ TEST(EdgeSamples, AllBackendsWidthsTilesAndThreadsGiveTheSameBits) {
             EXPECT_EQ(edge_stage(other)->misses, edge_stage(reference)->misses) << what;
         };
         for (const std::uint32_t lanes : {4U, 8U, 16U})
-            expect_same(render(*test::make_executor(Backend::own_bvh, lanes, 2)), "lanes");
+            expect_same(render(*test::make_executor(TestBackend::own_bvh, lanes, 2)), "lanes");
         if (test::has_opencl())
-            expect_same(render(test::shared_executor(Backend::opencl)), "OpenCL");
+            expect_same(render(test::shared_executor(TestBackend::opencl)), "OpenCL");
         settings.tile = 7;
-        expect_same(render(test::shared_executor(Backend::own_bvh)), "tile");
+        expect_same(render(test::shared_executor(TestBackend::own_bvh)), "tile");
     }
 }
 
 TEST(EdgeSamples, TheMeanIsKeptAndEdgesComeCloser) {
     const Scene scene = furnished_room(false);
     RenderSettings settings = settings_of(Algorithm::amax);
-    const Rendering smooth = test::render(Backend::own_bvh, scene, room_camera(), settings);
+    const Rendering smooth = test::render(TestBackend::own_bvh, scene, room_camera(), settings);
     const Rendering jagged =
-        test::render(Backend::own_bvh, scene, room_camera(), without_edges(settings));
+        test::render(TestBackend::own_bvh, scene, room_camera(), without_edges(settings));
     settings.samples = 64;
-    const Rendering many = test::render(Backend::own_bvh, scene, room_camera(), settings, 64);
+    const Rendering many = test::render(TestBackend::own_bvh, scene, room_camera(), settings, 64);
     EXPECT_EQ(edge_stage(many), nullptr);
     for (const char* layer : {"albedo", "emission", "direct"}) {
         SCOPED_TRACE(layer);
@@ -361,14 +363,14 @@ TEST(EdgeSamples, OnlyAdaptiveAlgorithmsOfOneSampleHaveThem) {
 
 TEST(EdgeSamples, WithoutThemAmaxIsIgi) {
     const Scene scene = furnished_room(true);
-    const Rendering amax = test::render(Backend::own_bvh, scene, room_camera(),
+    const Rendering amax = test::render(TestBackend::own_bvh, scene, room_camera(),
                                         without_edges(settings_of(Algorithm::amax)));
     const Rendering igi =
-        test::render(Backend::own_bvh, scene, room_camera(), settings_of(Algorithm::igi));
+        test::render(TestBackend::own_bvh, scene, room_camera(), settings_of(Algorithm::igi));
     EXPECT_EQ(test::differing_values(amax.image, igi.image), 0U);
 }
 
-TEST(EdgeSamples, SmallPicturesAndHugeRadianceAreClean) {
+TEST(EdgeSamples, SmallImagesAndHugeRadianceAreClean) {
     test::SceneBuilder builder;
     builder.add(test::quad_mesh({-0.31F, -0.17F, 0.0F}, {0.4F, 0, 0}, {0.1F, 0.6F, 0}),
                 builder.material({0, 0, 0}, {1e38F, 3e38F, 2e38F}));
@@ -376,7 +378,7 @@ TEST(EdgeSamples, SmallPicturesAndHugeRadianceAreClean) {
         RenderSettings settings = settings_of(Algorithm::amax, size, 2 * size);
         settings.indirect = false;
         const Rendering rendering =
-            test::render(Backend::own_bvh, builder.scene, front_camera(), settings);
+            test::render(TestBackend::own_bvh, builder.scene, front_camera(), settings);
         for (const float value : rendering.layer("emission")) EXPECT_TRUE(std::isfinite(value));
     }
 }

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <vector>
 
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
 namespace weft {
 namespace {
@@ -68,7 +68,7 @@ TEST(FrameBudget, NeverLeavesItsRange) {
     for (const double target : {5e-324, 1e-300, 1.0, 40.0, 1e300}) {
         FrameBudget budget(target);
         for (int frame = 0; frame < 2000; ++frame) {
-            // Long stretches of one kind drive it to both ends.
+            // Long runs of one kind drive it to both ends.
             const bool slow = frame / 100 % 2 == 0;
             const double used =
                 std::exp((static_cast<double>(random.unit()) - (slow ? 0.2 : 0.8)) * 1400.0);
@@ -93,7 +93,7 @@ TEST(FrameBudget, GainsThatChangeNothingDoNotRunAway) {
 /// Milliseconds of a frame: what no threshold changes, and samples that fall with a power of it.
 struct CostModel {
     double fixed, adaptive, exponent;
-    std::size_t hold;  ///< pictures for which a raised level stays
+    std::size_t hold;  ///< images for which a raised level stays
     double noise;      ///< relative
 
     /// With the gains of the last frames, the newest last.
@@ -105,7 +105,7 @@ struct CostModel {
 };
 
 TEST(FrameBudget, ConvergesOnAModelOfCost) {
-    // A tile that a low gain has raised stays for some pictures, so cost follows the least gain of
+    // A tile that a low gain has raised stays for some images, so cost follows the least gain of
     // these. Every target below can be reached within the range.
     Uniform random(2);
     for (const double exponent : {0.2, 0.5, 1.0})

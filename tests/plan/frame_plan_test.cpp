@@ -234,7 +234,7 @@ TEST(FramePlan, DirectLightAdaptsToAsManyLightsAsAreToldApart) {
     EXPECT_FALSE(plan_frames(Algorithm::ais, settings, scene).adapts_direct());
 }
 
-TEST(FramePlan, FewSamplesOnLightsAreAllLookedAtAtOnce) {
+TEST(FramePlan, FewSamplesOnLightsAreAllTracedAtOnce) {
     SceneStatistics scene = room();
     scene.area_lights = 15;
     EXPECT_FALSE(plan_frames(Algorithm::ais, {}, scene).adapts_direct());

@@ -211,10 +211,10 @@ TEST_F(PresetFile, TheCommandLineWins) {
               IndirectSource::vpl);
 }
 
-class PresetPicture : public PresetFile {
+class PresetImage : public PresetFile {
   protected:
-    /// Renders a small picture with these options.
-    [[nodiscard]] Image picture(const std::string& name, std::vector<std::string> more) const {
+    /// Renders a small image with these options.
+    [[nodiscard]] Image make_image(const std::string& name, std::vector<std::string> more) const {
         const std::string output = folder_.path() / name;
         std::vector<std::string> arguments{"render",     test::shipped_scene("cornell-box.gltf"),
                                            "-o",         output,
@@ -234,26 +234,26 @@ class PresetPicture : public PresetFile {
     }
 };
 
-TEST_F(PresetPicture, DefaultsMakeTheDefaultPicture) {
+TEST_F(PresetImage, DefaultsMakeTheDefaultImage) {
     const std::string file = folder_.write("p.json", preset_json(Preset{}).dump());
-    expect_same(picture("a.exr", {}), picture("b.exr", {"--preset", file}));
+    expect_same(make_image("a.exr", {}), make_image("b.exr", {"--preset", file}));
 }
 
-TEST_F(PresetPicture, AQualityCanBeWrittenDown) {
+TEST_F(PresetImage, AQualityCanBeWrittenDown) {
     const std::string file = folder_.write(
         "p.json", preset_json({Algorithm::ais, sampling_of(Quality::high), 2}).dump());
-    expect_same(picture("a.exr", {"--quality", "high", "--spp", "2"}),
-                picture("b.exr", {"--preset", file}));
+    expect_same(make_image("a.exr", {"--quality", "high", "--spp", "2"}),
+                make_image("b.exr", {"--preset", file}));
 }
 
-TEST_F(PresetPicture, StatisticsSayWhatTookEffect) {
+TEST_F(PresetImage, StatisticsSayWhatTookEffect) {
     SamplingSettings sampling;
     sampling.threshold = 21.0;
     sampling.cache_error = 0.25;
     const std::string file =
         folder_.write("p.json", preset_json({Algorithm::ic, sampling, 2}).dump());
     const std::string stats = folder_.path() / "stats.json";
-    (void)picture("a.exr", {"--preset", file, "--cache-error", "0.5", "--stats", stats});
+    (void)make_image("a.exr", {"--preset", file, "--cache-error", "0.5", "--stats", stats});
     const json found = json::parse(test::text_of_file(stats));
     EXPECT_EQ(found["options"]["preset"], file);
     EXPECT_TRUE(found["options"]["quality"].is_null());

@@ -9,10 +9,10 @@
 #include <bit>
 #include <string>
 
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
-// Masks of tiles against twins that go through the picture pixel by pixel, and against the taps
-// and windows of the kernels that read what the masks select.
+// Masks of tiles against reference implementations that go through the image pixel by pixel, and
+// against the taps and footprints of the kernels that read what the masks select.
 namespace weft {
 namespace {
 
@@ -32,7 +32,7 @@ std::vector<Level> random_levels(const TileGrid& grid, Uniform& random) {
     return levels;
 }
 
-/// Pixels of the picture that a tile's reconstruction reads and the masks leave out.
+/// Pixels of the image that a tile's reconstruction reads and the masks leave out.
 std::size_t missing_support(const TileGrid& grid, const std::vector<Level>& levels,
                             const std::vector<TileMask>& masks) {
     std::size_t missing = 0;
@@ -58,8 +58,8 @@ TEST(TileMasks, LatticesOfATile) {
     static_assert(mask_of({0x80000001U, 0x2U}) == 0x0000000280000001U);
 }
 
-TEST(TileMasks, GridsCoverThePicture) {
-    for (const TileGrid& grid : test::small_pictures()) {
+TEST(TileMasks, GridsCoverTheImage) {
+    for (const TileGrid& grid : test::small_images()) {
         EXPECT_EQ(grid.columns(), (grid.width + 7) / 8) << text_of(grid);
         EXPECT_EQ(grid.rows(), (grid.height + 7) / 8) << text_of(grid);
         EXPECT_EQ(grid.tiles(), grid.columns() * grid.rows()) << text_of(grid);
@@ -68,7 +68,7 @@ TEST(TileMasks, GridsCoverThePicture) {
 
 TEST(TileMasks, SamplesOfEverythingThatReconstructionReads) {
     Uniform random(1);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 40; ++i) {
             const std::vector<Level> levels = random_levels(grid, random);
             EXPECT_EQ(missing_support(grid, levels, required_masks(grid, levels)), 0U)
@@ -78,7 +78,7 @@ TEST(TileMasks, SamplesOfEverythingThatReconstructionReads) {
 
 TEST(TileMasks, SamplesAroundASingleFinerTile) {
     // Each tile in turn is the only one above coarse: nothing else asks for what it needs.
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const Level level : {Level::middle, Level::full})
             for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
                 std::vector<Level> levels(grid.tiles(), Level::coarse);
@@ -88,7 +88,7 @@ TEST(TileMasks, SamplesAroundASingleFinerTile) {
             }
 }
 
-/// Whether a table of weights of a tile inside the picture is that of the taps.
+/// Whether a table of weights of a tile inside the image is that of the taps.
 void expect_taps(const float* table, int points, int stride) {
     constexpr int left = 16;
     constexpr int size = 64;
@@ -109,7 +109,7 @@ TEST(TileMasks, WeightsOfTilesAreThoseOfTheTaps) {
 }
 
 TEST(TileMasks, MissingSamplesAreNoticed) {
-    // The same search finds every pixel that is taken out of the masks of a picture of one tile.
+    // The same search finds every pixel that is taken out of the masks of an image of one tile.
     const TileGrid grid{8, 8};
     const std::vector<Level> levels{Level::middle};
     std::vector<TileMask> masks = required_masks(grid, levels);
@@ -146,7 +146,7 @@ TEST(TileMasks, NothingButLatticesNearFinerTiles) {
 
 TEST(TileMasks, RaisingACoarseTileOnlyAddsPixels) {
     Uniform random(2);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 20; ++i) {
             std::vector<Level> levels = random_levels(grid, random);
             const std::uint32_t raised = random.below(grid.tiles());
@@ -164,7 +164,7 @@ TEST(TileMasks, RaisingACoarseTileOnlyAddsPixels) {
 }
 
 TEST(TileMasks, FullLevelIsEveryPixel) {
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const TileMask mask :
              required_masks(grid, std::vector<Level>(grid.tiles(), Level::full)))
             EXPECT_EQ(mask, ~TileMask{0}) << text_of(grid);
@@ -172,9 +172,9 @@ TEST(TileMasks, FullLevelIsEveryPixel) {
 
 TEST(TileMasks, DilationIsThatOfSinglePixels) {
     Uniform random(3);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 12; ++i) {
-            // From single pixels to dense masks; bits beyond the picture are bits like any other.
+            // From single pixels to dense masks; bits beyond the image are bits like any other.
             std::vector<TileMask> masks(grid.tiles(), 0);
             for (TileMask& mask : masks)
                 for (int n = 0; n < 2 * i && random.below(3) != 0; ++n)
@@ -195,11 +195,11 @@ TEST(TileMasks, DilationOfEveryPixel) {
         }
 }
 
-TEST(TileMasks, WindowsAreThoseOfTheDiscontinuityBuffer) {
+TEST(TileMasks, FootprintsAreThoseOfTheDiscontinuityBuffer) {
     Uniform random(4);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 12; ++i) {
-            // One pixel in the first rounds, and no pixel outside of the picture.
+            // One pixel in the first rounds, and no pixel outside of the image.
             std::vector<TileMask> masks(grid.tiles(), 0);
             std::vector<TileMask> expected(grid.tiles(), 0);
             for (int n = 0; n <= i; ++n) {
@@ -212,7 +212,7 @@ TEST(TileMasks, WindowsAreThoseOfTheDiscontinuityBuffer) {
                         TileMask{1} << (v % TILE_EDGE * TILE_EDGE + u % TILE_EDGE);
                 });
             }
-            const std::vector<TileMask> found = window_masks(grid, masks);
+            const std::vector<TileMask> found = footprint_masks(grid, masks);
             for (std::uint32_t y = 0; y < grid.height; ++y)
                 for (std::uint32_t x = 0; x < grid.width; ++x)
                     if (in_mask(grid, expected, x, y)) {

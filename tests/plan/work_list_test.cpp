@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
 namespace weft {
 namespace {
@@ -37,8 +37,8 @@ std::string fault_of(const Shape& shape, const WorkList& list) {
     std::vector<int> seen(std::size_t{shape.width} * shape.height, 0);
     for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
         const std::uint32_t pixel = list.pixels[slot];
-        if (pixel == NO_TRIANGLE) continue;
-        if (pixel >= seen.size()) return "holds a pixel outside the picture";
+        if (pixel == INVALID_INDEX) continue;
+        if (pixel >= seen.size()) return "holds a pixel outside the image";
         ++seen[pixel];
         const std::uint32_t n = shape.interleave;
         const std::uint32_t set = pixel % shape.width % n + n * (pixel / shape.width % n);
@@ -87,22 +87,22 @@ TEST(WorkList, FaultsAreNoticed) {
     EXPECT_NE(fault_of(shape, outside), "");
 }
 
-TEST(WorkList, PaddingOnlyEndsTheStretchOfASetInATile) {
+TEST(WorkList, PaddingOnlyEndsTheSlotsOfASetInATile) {
     const Shape shape{50, 41, 3, 20};
     const WorkList list = list_of(shape);
     for (std::size_t slot = 0; slot + 1 < list.pixels.size(); ++slot)
-        if (list.pixels[slot] == NO_TRIANGLE && (slot + 1) % PACKET_BLOCK != 0) {
-            EXPECT_EQ(list.pixels[slot + 1], NO_TRIANGLE) << "slot " << slot;
+        if (list.pixels[slot] == INVALID_INDEX && (slot + 1) % PACKET_BLOCK != 0) {
+            EXPECT_EQ(list.pixels[slot + 1], INVALID_INDEX) << "slot " << slot;
         }
     // A block of padding alone would be work for nothing.
     for (std::size_t block = 0; block < list.block_sets.size(); ++block)
-        EXPECT_NE(list.pixels[block * PACKET_BLOCK], NO_TRIANGLE) << "block " << block;
+        EXPECT_NE(list.pixels[block * PACKET_BLOCK], INVALID_INDEX) << "block " << block;
 }
 
 TEST(WorkList, WholeTilesNeedNoPadding) {
     const WorkList list = make_work_list(128, 64, 1, 64);
     EXPECT_EQ(list.pixels.size(), 128u * 64u);
-    EXPECT_EQ(std::count(list.pixels.begin(), list.pixels.end(), NO_TRIANGLE), 0);
+    EXPECT_EQ(std::count(list.pixels.begin(), list.pixels.end(), INVALID_INDEX), 0);
 }
 
 TEST(WorkList, BlocksOfWholeTilesAreCompact) {
@@ -114,7 +114,7 @@ TEST(WorkList, BlocksOfWholeTilesAreCompact) {
             std::array<std::uint32_t, 4> box{edge, 0, edge, 0};
             for (std::size_t i = 0; i < PACKET_BLOCK; ++i) {
                 const std::uint32_t pixel = list.pixels[block * PACKET_BLOCK + i];
-                ASSERT_NE(pixel, NO_TRIANGLE);
+                ASSERT_NE(pixel, INVALID_INDEX);
                 box = {std::min(box[0], pixel % edge), std::max(box[1], pixel % edge),
                        std::min(box[2], pixel / edge), std::max(box[3], pixel / edge)};
             }
@@ -130,21 +130,21 @@ TEST(WorkList, TilesFollowEachOther) {
     const WorkList list = make_work_list(width, 40, 3, tile);
     std::vector<std::uint32_t> order;
     for (const std::uint32_t pixel : list.pixels) {
-        if (pixel == NO_TRIANGLE) continue;
+        if (pixel == INVALID_INDEX) continue;
         const std::uint32_t at = pixel / width / tile * 3 + pixel % width / tile;
         if (order.empty() || order.back() != at) order.push_back(at);
     }
     EXPECT_EQ(order, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-TEST(WorkList, LargeTilesAreTheWholePicture) {
-    // The order of a tile does not depend on what lies beyond the picture.
+TEST(WorkList, LargeTilesAreTheWholeImage) {
+    // The order of a tile does not depend on what lies beyond the image.
     const WorkList whole = make_work_list(60, 45, 3, 60);
     EXPECT_EQ(make_work_list(60, 45, 3, 4096).pixels, whole.pixels);
 }
 
 std::vector<TileMask> random_masks(const TileGrid& grid, test::Uniform& random) {
-    // Empty, sparse and full tiles, with bits beyond the picture.
+    // Empty, sparse and full tiles, with bits beyond the image.
     std::vector<TileMask> masks(grid.tiles(), 0);
     for (TileMask& mask : masks) {
         const std::uint32_t kind = random.below(4);
@@ -165,11 +165,11 @@ std::string fault_of(const TileGrid& grid, const std::vector<TileMask>& masks,
     std::size_t padding = 0;
     for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
         const std::uint32_t pixel = list.pixels[slot];
-        if (pixel == NO_TRIANGLE) {
+        if (pixel == INVALID_INDEX) {
             ++padding;
             continue;
         }
-        if (pixel >= seen.size()) return "holds a pixel outside the picture";
+        if (pixel >= seen.size()) return "holds a pixel outside the image";
         ++seen[pixel];
         const std::uint32_t set =
             pixel % grid.width % interleave + interleave * (pixel / grid.width % interleave);
@@ -193,7 +193,7 @@ std::string text_of(const TileGrid& grid, std::uint32_t interleave) {
 
 TEST(WorkList, MasksGiveTheirPixelsOnceInTheirSets) {
     test::Uniform random(1);
-    for (const TileGrid& grid : test::small_pictures())
+    for (const TileGrid& grid : test::small_images())
         for (const std::uint32_t n : {1U, 2U, 3U, 5U, 8U, 9U})
             for (int i = 0; i < 4; ++i) {
                 const std::vector<TileMask> masks = random_masks(grid, random);
@@ -214,17 +214,17 @@ TEST(WorkList, FaultsOfMasksAreNoticed) {
     fewer[4] &= ~TileMask{2};
     EXPECT_NE(fault_of(grid, masks, 3, make_work_list(grid, fewer, 3)), "");
     WorkList padded = good;
-    padded.pixels.resize(padded.pixels.size() + 9 * PACKET_BLOCK, NO_TRIANGLE);
+    padded.pixels.resize(padded.pixels.size() + 9 * PACKET_BLOCK, INVALID_INDEX);
     padded.block_sets.resize(padded.pixels.size() / PACKET_BLOCK, 0);
     EXPECT_NE(fault_of(grid, masks, 3, padded), "");
 }
 
 TEST(WorkList, MasksWithoutPixelsGiveNothing) {
-    for (const TileGrid& grid : test::small_pictures()) {
+    for (const TileGrid& grid : test::small_images()) {
         const WorkList list = make_work_list(grid, std::vector<TileMask>(grid.tiles(), 0), 3);
         EXPECT_TRUE(list.pixels.empty() && list.block_sets.empty()) << text_of(grid, 3);
     }
-    // The one bit lies below the picture.
+    // The one bit lies below the image.
     EXPECT_TRUE(
         make_work_list(TileGrid{8, 3}, std::vector<TileMask>{TileMask{1} << 24}, 3).pixels.empty());
 }
@@ -259,7 +259,7 @@ TEST(WorkList, ASpreadListKeepsSetsAndPartsNeighbours) {
         std::vector<std::uint32_t> seen(41 * 29, 0);
         for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
             const std::uint32_t pixel = list.pixels[slot];
-            if (pixel == NO_TRIANGLE) continue;
+            if (pixel == INVALID_INDEX) continue;
             ++seen[pixel];
             const std::uint32_t x = pixel % 41;
             const std::uint32_t y = pixel / 41;

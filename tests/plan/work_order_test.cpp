@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
 namespace weft {
 namespace {
@@ -22,7 +22,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> by_set(const WorkList& list)
     EXPECT_EQ(list.pixels.size(), list.block_sets.size() * PACKET_BLOCK);
     std::map<std::uint32_t, std::vector<std::uint32_t>> sets;
     for (std::size_t i = 0; i < list.pixels.size(); ++i)
-        if (list.pixels[i] != NO_TRIANGLE)
+        if (list.pixels[i] != INVALID_INDEX)
             sets[list.block_sets[i / PACKET_BLOCK]].push_back(list.pixels[i]);
     return sets;
 }

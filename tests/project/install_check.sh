@@ -38,7 +38,7 @@ scene=$(find "$installed" -name cornell-box.gltf)
     cat messages >&2
     fail "the installed program renders nothing"
 }
-[ -s box.png ] || fail "no picture was written"
+[ -s box.png ] || fail "no image was written"
 [ -n "$(find "$installed" -name LICENSE)" ] || fail "no licence was installed"
 extra=$(find "$installed" -name '*.py' -o -name '__pycache__' -o -name '*.a' -o -name '*.cl')
 [ -z "$extra" ] || fail "was installed without being needed: $extra"

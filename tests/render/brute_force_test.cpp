@@ -9,16 +9,16 @@
 #include "tests/testing/bvh_meshes.h"
 #include "tests/testing/render_fixture.h"
 
-// Interleaved sampling against its brute-force twin: `ir` makes the same sample sets as `igi`, and
-// every pixel uses all of them. And the discontinuity filter against what it must not mix.
+// Interleaved sampling against its brute-force reference: `ir` makes the same sample sets as `igi`,
+// and every pixel uses all of them. And the discontinuity filter against what it must not mix.
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
-/// The room [-1,1]^3 with a lamp under its ceiling and light from a gap in one wall.
+/// The room [-1,1]^3 with an area light under its ceiling and light from a gap in one wall.
 SceneBuilder room_scene() {
     SceneBuilder builder;
     const std::uint32_t white = builder.material({0.7F, 0.6F, 0.5F});
@@ -46,9 +46,9 @@ Camera camera_on_one_point() {
 // Nothing is left to chance: the sets are those of the seeds. Rounding moves the mean by 1e-6, a
 // hundredth of what is allowed. Where a block had an average set in the place of the one that is
 // farthest off, its mean would move by a ninth of the spread: a hundred times what is allowed.
-TEST(BruteForce, EveryBlockOfNineUnfilteredPixelsAveragesToTheTwin) {
+TEST(BruteForce, EveryBlockOfNineUnfilteredPixelsAveragesToTheReference) {
     const FlatScene flat = flatten(room_scene().scene);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const std::uint32_t seed : {0U, 1U, 2U}) {
             Executor& executor = test::shared_executor(backend);
             RenderSettings settings = settings_of(Algorithm::igi, 12, 9);
@@ -63,19 +63,19 @@ TEST(BruteForce, EveryBlockOfNineUnfilteredPixelsAveragesToTheTwin) {
             for (const char* layer : {"direct", "indirect"}) {
                 for (std::uint32_t y0 = 0; y0 + 3 <= 9; ++y0)
                     for (std::uint32_t x0 = 0; x0 + 3 <= 12; ++x0) {
-                        const double twin = static_cast<double>(ir.at(layer, x0 + 1, y0 + 1));
-                        ASSERT_GT(twin, 0.0);
+                        const double reference = static_cast<double>(ir.at(layer, x0 + 1, y0 + 1));
+                        ASSERT_GT(reference, 0.0);
                         double mean = 0.0;
                         double spread = 0.0;
                         for (std::uint32_t i = 0; i < 9; ++i) {
                             const double value =
                                 static_cast<double>(igi.at(layer, x0 + i % 3, y0 + i / 3));
                             mean += value / 9;
-                            spread = std::max(spread, std::abs(value - twin));
+                            spread = std::max(spread, std::abs(value - reference));
                         }
-                        EXPECT_NEAR(mean, twin, 1e-4 * twin) << layer;
+                        EXPECT_NEAR(mean, reference, 1e-4 * reference) << layer;
                         // The nine sets are different ones, or the comparison says nothing.
-                        EXPECT_GT(spread, 0.1 * twin) << layer;
+                        EXPECT_GT(spread, 0.1 * reference) << layer;
                     }
             }
         }
@@ -84,7 +84,7 @@ TEST(BruteForce, EveryBlockOfNineUnfilteredPixelsAveragesToTheTwin) {
 TEST(BruteForce, TheFilterMeetsEverySetOnceAtBordersToo) {
     const FlatScene flat = flatten(room_scene().scene);
     using Size = std::pair<std::uint32_t, std::uint32_t>;
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const auto& [width, height] : {Size{3, 3}, Size{7, 5}, Size{20, 11}, Size{4, 70}}) {
             Executor& executor = test::shared_executor(backend);
             const Rendering igi = test::render_flat(executor, flat, camera_on_one_point(),
@@ -103,9 +103,9 @@ TEST(BruteForce, TheFilterMeetsEverySetOnceAtBordersToo) {
         }
 }
 
-TEST(BruteForce, AWholePictureIsNearItsTwin) {
+TEST(BruteForce, AWholeImageIsNearItsReference) {
     // Interleaving with the filter replaces all VPLs by those of nine neighbours. What that changes
-    // depends on a pixel's size against the distance of VPLs: finer pictures come nearer.
+    // depends on a pixel's size against the distance of VPLs: finer images come nearer.
     const FlatScene flat = flatten(room_scene().scene);
     const Camera camera = test::look_at({0.0, 0.0, 3.2}, {0.0, 0.0, 0.0}, 0.75);
     double coarse = 1.0;
@@ -113,7 +113,7 @@ TEST(BruteForce, AWholePictureIsNearItsTwin) {
         // The standard bound, for corners would be dominated by single VPLs without.
         RenderSettings settings = test::small_settings(Algorithm::igi, height * 3 / 2, height);
         settings.sampling.vpls_per_set = 16;
-        Executor& executor = test::shared_executor(Backend::own_bvh);
+        Executor& executor = test::shared_executor(TestBackend::own_bvh);
         const Rendering igi = test::render_flat(executor, flat, camera, settings);
         settings.algorithm = Algorithm::ir;
         const Rendering ir = test::render_flat(executor, flat, camera, settings);
@@ -147,7 +147,7 @@ TEST(BruteForce, TextureAndVertexColoursNeverPassThroughTheFilter) {
     builder.add(std::move(plane), material);
     builder.scene.environment = Environment{glm::vec3(1.0F)};
     const Camera camera = test::look_at({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, 0.8);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         RenderSettings settings = test::small_settings(Algorithm::igi, 61, 47);
         const Rendering filtered = test::render(backend, builder.scene, camera, settings);
         settings.sampling.filter_radius = 0;
@@ -169,7 +169,7 @@ struct Bleeding {
     std::size_t dark_pixels = 0;
     std::size_t lit_pixels = 0;
     std::size_t lit_wrongly = 0;  ///< dark ones that are not exactly 0
-    double largest_loss = 0.0;    ///< of a lit one against the twin, relative
+    double largest_loss = 0.0;    ///< of a lit one against the reference, relative
 };
 
 template <class Dark>
@@ -185,15 +185,16 @@ Bleeding bleeding(const Rendering& igi, const Rendering& ir, const Dark& dark) {
                 continue;
             }
             ++found.lit_pixels;
-            const double twin = static_cast<double>(ir.at("direct", x, y));
-            if (twin > 0.0) found.largest_loss = std::max(found.largest_loss, 1.0 - value / twin);
+            const double reference = static_cast<double>(ir.at("direct", x, y));
+            if (reference > 0.0)
+                found.largest_loss = std::max(found.largest_loss, 1.0 - value / reference);
         }
     return found;
 }
 
 template <class Dark>
 void expect_no_bleeding(const Scene& scene, const Camera& camera, const Dark& dark) {
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         // With so many samples every set is nearly right, so that losses show.
         RenderSettings settings = settings_of(Algorithm::ir, 80, 60);
         settings.sampling.samples_per_light = 256;
@@ -215,7 +216,7 @@ void expect_no_bleeding(const Scene& scene, const Camera& camera, const Dark& da
 }
 
 TEST(BruteForce, NoLightBleedsAcrossACrease) {
-    // The lamp hangs within the cube's outline: its sides see nothing of it.
+    // The area light hangs within the cube's outline: its sides see nothing of it.
     SceneBuilder builder;
     Mesh cube = test::room_mesh();
     for (auto& triangle : cube.triangles) std::swap(triangle[1], triangle[2]);
@@ -229,7 +230,7 @@ TEST(BruteForce, NoLightBleedsAcrossACrease) {
 }
 
 TEST(BruteForce, ParallelPlanesAtDifferentDepthDoNotMix) {
-    // The lamp lies between the planes and shines down to the lower one.
+    // The area light lies between the planes and shines down to the lower one.
     SceneBuilder builder;
     const std::uint32_t white = builder.material(glm::vec3(0.7F));
     builder.add(test::quad_mesh({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), white);
@@ -250,7 +251,7 @@ TEST(BruteForce, PunctualLightIsTheSameForBothAndIsNotFiltered) {
     builder.scene.environment.reset();
     builder.scene.materials.back().emission.radiance = glm::vec3(0.0F);
     const Camera camera = test::look_at({0.0, 0.0, 3.2}, {0.0, 0.0, 0.0}, 0.75);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         RenderSettings settings = test::small_settings(Algorithm::igi, 50, 40);
         settings.indirect = false;
         const Rendering igi = test::render(backend, builder.scene, camera, settings);

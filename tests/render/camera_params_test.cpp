@@ -37,7 +37,7 @@ Camera camera_with(FovAxis axis, double fov) {
     return camera;
 }
 
-/// Full angles in degrees that the picture spans: {horizontal, vertical, diagonal}.
+/// Full angles in degrees that the image spans: {horizontal, vertical, diagonal}.
 glm::dvec3 angles_of(const shared::RenderParams& params) {
     const double right = glm::length(vector(params.camera.right));
     const double up = glm::length(vector(params.camera.up));
@@ -108,7 +108,7 @@ TEST(CameraParams, OriginIsInKernelUnits) {
     EXPECT_EQ(params.scene.unit, 0.25F);
 }
 
-TEST(CameraParams, SinglePicturesUsePixelCentres) {
+TEST(CameraParams, SingleImagesUsePixelCentres) {
     shared::RenderParams params{};
     for (const std::uint32_t seed : {0U, 7U}) {
         set_jitter(0, true, seed, params);

@@ -14,12 +14,12 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::isolated_dark_pixels;
 using test::Placed;
 using test::placed_scene;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr Algorithm algorithms[] = {Algorithm::igi, Algorithm::ir, Algorithm::ic, Algorithm::tic,
                                     Algorithm::irradiance_cache};
@@ -31,7 +31,7 @@ Camera plain_camera() {
 /// Renders on every backend with all of them, two frames each, and looks for what is not clean.
 template <class Check>
 void render_everywhere(const Scene& scene, const Camera& camera, const Check& check) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Algorithm algorithm : algorithms) {
             SCOPED_TRACE(test::backend_name(backend));
             RenderSettings settings = test::small_settings(algorithm, 31, 22);
@@ -77,7 +77,7 @@ TEST(DegenerateRender, ComponentsThatAreLeftOutAreBlackUnderEveryKindOfLight) {
     builder.light(LightType::point, {1, 2, 1}, glm::vec3(1.0F));
     builder.light(LightType::directional, {}, glm::vec3(1.0F), {0.2, -1.0, 0.1});
     builder.scene.environment = Environment{{0.5F, 0.5F, 0.5F}};
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const bool direct : {false, true})
             for (const bool indirect : {false, true}) {
                 RenderSettings settings = test::small_settings(Algorithm::igi, 31, 22);
@@ -109,7 +109,7 @@ TEST(DegenerateRender, NoLightsAndLightsWithoutPower) {
     render_everywhere(builder.scene, camera, see);
 }
 
-TEST(DegenerateRender, LampWithoutAreaAndTrianglesWithoutArea) {
+TEST(DegenerateRender, AreaLightWithoutAreaAndTrianglesWithoutArea) {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material(glm::vec3(0.8F)));
     // A point, a line and a needle, all of them shining.
@@ -169,7 +169,7 @@ TEST(DegenerateRender, WhiteClosedBoxStaysFiniteAndKeepsItsOrdersOfLight) {
     builder.add(test::room_mesh(), builder.material(glm::vec3(1.0F)));
     builder.light(LightType::point, {0.0, 0.0, 0.0}, glm::vec3(1.0F));
     const Camera camera = test::look_at({0, 0, 0}, {0, 0, -1}, std::numbers::pi / 2.0);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 36, 36));
         const Rendering rendering = test::render(backend, builder.scene, camera, settings, 24);
         test::expect_clean(rendering);
@@ -189,9 +189,9 @@ TEST(DegenerateRender, WhiteClosedBoxStaysFiniteAndKeepsItsOrdersOfLight) {
     }
 }
 
-TEST(DegenerateRender, ScaleAndPlaceDoNotChangeThePicture) {
+TEST(DegenerateRender, ScaleAndPlaceDoNotChangeTheImage) {
     const glm::dvec3 far_away(1e5, 1e3, -2e5);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const RenderSettings settings = test::small_settings(Algorithm::igi, 121, 90);
         const Placed base = placed_scene(1.0, {});
         const Rendering reference = test::render(backend, base.scene, base.camera, settings);
@@ -220,7 +220,7 @@ TEST(DegenerateRender, ScaleAndPlaceDoNotChangeThePicture) {
 
 TEST(DegenerateRender, HugeAndTinyCoordinates) {
     for (const double scale : {1e-30, 1e-18, 1e-9, 1e9, 1e14})
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::backends()) {
             SCOPED_TRACE(std::string(test::backend_name(backend)) + ' ' + std::to_string(scale));
             const Placed placed = placed_scene(scale, {});
             const Rendering rendering = test::render(backend, placed.scene, placed.camera,
@@ -254,8 +254,8 @@ TEST(DegenerateRender, LightsInImpossiblePlaces) {
                       [](const Rendering& r) { EXPECT_GT(mean(r, "direct"), 0.01); });
 }
 
-TEST(DegenerateRender, CoincidentFacesAndLampOnAWall) {
-    // Two walls in one place of different colours, and a lamp in the plane of the ceiling.
+TEST(DegenerateRender, CoincidentFacesAndAreaLightOnAWall) {
+    // Two walls in one place of different colours, and an area light in the plane of the ceiling.
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material({0.7F, 0.1F, 0.1F}));
     builder.add(test::room_mesh(), builder.material({0.1F, 0.7F, 0.1F}));

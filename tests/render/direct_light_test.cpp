@@ -11,7 +11,7 @@
 #include "tests/testing/floor_scenes.h"
 #include "tests/testing/render_fixture.h"
 
-// Direct light against closed forms, through the kernels that make pictures: a picture of one pixel
+// Direct light against closed forms, through the kernels that make images: an image of one pixel
 // shows the receiver's point, and its direct layer is albedo / pi times the irradiance.
 //
 // What is sampled is rendered with 16 seeds of 9216 samples each; their mean must lie within 5
@@ -21,15 +21,15 @@
 namespace weft {
 namespace {
 
-using test::Backend;
+using test::area_light_mesh;
 using test::corners_of;
 using test::eye_offset;
 using test::floor_scene;
-using test::lamp_mesh;
 using test::polygon_irradiance;
 using test::radiance;
 using test::receiver_albedo;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::uint32_t seeds = 16;
@@ -44,7 +44,7 @@ RenderSettings one_pixel(std::uint32_t seed) {
 }
 
 /// Irradiance by direct light at `point` of a surface, seen from `eye`.
-glm::dvec3 irradiance_at(Backend backend, const FlatScene& flat, const glm::dvec3& point,
+glm::dvec3 irradiance_at(TestBackend backend, const FlatScene& flat, const glm::dvec3& point,
                          const glm::dvec3& eye, std::uint32_t seed) {
     const test::Rendering rendering = test::render_flat(
         test::shared_executor(backend), flat, test::look_at(eye, point, 0.001), one_pixel(seed));
@@ -55,13 +55,13 @@ glm::dvec3 irradiance_at(Backend backend, const FlatScene& flat, const glm::dvec
     return result;
 }
 
-glm::dvec3 floor_irradiance(Backend backend, const Scene& scene, const glm::dvec3& point) {
+glm::dvec3 floor_irradiance(TestBackend backend, const Scene& scene, const glm::dvec3& point) {
     validate_scene(scene);
     return irradiance_at(backend, flatten(scene), point, point + eye_offset, 0);
 }
 
 /// The comparison described above; `bias` is what the model itself is off by, relative.
-void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point,
+void expect_sampled(TestBackend backend, const Scene& scene, const glm::dvec3& point,
                     const glm::dvec3& expected, double bias = 0.0,
                     const glm::dvec3& eye = eye_offset) {
     validate_scene(scene);
@@ -80,15 +80,15 @@ void expect_sampled(Backend backend, const Scene& scene, const glm::dvec3& point
 }
 
 TEST(DirectLight, TheFormulaGivesThePublishedValues) {
-    const auto square = corners_of(lamp_mesh());
+    const auto square = corners_of(area_light_mesh());
     EXPECT_NEAR(polygon_irradiance(square, {0, 0, 0}, {0, 0, 1}), 0.7522746885, 1e-10);
     EXPECT_NEAR(polygon_irradiance(square, {1, 0, 0}, {0, 0, 1}), 0.2650048523, 1e-10);
 }
 
 TEST(DirectLight, SquareLightGivesLambertsIrradiance) {
     SceneBuilder builder = floor_scene();
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F), radiance));
-    for (const Backend backend : test::backends()) {
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F), radiance));
+    for (const TestBackend backend : test::light_backends()) {
         expect_sampled(backend, builder.scene, {0, 0, 0}, 0.7522746885 * glm::dvec3(radiance));
         expect_sampled(backend, builder.scene, {1, 0, 0}, 0.2650048523 * glm::dvec3(radiance));
     }
@@ -102,59 +102,59 @@ TEST(DirectLight, TiltedParallelogramsGiveLambertsIrradiance) {
         builder.add(quad, material);
         for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(-0.7, 0.4, 0)})
             expect_sampled(
-                Backend::own_bvh, builder.scene, point,
+                TestBackend::own_bvh, builder.scene, point,
                 polygon_irradiance(corners_of(quad), point, {0, 0, 1}) * glm::dvec3(radiance));
     }
 }
 
-TEST(DirectLight, FaintLampsBesideASunAreSampledByTheirOwnPowers) {
+TEST(DirectLight, FaintAreaLightsBesideASunAreSampledByTheirOwnPowers) {
     // Too many lights for samples of each; the sun shines from below and outshines them by 2^40.
     SceneBuilder builder = floor_scene();
     const std::uint32_t material = builder.material(glm::vec3(0.0F), radiance);
     const std::uint32_t bright = builder.material(glm::vec3(0.0F), 3.0F * radiance);
     glm::dvec3 expected(0.0);
     for (int i = 0; i < 70; ++i) {
-        const Mesh lamp =
+        const Mesh area_light =
             test::quad_mesh({-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
                             {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
-        builder.add(lamp, i % 3 == 0 ? bright : material);
-        expected += polygon_irradiance(corners_of(lamp), {0, 0, 0}, {0, 0, 1}) *
+        builder.add(area_light, i % 3 == 0 ? bright : material);
+        expected += polygon_irradiance(corners_of(area_light), {0, 0, 0}, {0, 0, 1}) *
                     (i % 3 == 0 ? 3.0 : 1.0) * glm::dvec3(radiance);
     }
     builder.light(LightType::directional, {}, glm::vec3(0x1p40F)).direction = {0.0, 0.0, 1.0};
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, builder.scene, {0, 0, 0}, expected);
 }
 
 TEST(DirectLight, AnOccluderClipsTheLight) {
-    // A half plane at height 1/2 over x > 0.1 hides the lamp's x > 0.2 from the origin.
+    // A half plane at height 1/2 over x > 0.1 hides the area light's x > 0.2 from the origin.
     SceneBuilder builder = floor_scene();
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F), radiance));
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F), radiance));
     builder.add(test::quad_mesh({0.1F, -5.0F, 0.5F}, {5.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}),
                 builder.material(glm::vec3(0.0F)));
     const std::vector<glm::dvec3> left{
         {-0.5, -0.5, 1.0}, {-0.5, 0.5, 1.0}, {0.2, 0.5, 1.0}, {0.2, -0.5, 1.0}};
     const double expected = polygon_irradiance(left, {0, 0, 0}, {0, 0, 1});
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, builder.scene, {0, 0, 0}, expected * glm::dvec3(radiance));
     // Wholly hidden and wholly visible points.
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         EXPECT_EQ(floor_irradiance(backend, builder.scene, {2.0, 0, 0}), glm::dvec3(0.0));
         expect_sampled(backend, builder.scene, {-1.0, 0, 0},
-                       polygon_irradiance(corners_of(lamp_mesh()), {-1, 0, 0}, {0, 0, 1}) *
+                       polygon_irradiance(corners_of(area_light_mesh()), {-1, 0, 0}, {0, 0, 1}) *
                            glm::dvec3(radiance));
     }
 }
 
 TEST(DirectLight, DiskOnAxis) {
     const test::LitFloor floor = test::disk_over_floor();
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 TEST(DirectLight, SphereAboveTheHorizon) {
     const test::LitFloor floor = test::sphere_over_floor();
-    expect_sampled(Backend::own_bvh, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
+    expect_sampled(TestBackend::own_bvh, floor.scene, {0, 0, 0}, floor.irradiance, floor.bias);
 }
 
 // Rounding: some half ulps, and the shadow ray's origin, which lies up to 24 half ulps of the
@@ -170,7 +170,7 @@ TEST(DirectLight, PointLightIsExact) {
     const double height = 1.7;
     SceneBuilder builder = floor_scene();
     builder.light(LightType::point, {0.2, 0.1, height}, radiance);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const glm::dvec3& point :
              {glm::dvec3(0.2, 0.1, 0), glm::dvec3(-1.0, 0.5, 0), glm::dvec3(2.9, -2.8, 0)}) {
             const glm::dvec3 d = glm::dvec3(0.2, 0.1, height) - point;
@@ -180,7 +180,7 @@ TEST(DirectLight, PointLightIsExact) {
         }
     // Nothing comes from below the floor.
     builder.scene.lights[0].position.z = -height;
-    EXPECT_EQ(floor_irradiance(Backend::own_bvh, builder.scene, {0, 0, 0}), glm::dvec3(0.0));
+    EXPECT_EQ(floor_irradiance(TestBackend::own_bvh, builder.scene, {0, 0, 0}), glm::dvec3(0.0));
 }
 
 TEST(DirectLight, SpotFallsOffBetweenItsConesAndEndsAtTheOuterOne) {
@@ -190,7 +190,7 @@ TEST(DirectLight, SpotFallsOffBetweenItsConesAndEndsAtTheOuterOne) {
         builder.light(LightType::spot, {0.0, 0.0, height}, radiance, {0.0, 0.0, -1.0});
     spot.cos_inner = 0.9F;
     spot.cos_outer = 0.7F;
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const double cosine : {1.0, 0.95, 0.9001, 0.85, 0.8, 0.71, 0.701, 0.699, 0.5}) {
             SCOPED_TRACE(cosine);
             const glm::dvec3 point(height * std::tan(std::acos(cosine)), 0.0, 0.0);
@@ -214,7 +214,7 @@ TEST(DirectLight, DirectionalLightIsExactAndCastsShadows) {
     builder.light(LightType::directional, {}, radiance, direction);
     builder.add(test::quad_mesh({-0.5F, -0.5F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}),
                 builder.material(glm::vec3(0.5F)));
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::light_backends()) {
         expect_exact(floor_irradiance(backend, builder.scene, {-0.3, 0.1, 0}),
                      -direction.z * glm::dvec3(radiance));
         // The square's shadow is moved by (0.6, 0.2): its corners from (0.1, -0.3) to (1.1, 0.7).
@@ -227,18 +227,18 @@ TEST(DirectLight, DirectionalLightIsExactAndCastsShadows) {
 }
 
 TEST(DirectLight, OneSidedEmittersShineToTheirFrontOnly) {
-    // Two floors, below and above the lamp, which shines down.
+    // Two floors, below and above the area light, which shines down.
     const glm::dvec3 below(0.0, 0.0, 0.0);
     const glm::dvec3 above(0.0, 0.0, 2.0);
     for (const bool both : {false, true}) {
         SceneBuilder builder = floor_scene();
         builder.add(test::quad_mesh({-3, -3, 2}, {0, 6, 0}, {6, 0, 0}),
                     builder.material(receiver_albedo));
-        const std::uint32_t lamp = builder.material(glm::vec3(0.0F), radiance);
-        builder.scene.materials[lamp].emission.both_sides = both;
-        builder.add(lamp_mesh(), lamp);
+        const std::uint32_t area_light = builder.material(glm::vec3(0.0F), radiance);
+        builder.scene.materials[area_light].emission.both_sides = both;
+        builder.add(area_light_mesh(), area_light);
         const glm::dvec3 full = 0.7522746885 * glm::dvec3(radiance);
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::light_backends()) {
             expect_sampled(backend, builder.scene, below, full);
             const glm::dvec3 eye(0.05, -0.1, -0.2);
             if (both) {
@@ -248,10 +248,10 @@ TEST(DirectLight, OneSidedEmittersShineToTheirFrontOnly) {
             EXPECT_EQ(irradiance_at(backend, flatten(builder.scene), above, above + eye, 3),
                       glm::dvec3(0.0));
         }
-        // What the camera sees of the lamp.
+        // What the camera sees of the area light.
         for (const double side : {-1.0, 1.0}) {
             const test::Rendering rendering = test::render(
-                Backend::own_bvh, builder.scene,
+                TestBackend::own_bvh, builder.scene,
                 test::look_at({0.0, 0.1, 1.0 + 0.5 * side}, {0.0, 0.0, 1.0}, 0.1), one_pixel(0));
             for (std::uint32_t c = 0; c < 3; ++c)
                 EXPECT_EQ(rendering.at("emission", 0, 0, c),
@@ -263,7 +263,7 @@ TEST(DirectLight, OneSidedEmittersShineToTheirFrontOnly) {
 TEST(DirectLight, EnvironmentOverAnOpenPlaneIsPiTimesItsRadiance) {
     SceneBuilder builder = floor_scene();
     builder.scene.environment = Environment{radiance};
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
             RenderSettings settings = test::small_settings(algorithm, 33, 25);
             const test::Rendering rendering =
@@ -284,14 +284,14 @@ TEST(DirectLight, EnvironmentOverAnOpenPlaneIsPiTimesItsRadiance) {
 TEST(DirectLight, EnvironmentBehindASquareLacksTheSquaresShare) {
     SceneBuilder builder = floor_scene();
     builder.scene.environment = Environment{radiance};
-    builder.add(lamp_mesh(), builder.material(glm::vec3(0.5F)));
+    builder.add(area_light_mesh(), builder.material(glm::vec3(0.5F)));
     const glm::dvec3 expected = (pi - 0.7522746885) * glm::dvec3(radiance);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, builder.scene, {0, 0, 0}, expected);
 }
 
 TEST(DirectLight, LightsAddUpWhetherAllAreSampledOrSomeAreChosen) {
-    // Four lamps of different sizes; below the limit each gets its samples, above it they are
+    // Four area lights of different sizes; below the limit each gets its samples, above it they are
     // chosen by power. The sum is the same.
     SceneBuilder builder = floor_scene();
     double expected = 0.0;
@@ -304,7 +304,7 @@ TEST(DirectLight, LightsAddUpWhetherAllAreSampledOrSomeAreChosen) {
         expected += static_cast<double>(strength) *
                     polygon_irradiance(corners_of(quad), {0, 0, 0}, {0, 0, 1});
     }
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_sampled(backend, builder.scene, {0, 0, 0}, expected * glm::dvec3(radiance));
     const FlatScene flat = flatten(builder.scene);
     double sum = 0.0;
@@ -312,7 +312,7 @@ TEST(DirectLight, LightsAddUpWhetherAllAreSampledOrSomeAreChosen) {
         RenderSettings settings = one_pixel(seed);
         settings.sampling.max_samples_per_set = 2000;
         const test::Rendering rendering =
-            test::render_flat(test::shared_executor(Backend::own_bvh), flat,
+            test::render_flat(test::shared_executor(TestBackend::own_bvh), flat,
                               test::look_at(eye_offset, {0, 0, 0}, 0.001), settings);
         ASSERT_EQ(rendering.plan.samples_per_light, 0U);
         sum += rendering.irradiance("direct", 0, 0, 0) / seeds;

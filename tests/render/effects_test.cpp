@@ -13,7 +13,7 @@
 #include "tests/testing/media_builder.h"
 #include "tests/testing/render_fixture.h"
 
-// A frame does what its scene calls for, and nothing else: for each scene the kernels that its plan
+// A frame does what its scene needs, and nothing else: for each scene the kernels that its plan
 // builds, the stages that a frame runs, and the rays that components trace are written out here. A
 // component that joins the program must not change any of these lists.
 namespace weft {
@@ -24,7 +24,7 @@ using test::SceneBuilder;
 
 /// What a scene has.
 struct Contents {
-    bool lamp = false;  ///< an area light
+    bool area_light = false;  ///< an area light
     bool point = false;
     bool sun = false;
     bool sky = false;
@@ -36,7 +36,7 @@ struct Contents {
 FlatScene flat_scene(const Contents& contents) {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material(glm::vec3(contents.black ? 0.0F : 0.6F)));
-    if (contents.lamp)
+    if (contents.area_light)
         builder.add(test::quad_mesh({-0.2F, 0.9F, -0.2F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.4F}),
                     builder.material(glm::vec3(0.0F), glm::vec3(5.0F)));
     if (contents.point) builder.light(LightType::point, glm::dvec3(0.3, 0.2, 0.1), glm::vec3(1.0F));
@@ -93,35 +93,36 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-    const Contents lamp{.lamp = true};
+    const Contents area_light{.area_light = true};
     const Contents point{.point = true};
-    const Contents black_lamp{.lamp = true, .black = true};
-    return {{"lamp", lamp, true, true, joined({area, indirect})},
-            {"lamp, direct alone", lamp, true, false, joined({area})},
-            {"lamp, indirect alone", lamp, false, true, joined({indirect})},
-            {"point light", point, true, true, joined({punctual, indirect})},
-            {"point light, direct alone", point, true, false, joined({punctual})},
-            {"sun", {.sun = true}, true, false, joined({sun})},
-            {"sky", {.sky = true}, true, false, joined({sky})},
-            {"nothing reflects", black_lamp, true, true, joined({area})},
-            {"lamp and point light",
-             {.lamp = true, .point = true},
-             true,
-             true,
-             joined({area, punctual, indirect})},
-            {"no light", {}, true, true, joined({})},
-            {"fog", {.lamp = true, .fog = true}, true, true, joined({area, indirect, airlight})},
-            {"fog that absorbs",
-             {.lamp = true, .fog = true, .fog_albedo = 0.0F},
-             true,
-             true,
-             joined({area, indirect, media})},
-            {"sun in fog, seen in the fog alone",
-             {.sun = true, .fog = true},
-             false,
-             false,
-             joined({airlight, distant_airlight})},
-            {"fog without light", {.fog = true}, true, true, joined({media})}};
+    const Contents black_area_light{.area_light = true, .black = true};
+    return {
+        {"area light", area_light, true, true, joined({area, indirect})},
+        {"area light, direct alone", area_light, true, false, joined({area})},
+        {"area light, indirect alone", area_light, false, true, joined({indirect})},
+        {"point light", point, true, true, joined({punctual, indirect})},
+        {"point light, direct alone", point, true, false, joined({punctual})},
+        {"sun", {.sun = true}, true, false, joined({sun})},
+        {"sky", {.sky = true}, true, false, joined({sky})},
+        {"nothing reflects", black_area_light, true, true, joined({area})},
+        {"area light and point light",
+         {.area_light = true, .point = true},
+         true,
+         true,
+         joined({area, punctual, indirect})},
+        {"no light", {}, true, true, joined({})},
+        {"fog", {.area_light = true, .fog = true}, true, true, joined({area, indirect, airlight})},
+        {"fog that absorbs",
+         {.area_light = true, .fog = true, .fog_albedo = 0.0F},
+         true,
+         true,
+         joined({area, indirect, media})},
+        {"sun in fog, seen in the fog alone",
+         {.sun = true, .fog = true},
+         false,
+         false,
+         joined({airlight, distant_airlight})},
+        {"fog without light", {.fog = true}, true, true, joined({media})}};
 }
 
 RenderSettings settings_of(const Case& of) {
@@ -140,13 +141,13 @@ TEST(Effects, FramesTraceRaysOfTheirComponentsAlone) {
     for (const Case& of : cases()) {
         SCOPED_TRACE(of.name);
         const Rendering rendering = test::render_flat(
-            test::shared_executor(test::Backend::own_bvh), flat_scene(of.contents),
+            test::shared_executor(test::TestBackend::own_bvh), flat_scene(of.contents),
             test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2), settings_of(of));
         std::set<std::string> components;
         for (const StageStats& stage : rendering.stats[0].stages)
             if (stage.rays > 0 && !stage.component.empty()) components.insert(stage.component);
         const Contents& c = of.contents;
-        const bool lit = c.lamp || c.point || c.sun || c.sky;
+        const bool lit = c.area_light || c.point || c.sun || c.sky;
         EXPECT_EQ(components.count("direct"), of.direct && lit && !c.black ? 1U : 0U);
         EXPECT_EQ(components.count("indirect"), of.indirect && lit && !c.black ? 1U : 0U);
         EXPECT_EQ(components.count("media"), c.fog && c.fog_albedo > 0.0F && lit ? 1U : 0U);
@@ -157,7 +158,7 @@ TEST(Effects, FramesTraceRaysOfTheirComponentsAlone) {
 
 TEST(Effects, NoBufferForWhatIsNotThere) {
     const auto bytes = [](const Contents& contents, bool direct, bool wants_indirect) {
-        const auto executor = test::make_executor(test::Backend::own_bvh);
+        const auto executor = test::make_executor(test::TestBackend::own_bvh);
         const FlatScene flat = flat_scene(contents);
         RenderSettings how = settings();
         how.direct = direct;
@@ -165,16 +166,16 @@ TEST(Effects, NoBufferForWhatIsNotThere) {
         const Renderer renderer(*executor, flat, test::look_at({0, 0, 0.9}, {0, 0, 0}, 1.0), how);
         return executor->allocated_bytes();
     };
-    const Contents lamp{.lamp = true};
-    const std::size_t both = bytes(lamp, true, true);
-    const std::size_t direct = bytes(lamp, true, false);
-    const std::size_t none = bytes(lamp, false, false);
+    const Contents area_light{.area_light = true};
+    const std::size_t both = bytes(area_light, true, true);
+    const std::size_t direct = bytes(area_light, true, false);
+    const std::size_t none = bytes(area_light, false, false);
     EXPECT_GT(both, direct);
     EXPECT_GT(direct, none);
     // Without lights or reflection it is as if the component had not been asked for.
     EXPECT_EQ(bytes({}, true, true), bytes({}, false, false));
-    EXPECT_EQ(bytes({.lamp = true, .black = true}, true, true),
-              bytes({.lamp = true, .black = true}, true, false));
+    EXPECT_EQ(bytes({.area_light = true, .black = true}, true, true),
+              bytes({.area_light = true, .black = true}, true, false));
 }
 
 /// All that two frames of a scene make a device do, and what comes of it.
@@ -188,7 +189,7 @@ struct Deeds {
 };
 
 Deeds deeds_of(const FlatScene& flat, const RenderSettings& how) {
-    test::CountingExecutor executor(test::make_executor(test::Backend::own_bvh));
+    test::CountingExecutor executor(test::make_executor(test::TestBackend::own_bvh));
     Renderer renderer(executor, flat, test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2), how);
     for (int frame = 0; frame < 2; ++frame) EXPECT_TRUE(renderer.render_frame({}));
     return {executor.kernels(),
@@ -235,7 +236,7 @@ TEST(Effects, FramesRunTheKernelsThatWereBuilt) {
 
 // A program with further components that nobody asks for does what one without them does: the same
 // kernels and features, the same launches over the same work-items, the same buffers, the same
-// rays, the same picture.
+// rays, the same image.
 TEST(Effects, AComponentThatIsNotAskedForChangesNothing) {
     const std::vector<ComponentKind> without = components_by_default();
     ASSERT_LT(without.size(), components().size());  // or nothing would be compared
@@ -259,7 +260,7 @@ TEST(Effects, AComponentThatIsNotAskedForChangesNothing) {
         }
 }
 
-/// The picture without the layers of components that have to be asked for.
+/// The image without the layers of components that have to be asked for.
 Image without_requested(Image image) {
     std::erase_if(image.layers, [](const Layer& layer) {
         for (const std::string_view name : choosable_components(Choice::on_request))

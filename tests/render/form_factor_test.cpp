@@ -12,18 +12,18 @@
 #include "tests/testing/render_fixture.h"
 
 // Form factors of unit squares (Howell's catalogue, C-11 and C-14) by light samples: a square of
-// radiance 1 lights another one that fills the picture, so that the mean irradiance over pi is the
+// radiance 1 lights another one that fills the image, so that the mean irradiance over pi is the
 // form factor. A camera halfway sees the pixels' centres as a uniform grid on the square.
 //
 // The mean over pixels is compared with Lambert's formula at those very points, from 16 seeds by
 // Student's t with 15 degrees of freedom at 5 standard errors: a correct renderer fails one such
 // comparison in 6,000, and seeds are fixed. What the grid leaves of the integral is a second,
-// deterministic comparison. Pictures do not depend on the packet width (backend_agreement_test).
+// deterministic comparison. Images do not depend on the packet width (backend_agreement_test).
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr double pi = std::numbers::pi;
 constexpr double parallel_form_factor = 0.1998248957;
@@ -33,8 +33,8 @@ constexpr std::uint32_t seeds = 16;
 
 /// The receiver is the square [0, 1]^2 in z = 0, which faces up.
 struct Setup {
-    Mesh lamp;
-    std::vector<glm::dvec3> corners;  // of the lamp
+    Mesh area_light;
+    std::vector<glm::dvec3> corners;  // of the area light
 };
 
 Setup parallel() {
@@ -80,7 +80,7 @@ void expect_form_factor(Executor& executor, const Setup& setup) {
     SceneBuilder builder;
     builder.add(test::quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                 builder.material(glm::vec3(1.0F)));
-    builder.add(setup.lamp, builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
+    builder.add(setup.area_light, builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
     validate_scene(builder.scene);
     const FlatScene flat = flatten(builder.scene);
     std::vector<double> values;
@@ -93,12 +93,12 @@ void expect_form_factor(Executor& executor, const Setup& setup) {
 }
 
 TEST(FormFactor, ParallelSquares) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_form_factor(test::shared_executor(backend), parallel());
 }
 
 TEST(FormFactor, PerpendicularSquaresWithACommonEdge) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_form_factor(test::shared_executor(backend), perpendicular());
 }
 

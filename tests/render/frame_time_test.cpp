@@ -18,9 +18,9 @@ namespace weft {
 namespace {
 
 using nlohmann::json;
-using test::Backend;
 using test::room_with_ball;
 using test::run_program;
+using test::TestBackend;
 
 constexpr double out_of_reach_ms = 1e-9;
 constexpr double ample_ms = 1e12;
@@ -37,18 +37,18 @@ RenderSettings settings(double frame_time_ms) {
     return small;
 }
 
-/// Levels of the indirect light in each picture of a sequence with a still camera.
-std::vector<LevelStats> sequence(double frame_time_ms, int pictures) {
-    Renderer renderer(test::shared_executor(Backend::embree), room_with_ball(), camera(),
+/// Levels of the indirect light in each image of a sequence with a still camera.
+std::vector<LevelStats> sequence(double frame_time_ms, int images) {
+    Renderer renderer(test::shared_executor(TestBackend::embree), room_with_ball(), camera(),
                       settings(frame_time_ms));
     std::vector<LevelStats> levels;
-    for (int picture = 0; picture < pictures; ++picture) {
-        if (picture > 0) renderer.move_camera(camera());
+    for (int image = 0; image < images; ++image) {
+        if (image > 0) renderer.move_camera(camera());
         EXPECT_TRUE(renderer.render_frame({}));
         for (const LevelStats& level : renderer.stats().back().levels)
             if (level.component == "indirect") levels.push_back(level);
     }
-    EXPECT_EQ(levels.size(), static_cast<std::size_t>(pictures));
+    EXPECT_EQ(levels.size(), static_cast<std::size_t>(images));
     return levels;
 }
 
@@ -58,7 +58,7 @@ TEST(FrameTime, WithoutOneAllGainsStayOne) {
 
 TEST(FrameTime, OneThatCannotBeKeptMakesFramesCheap) {
     const std::vector<LevelStats> levels = sequence(out_of_reach_ms, 48);
-    // Levels that are held or fade hide it for some pictures; in the end nothing is raised by its
+    // Levels that are held or fade hide it for some images; in the end nothing is raised by its
     // error.
     for (std::size_t i = 1; i < levels.size(); ++i) {
         EXPECT_LE(levels[i].samples, levels[i - 1].samples) << i;
@@ -83,10 +83,10 @@ TEST(FrameTime, AnAmpleOneMakesFramesDense) {
     EXPECT_GT(levels.back().samples, levels.front().samples);
 }
 
-TEST(FrameTime, AppliesToTheFramesOfOnePicture) {
+TEST(FrameTime, AppliesToTheFramesOfOneImage) {
     RenderSettings progressive = settings(ample_ms);
     progressive.samples = 5;
-    Renderer renderer(test::shared_executor(Backend::embree), room_with_ball(), camera(),
+    Renderer renderer(test::shared_executor(TestBackend::embree), room_with_ball(), camera(),
                       progressive);
     for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(renderer.render_frame({}));
     for (std::size_t i = 0; i < 5; ++i)

@@ -30,8 +30,8 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr std::uint32_t seeds = 24;
 constexpr std::size_t comparisons = 150;
@@ -51,13 +51,13 @@ struct Layers {
 };
 
 /// A surface that emits and reflects evenly.
-struct Surface {
+struct SphereSurface {
     glm::vec3 albedo{0.0F};
     glm::vec3 emission{0.0F};
 };
 
 /// Adds the pixels that show `surface`, told from others by its albedo; returns their number.
-double add_pixels(const test::Rendering& rendering, const Surface& surface, Layers& sum) {
+double add_pixels(const test::Rendering& rendering, const SphereSurface& surface, Layers& sum) {
     double pixels = 0.0;
     for (std::uint32_t y = 0; y < rendering.image.height; ++y)
         for (std::uint32_t x = 0; x < rendering.image.width; ++x) {
@@ -84,7 +84,7 @@ RenderSettings furnace_settings(std::uint32_t bounces = 4) {
 /// Surfaces and the form factors between them: row i holds what shares of its light i receives
 /// from each.
 struct Enclosure {
-    std::vector<Surface> surfaces;
+    std::vector<SphereSurface> surfaces;
     std::vector<std::vector<double>> form_factors;
 };
 
@@ -127,8 +127,9 @@ void expect_value(const std::vector<Layers>& found, glm::dvec3 Layers::*layer,
 
 /// That the enclosure's surfaces have its light, each in the mean over the pixels of all `cameras`
 /// that show it.
-void expect_light(Backend backend, const SceneBuilder& builder, const std::vector<Camera>& cameras,
-                  RenderSettings settings, const Enclosure& enclosure, const Tolerance& tolerance) {
+void expect_light(TestBackend backend, const SceneBuilder& builder,
+                  const std::vector<Camera>& cameras, RenderSettings settings,
+                  const Enclosure& enclosure, const Tolerance& tolerance) {
     SCOPED_TRACE(test::backend_name(backend));
     validate_scene(builder.scene);
     const FlatScene flat = flatten(builder.scene);
@@ -165,7 +166,7 @@ Enclosure furnace(const glm::vec3& albedo, const glm::vec3& emission) {
     return {{{albedo, emission}}, {{1.0}}};
 }
 
-/// From the centre along each axis: in [-1, 1]^3 every picture is one wall, in equal pieces.
+/// From the centre along each axis: in [-1, 1]^3 every image is one wall, in equal pieces.
 std::vector<Camera> to_six_sides() {
     std::vector<Camera> cameras;
     for (glm::length_t axis = 0; axis < 3; ++axis)
@@ -192,7 +193,7 @@ TEST(IrFurnace, SphereThatEmitsEverywhere) {
     SceneBuilder builder;
     builder.add(test::icosphere(3, true),
                 builder.material(grey.surfaces[0].albedo, grey.surfaces[0].emission));
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_light(backend, builder, {test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2)},
                      furnace_settings(), grey, {6e-4, 6e-4});
 }
@@ -202,7 +203,7 @@ TEST(IrFurnace, RoomThatEmitsEverywhere) {
     SceneBuilder builder;
     builder.add(test::room_mesh(),
                 builder.material(grey.surfaces[0].albedo, grey.surfaces[0].emission));
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const std::uint32_t bounces : {1U, 8U}) {
             SCOPED_TRACE("bounces " + std::to_string(bounces));
             expect_light(backend, builder, to_six_sides(), furnace_settings(bounces), grey,
@@ -224,7 +225,7 @@ TEST(IrFurnace, HoldsWithObjectsWithin) {
     builder.add(test::icosphere(1, false), material, test::placement(0.05, {0.2, 0.4, -0.1}));
     builder.add(test::quad_mesh({0.3F, -0.6F, -0.5F}, {0.4F, 0.1F, 0.0F}, {0.0F, 0.6F, 0.2F}),
                 both);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         for (const bool by_power : {false, true}) {
             SCOPED_TRACE(by_power ? "lights by power" : "every light");
             RenderSettings settings = furnace_settings();
@@ -248,7 +249,7 @@ TEST(IrFurnace, ConcentricSpheres) {
         {{{0.5F, 0.8F, 0.3F}, {1.0F, 0.2F, 0.1F}}, {{0.7F, 0.4F, 0.9F}, {0.3F, 1.0F, 2.0F}}},
         {{0.0, 1.0}, {share, 1.0 - share}}};
     SceneBuilder builder;
-    for (const Surface& surface : spheres.surfaces) {
+    for (const SphereSurface& surface : spheres.surfaces) {
         const bool outer = &surface == &spheres.surfaces[1];
         builder.add(test::icosphere(2, outer), builder.material(surface.albedo, surface.emission),
                     test::placement(outer ? 1.0 : radius, glm::dvec3(0.0)));
@@ -261,7 +262,7 @@ TEST(IrFurnace, ConcentricSpheres) {
     }
     RenderSettings settings = furnace_settings();
     settings.sampling.vpls_per_set = 160;
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::light_backends())
         expect_light(backend, builder, cameras, settings, spheres, {2e-3, 8e-3, facets});
 }
 

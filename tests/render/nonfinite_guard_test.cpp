@@ -14,9 +14,9 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 constexpr std::uint32_t width = 32;
 constexpr std::uint32_t height = 24;
@@ -93,7 +93,7 @@ void expect_black_patch(const Rendering& clean, const Rendering& guarded, const 
 }
 
 TEST(NonfiniteGuard, BadEmissionIsCountedAndBlackened) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const float bad : {not_a_number, infinity, -infinity, -1.0F}) {
             SCOPED_TRACE(std::string(test::backend_name(backend)) + ' ' + std::to_string(bad));
             Patched scene = patched_scene(LightType::directional);
@@ -116,7 +116,7 @@ TEST(NonfiniteGuard, BadEmissionIsCountedAndBlackened) {
 
 TEST(NonfiniteGuard, BadVertexColoursAreCountedAsDirectLight) {
     for (const LightType light : {LightType::directional, LightType::point})
-        for (const Backend backend : test::backends())
+        for (const TestBackend backend : test::backends())
             for (const float bad : {not_a_number, infinity}) {
                 SCOPED_TRACE(std::string(test::backend_name(backend)) + ' ' + std::to_string(bad));
                 Patched scene = patched_scene(light);
@@ -140,7 +140,7 @@ TEST(NonfiniteGuard, BadVertexColoursAreCountedAsDirectLight) {
 }
 
 TEST(NonfiniteGuard, BadLightIsCountedWhereItShines) {
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         Patched scene = patched_scene(LightType::directional);
         Executor& executor = test::shared_executor(backend);
         scene.flat.lights.back().power.y = not_a_number;
@@ -155,7 +155,7 @@ TEST(NonfiniteGuard, BadLightIsCountedWhereItShines) {
 
 TEST(NonfiniteGuard, EveryFrameCountsItsOwn) {
     Patched scene = patched_scene(LightType::directional);
-    Executor& executor = test::shared_executor(Backend::own_bvh);
+    Executor& executor = test::shared_executor(TestBackend::own_bvh);
     const PatchPixels patch =
         patch_pixels(test::render_flat(executor, scene.flat, scene.camera, guard_settings()));
     scene.flat.materials[1].emission.x = not_a_number;
@@ -168,7 +168,7 @@ TEST(NonfiniteGuard, EveryFrameCountsItsOwn) {
 
 TEST(NonfiniteGuard, ABadSurfaceDoesNotBlackenTheRestByItsVpls) {
     // Light that the patch would reflect is unknown; what all else reflects is not. At most the
-    // pixels that see the patch may be lost, not the picture: a VPL that is not finite is none.
+    // pixels that see the patch may be lost, not the image: a VPL that is not finite is none.
     struct Case {
         float value;
         std::size_t channels;
@@ -182,7 +182,7 @@ TEST(NonfiniteGuard, ABadSurfaceDoesNotBlackenTheRestByItsVpls) {
     builder.add(std::move(patch), builder.material(glm::vec3(0.7F)));
     builder.light(LightType::point, {0.0, 0.4, 0.0}, glm::vec3(1.0F));
     const FlatScene clean = flatten(builder.scene);
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Case& c :
              {Case{not_a_number, 3}, Case{not_a_number, 1}, Case{infinity, 3}, Case{infinity, 1}}) {
             SCOPED_TRACE(std::string(test::backend_name(backend)) + ' ' + std::to_string(c.value) +

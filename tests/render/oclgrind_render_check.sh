@@ -2,9 +2,9 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Renders a small picture under Oclgrind, which simulates an OpenCL device and reports every invalid
+# Renders a small image under Oclgrind, which simulates an OpenCL device and reports every invalid
 # access, data race, misuse of the interface and use of uninitialised memory, and compares it with
-# the native kernels' picture. Exit code 77 where Oclgrind is not installed.
+# the native kernels' image. Exit code 77 where Oclgrind is not installed.
 set -eu
 
 [ -z "${WEFT_SANITIZED:-}" ] || { echo "sanitizers and Oclgrind do not mix"; exit 77; }

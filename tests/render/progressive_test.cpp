@@ -10,13 +10,13 @@
 
 #include "tests/testing/render_fixture.h"
 
-// Pictures of several frames: what the film adds up, and that it converges.
+// Images of several frames: what the film adds up, and that it converges.
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::Rendering;
 using test::SceneBuilder;
+using test::TestBackend;
 
 SceneBuilder room_scene() {
     SceneBuilder builder;
@@ -47,7 +47,7 @@ RenderSettings settings_of(Algorithm algorithm, std::uint32_t frames, std::uint3
 }
 
 /// Means of the film after each of the first frames.
-std::vector<Image> after_each_frame(Backend backend, const RenderSettings& settings,
+std::vector<Image> after_each_frame(TestBackend backend, const RenderSettings& settings,
                                     std::uint32_t frames) {
     Renderer renderer(test::shared_executor(backend), room(), camera(), settings);
     std::vector<Image> images;
@@ -60,10 +60,10 @@ std::vector<Image> after_each_frame(Backend backend, const RenderSettings& setti
 }
 
 TEST(Progressive, TheFilmIsTheMeanOfItsFrames) {
-    // The k-th frame is k times the k-th mean less k - 1 times the one before. Every frame is a
-    // picture of its own: never negative, and its share of the whole does not shrink.
+    // The k-th frame is k times the k-th mean less k - 1 times the one before. Every frame is an
+    // image of its own: never negative, and its share of the whole does not shrink.
     constexpr std::uint32_t frames = 8;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const auto means = after_each_frame(backend, settings_of(Algorithm::igi, frames), frames);
         const std::vector<float>& whole = means.back().find("")->values;
         const double expected = test::mean_of(whole);
@@ -96,7 +96,7 @@ TEST(Progressive, EqualFramesHaveTheirValueAsMeanBitForBit) {
     builder.light(LightType::point, {0.3, 0.4, 0.2}, {1.0F, 2.0F, 3.3F});
     RenderSettings settings = test::small_settings(Algorithm::igi, 13, 11);
     settings.indirect = false;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const Rendering one = test::render(backend, builder.scene, camera(), settings);
         const Rendering many = test::render(backend, builder.scene, camera(), settings, 500);
         EXPECT_GT(test::mean_of(one.layer("direct")), 0.0);
@@ -106,16 +106,16 @@ TEST(Progressive, EqualFramesHaveTheirValueAsMeanBitForBit) {
 }
 
 TEST(Progressive, SameSeedGivesTheSameBitsAndAnotherSeedOthers) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
-            const auto picture = [&](std::uint32_t seed) {
+            const auto image = [&](std::uint32_t seed) {
                 return test::render_flat(test::shared_executor(backend), room(), camera(),
                                          settings_of(algorithm, 3, seed), 3);
             };
-            const Rendering first = picture(7);
-            EXPECT_EQ(test::differing_values(first.image, picture(7).image), 0U);
+            const Rendering first = image(7);
+            EXPECT_EQ(test::differing_values(first.image, image(7).image), 0U);
             for (const std::uint32_t seed : {8U, 0x80000007U}) {
-                const Rendering other = picture(seed);
+                const Rendering other = image(seed);
                 for (const char* layer : {"direct", "indirect", "depth"}) {
                     const std::vector<float>& a = first.layer(layer);
                     const std::vector<float>& b = other.layer(layer);
@@ -134,17 +134,17 @@ TEST(Progressive, TheErrorFallsAsFramesAccumulate) {
     // 0.25 for independent samples, with a spread of some per cents for 4,000 values a seed.
     for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
         constexpr std::uint32_t longest = 16;
-        const auto picture = [&](std::uint32_t frames, std::uint32_t seed) {
+        const auto image = [&](std::uint32_t frames, std::uint32_t seed) {
             // Pixel centres for all lengths, so that edges do not count.
-            return test::render_flat(test::shared_executor(Backend::embree), room(), camera(),
+            return test::render_flat(test::shared_executor(TestBackend::embree), room(), camera(),
                                      settings_of(algorithm, 1, seed), frames);
         };
-        const Rendering converged = picture(longest * 12, 1234);
+        const Rendering converged = image(longest * 12, 1234);
         std::array<double, 2> before{1e9, 1e9};
         for (std::uint32_t frames = 1; frames <= longest; frames *= 4) {
             std::array<double, 2> error{};
             for (std::uint32_t seed = 0; seed < 4; ++seed) {
-                const Rendering test = picture(frames, seed);
+                const Rendering test = image(frames, seed);
                 error[0] +=
                     test::relative_mse(converged.layer("direct"), test.layer("direct")) / 4.0;
                 error[1] +=
@@ -161,7 +161,7 @@ TEST(Progressive, TheErrorFallsAsFramesAccumulate) {
 
 TEST(Progressive, FramesEndedEarlyAreDroppedAndChangeNothing) {
     const RenderSettings settings = settings_of(Algorithm::igi, 3);
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const auto expected = after_each_frame(backend, settings, 3);
         // Ended at every stage in turn but those that a frame always has.
         for (const Stage stage :
@@ -187,7 +187,7 @@ TEST(Progressive, AFirstFrameEndedEarlyIsKeptAndClean) {
     RenderSettings settings = settings_of(Algorithm::ir, 1);
     settings.width = 300;
     settings.height = 200;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         std::uint32_t asked = 0;
         Renderer renderer(test::shared_executor(backend), room(), camera(), settings);
         const bool complete = renderer.render_frame(

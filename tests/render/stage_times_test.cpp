@@ -9,7 +9,7 @@
 namespace weft {
 namespace {
 
-using test::Backend;
+using test::TestBackend;
 
 /// That no time is counted in two stages: together they take no longer than their frame.
 void expect_disjoint(const FrameStats& frame, const std::string& when) {
@@ -24,7 +24,7 @@ void expect_disjoint(const FrameStats& frame, const std::string& when) {
 }
 
 TEST(StageTimes, OfRecordsAddUpToNoMoreThanTheFrame) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Algorithm algorithm :
              {Algorithm::ic, Algorithm::tic, Algorithm::irradiance_cache}) {
             test::MovingRoom room = test::moving_room(2);

@@ -17,7 +17,7 @@
 namespace weft {
 namespace {
 
-using test::Backend;
+using test::TestBackend;
 
 /// An executor whose buffers are full of one byte at first, and whose launches are quarters.
 class PatternedExecutor : public test::CountingExecutor {
@@ -64,7 +64,7 @@ RenderSettings settings(Algorithm algorithm) {
     return small;
 }
 
-std::string named(Backend backend, Algorithm algorithm, std::byte pattern) {
+std::string named(TestBackend backend, Algorithm algorithm, std::byte pattern) {
     return std::string(test::backend_name(backend)) + ", algorithm " +
            std::to_string(static_cast<int>(algorithm)) + ", pattern " +
            std::to_string(std::to_integer<int>(pattern));
@@ -72,7 +72,7 @@ std::string named(Backend backend, Algorithm algorithm, std::byte pattern) {
 
 TEST(UnwrittenMemory, WholeFramesDoNotKnowIt) {
     const FlatScene scene = lit_room();
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const Algorithm algorithm :
              {Algorithm::ais, Algorithm::amax, Algorithm::igi, Algorithm::path}) {
             const test::Rendering expected = test::render_flat(
@@ -87,7 +87,7 @@ TEST(UnwrittenMemory, WholeFramesDoNotKnowIt) {
         }
 }
 
-/// The picture of a frame that goes on for `calls` times.
+/// The image of a frame that goes on for `calls` times.
 Image interrupted(Executor& executor, const FlatScene& scene, const RenderSettings& how, int calls,
                   bool& complete) {
     Renderer renderer(executor, scene, camera(), how);
@@ -103,20 +103,20 @@ TEST(UnwrittenMemory, FramesThatEndAnywhereDoNotKnowIt) {
     large.width = 104;
     large.height = 96;
     for (const RenderSettings& how : {small, large})
-        for (const Backend backend : {Backend::own_bvh, Backend::embree}) {
+        for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::embree}) {
             const std::string where = std::string(test::backend_name(backend)) + ", " +
                                       std::to_string(how.width) + " pixels wide";
             bool complete = false;
             int ends = 0;
             for (; !complete; ++ends) {
                 ASSERT_LT(ends, 1000) << "a frame asks less often";
-                Image pictures[std::size(patterns)];
+                Image images[std::size(patterns)];
                 for (std::size_t i = 0; i < std::size(patterns); ++i) {
                     PatternedExecutor executor(test::make_executor(backend), patterns[i]);
-                    pictures[i] = interrupted(executor, scene, how, ends, complete);
+                    images[i] = interrupted(executor, scene, how, ends, complete);
                 }
-                for (const Image& picture : pictures)
-                    ASSERT_EQ(test::differing_values(pictures[0], picture), 0U)
+                for (const Image& image : images)
+                    ASSERT_EQ(test::differing_values(images[0], image), 0U)
                         << where << ", after " << ends << " calls";
             }
             EXPECT_GT(ends, 5) << where;

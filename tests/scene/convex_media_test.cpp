@@ -11,7 +11,7 @@
 
 #include "scene/flat_scene.h"
 #include "tests/testing/bvh_meshes.h"
-#include "tests/testing/density_grid_twin.h"
+#include "tests/testing/density_grid_reference.h"
 #include "tests/testing/media_builder.h"
 
 namespace weft {

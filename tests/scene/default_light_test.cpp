@@ -81,22 +81,22 @@ TEST(DefaultLight, LeavesScenesWithALightAlone) {
     Scene dark_sky = square();
     dark_sky.environment.emplace();
     EXPECT_TRUE(stays_as_it_is(dark_sky));
-    Scene lamp = square();
-    lamp.materials[0].emission.radiance = glm::vec3(0.0F, 0.0F, 1.0F);
-    EXPECT_TRUE(stays_as_it_is(lamp));
-    // A lamp's material that nothing is made of gives no light.
+    Scene area_light = square();
+    area_light.materials[0].emission.radiance = glm::vec3(0.0F, 0.0F, 1.0F);
+    EXPECT_TRUE(stays_as_it_is(area_light));
+    // An area light's material that nothing is made of gives no light.
     Scene unused = square();
-    unused.materials.push_back(lamp.materials[0]);
+    unused.materials.push_back(area_light.materials[0]);
     EXPECT_FALSE(stays_as_it_is(unused));
     // Nor does a medium that is nowhere.
-    Scene glow = square();
-    glow.media.emplace_back();
-    glow.media[0].emission = glm::vec3(0.0F, 1.0F, 0.0F);
-    EXPECT_FALSE(stays_as_it_is(glow));
-    glow.medium_boundaries.push_back({0, glm::dmat4(1.0), 0, -1});
-    EXPECT_TRUE(stays_as_it_is(glow));
-    glow.media[0].emission = glm::vec3(0.0F);
-    EXPECT_FALSE(stays_as_it_is(glow));
+    Scene emissive = square();
+    emissive.media.emplace_back();
+    emissive.media[0].emission = glm::vec3(0.0F, 1.0F, 0.0F);
+    EXPECT_FALSE(stays_as_it_is(emissive));
+    emissive.medium_boundaries.push_back({0, glm::dmat4(1.0), 0, -1});
+    EXPECT_TRUE(stays_as_it_is(emissive));
+    emissive.media[0].emission = glm::vec3(0.0F);
+    EXPECT_FALSE(stays_as_it_is(emissive));
     EXPECT_TRUE(stays_as_it_is(Scene()));
 }
 

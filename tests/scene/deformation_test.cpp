@@ -138,18 +138,18 @@ TEST(Deformation, JointsCarryWhatTargetsMake) {
     expect_near(made.positions[0], {0.0, 1.5, 4.0});
 }
 
-TEST(Deformation, NormalsStayAtRightAnglesToWhatIsStretched) {
+TEST(Deformation, NormalsStayAtRightAnglesToWhatIsScaledUnevenly) {
     MeshShape shape = cloud(40);
     attach(shape, {1.0F});
-    glm::dmat4 stretch = placed(0.4, {1, 2, 3});
-    stretch[0] *= 3.0;
-    stretch[2] *= 0.2;
-    const Deformed made = deformed(shape, {}, {stretch});
+    glm::dmat4 scaling = placed(0.4, {1, 2, 3});
+    scaling[0] *= 3.0;
+    scaling[2] *= 0.2;
+    const Deformed made = deformed(shape, {}, {scaling});
     for (std::size_t i = 0; i < shape.normals.size(); ++i) {
         const glm::dvec3 n(shape.normals[i]);
         EXPECT_NEAR(static_cast<double>(glm::length(made.normals[i])), 1.0, tolerance);
         for (const glm::dvec3& helper : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
-            const glm::dvec3 along = glm::dmat3(stretch) * glm::cross(n, helper);
+            const glm::dvec3 along = glm::dmat3(scaling) * glm::cross(n, helper);
             EXPECT_NEAR(glm::dot(glm::dvec3(made.normals[i]), along), 0.0, 3.0 * tolerance);
         }
     }

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
-#include "tests/testing/density_grid_twin.h"
+#include "tests/testing/density_grid_reference.h"
 
 namespace weft {
 namespace {

@@ -154,9 +154,9 @@ TEST(FlatMedia, SmallerBoundariesComeFirst) {
     place(scene, 2.0, {0, 0, 0}, -1);
     const FlatMedia media = flatten(scene).media;
     EXPECT_EQ(media.space.boundaries, 3U);
-    EXPECT_EQ(media.space.inside[0], 1U);
-    EXPECT_EQ(media.space.inside[1], NO_MEDIUM);
-    EXPECT_EQ(media.space.inside[2], 0U);
+    EXPECT_EQ(media.space.interior[0], 1U);
+    EXPECT_EQ(media.space.interior[1], NO_MEDIUM);
+    EXPECT_EQ(media.space.interior[2], 0U);
     EXPECT_EQ(media.space.outside, 2U);
     const KernelUnits units = flatten(scene).units;
     const auto around = [&](const glm::dvec3& p) {
@@ -176,7 +176,7 @@ TEST(FlatMedia, NormalsThatPointInwardsSwapTheSides) {
             place(scene, size, {3, 0, 0}, 0, 1, mesh);
             const FlatScene flat = flatten(scene);
             const bool inwards = mesh == 1;
-            EXPECT_EQ(flat.media.space.inside[0], inwards ? 1U : 0U);
+            EXPECT_EQ(flat.media.space.interior[0], inwards ? 1U : 0U);
             EXPECT_EQ(flat.media.space.outside, inwards ? 0U : 1U);
             EXPECT_EQ(boundaries_around(flat.media, flat.units.point({3.1, 0, 0})), 1U);
             for (std::size_t i = 0; i < flat.media.triangles.size(); ++i) {

@@ -181,12 +181,12 @@ TEST(FlatScene, FlippedNormalsTurnBothSides) {
 
 TEST(FlatScene, NormalsFollowTheInverseTranspose) {
     SceneBuilder builder;
-    // The plane x + y = 0 with its normal, stretched along y: then its normal is (2, 1, 0).
+    // The plane x + y = 0 with its normal, scaled along y: then its normal is (2, 1, 0).
     Mesh mesh = quad_mesh({1.0F, -1.0F, 0.0F}, {-2.0F, 2.0F, 0.0F}, {0.0F, 0.0F, 1.0F});
     mesh.normals.assign(mesh.positions.size(), glm::normalize(glm::vec3(1.0F, 1.0F, 0.0F)));
-    glm::dmat4 stretch(1.0);
-    stretch[1][1] = 2.0;
-    builder.add(mesh, builder.material(glm::vec3(0.5F)), stretch);
+    glm::dmat4 scaling(1.0);
+    scaling[1][1] = 2.0;
+    builder.add(mesh, builder.material(glm::vec3(0.5F)), scaling);
     // A shear that keeps no right angle either.
     glm::dmat4 shear(1.0);
     shear[1][0] = 1.5;

@@ -173,7 +173,7 @@ TEST(LightTable, ManyLightsKeepTheirShares) {
 }
 
 TEST(LightTable, AreaLightsHaveATableOfTheirOwn) {
-    // Together the lamps have 2^-30 of the power, too little for the table of all lights.
+    // Together the area lights have 2^-30 of the power, too little for the table of all lights.
     SceneBuilder builder = unit_scene();
     for (int i = 1; i <= 65; ++i)
         builder.add(square(0.01), builder.material(glm::vec3(0.0F), glm::vec3(float(i))));

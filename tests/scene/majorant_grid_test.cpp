@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/testing/density_grid_twin.h"
+#include "tests/testing/density_grid_reference.h"
 
 namespace weft {
 namespace {

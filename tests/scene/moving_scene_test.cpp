@@ -18,17 +18,17 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::igi_settings;
 using test::sliding_room;
+using test::TestBackend;
 
-/// The picture of a frame after those that lead to it.
-Image frame_after(const std::vector<std::uint32_t>& frames, Backend backend) {
+/// The image of a frame after those that lead to it.
+Image frame_after(const std::vector<std::uint32_t>& frames, TestBackend backend) {
     return test::frame_after(sliding_room(), frames, backend);
 }
 
-TEST(MovingScene, APictureDoesNotDependOnTheFramesBefore) {
-    for (const Backend backend : test::backends()) {
+TEST(MovingScene, AnImageDoesNotDependOnTheFramesBefore) {
+    for (const TestBackend backend : test::backends()) {
         const Image alone = frame_after({4}, backend);
         EXPECT_EQ(test::differing_values(alone, frame_after({0, 1, 4}, backend)), 0U)
             << test::backend_name(backend);
@@ -39,7 +39,7 @@ TEST(MovingScene, APictureDoesNotDependOnTheFramesBefore) {
 }
 
 /// Indirect light of a room after its surfaces have had these albedos, one in each frame.
-std::vector<float> indirect_after(const std::vector<float>& albedos, Backend backend) {
+std::vector<float> indirect_after(const std::vector<float>& albedos, TestBackend backend) {
     test::MovingRoom room = test::moving_room(0);
     const auto paint = [&](float albedo) {
         for (Material& material : room.scene.materials)
@@ -62,7 +62,7 @@ std::vector<float> indirect_after(const std::vector<float>& albedos, Backend bac
 }
 
 TEST(MovingScene, SurfacesThatWereBlackAtFirstReflectLight) {
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         const std::vector<float> lit = indirect_after({0.0F, 0.6F}, backend);
         EXPECT_GT(test::mean_of(lit), 0.0);
         EXPECT_EQ(lit, indirect_after({0.0F, 0.2F, 0.0F, 0.6F}, backend));
@@ -74,11 +74,11 @@ TEST(MovingScene, SurfacesThatWereBlackAtFirstReflectLight) {
 TEST(MovingScene, AllThatMovesMayBeAbsent) {
     // Embree's builder fails an assertion where all of a mesh has shrunk to a point.
     for (const unsigned which : {0U, 1U, 2U})
-        for (const Backend backend : test::backends()) {
+        for (const TestBackend backend : test::backends()) {
             test::MovingRoom room = test::moving_room(which);
             Renderer renderer(test::shared_executor(backend), room.flat, test::room_camera(),
                               igi_settings());
-            const auto picture = [&](bool present) {
+            const auto image = [&](bool present) {
                 for (const std::uint32_t thing : room.things)
                     room.scene.instances[thing].present = present;
                 update_flat(room.scene, room.flat);
@@ -87,12 +87,12 @@ TEST(MovingScene, AllThatMovesMayBeAbsent) {
                 EXPECT_TRUE(renderer.render_frame({}));
                 return renderer.image();
             };
-            const Image with = picture(true);
-            const Image without = picture(false);
+            const Image with = image(true);
+            const Image without = image(false);
             EXPECT_GT(test::differing_values(with, without), 0U);
-            EXPECT_EQ(test::differing_values(with, picture(true)), 0U)
+            EXPECT_EQ(test::differing_values(with, image(true)), 0U)
                 << test::backend_name(backend) << ", room " << which;
-            EXPECT_EQ(test::differing_values(without, picture(false)), 0U);
+            EXPECT_EQ(test::differing_values(without, image(false)), 0U);
         }
 }
 
@@ -103,8 +103,8 @@ TEST(MovingScene, ThingsAreWhereTheirNodesAre) {
     for (Instance& instance : modelled.instances)
         if (instance.mesh + 1 == modelled.meshes.size()) instance.to_world[3].x += 0.4;
     const test::Rendering expected =
-        test::render(Backend::own_bvh, modelled, test::room_camera(), igi_settings());
-    const Image image = frame_after({0, 4}, Backend::own_bvh);
+        test::render(TestBackend::own_bvh, modelled, test::room_camera(), igi_settings());
+    const Image image = frame_after({0, 4}, TestBackend::own_bvh);
     for (const char* const layer : {"direct", "indirect", "albedo", "depth"})
         EXPECT_LT(test::relative_mse(expected.layer(layer), image.find(layer)->values), 1e-8)
             << layer;
@@ -118,7 +118,7 @@ TEST(MovingScene, PathTracingFollowsAsWell) {
         settings.width = 24;
         settings.height = 18;
         settings.samples = {0, 2};
-        PathRenderer renderer(test::shared_executor(Backend::own_bvh), moving.flat(),
+        PathRenderer renderer(test::shared_executor(TestBackend::own_bvh), moving.flat(),
                               test::room_camera(), settings, {});
         if (first != 4) {
             moving.set_frame(4);
@@ -184,7 +184,7 @@ TEST(MovingScene, UnusableTransformsAreRefusedAndTheFrameBeforeStaysValid) {
             EXPECT_EQ(before.positions[i].x, moving.flat().positions[i].x);
             EXPECT_EQ(before.positions[i].y, moving.flat().positions[i].y);
         }
-        Renderer renderer(test::shared_executor(Backend::own_bvh), moving.flat(),
+        Renderer renderer(test::shared_executor(TestBackend::own_bvh), moving.flat(),
                           test::room_camera(), igi_settings());
         EXPECT_TRUE(renderer.render_frame({}));
     }
@@ -202,12 +202,12 @@ TEST(MovingScene, LightsMoveWithTheirNodes) {
 }
 
 TEST(MovingScene, LightsMayGoOutAndComeOn) {
-    // A lamp that is dark at first: the renderer builds what it calls for when it shines.
+    // An area light that is dark at first: the renderer builds what it needs when it shines.
     test::MovingRoom room = test::moving_room(0);
     const Scene lit = room.scene;
     for (Material& material : room.scene.materials) material.emission.radiance = glm::vec3(0.0F);
     room.flat = flatten(room.scene);
-    Renderer renderer(test::shared_executor(Backend::own_bvh), room.flat, test::room_camera(),
+    Renderer renderer(test::shared_executor(TestBackend::own_bvh), room.flat, test::room_camera(),
                       igi_settings());
     EXPECT_TRUE(renderer.render_frame({}));
     EXPECT_EQ(test::mean_of(renderer.image().find("direct")->values), 0.0);

@@ -26,7 +26,7 @@
 namespace weft {
 namespace {
 
-using test::Backend;
+using test::TestBackend;
 
 /// The tracks of a joint that turns by 90 degrees about x, and of a weight that becomes 1.
 void add_tracks(Scene& scene) {
@@ -88,8 +88,8 @@ Scene bending_room() {
 
 using test::igi_settings;
 
-/// The picture of a frame after those that lead to it.
-Image frame_after(const std::vector<std::uint32_t>& frames, Backend backend) {
+/// The image of a frame after those that lead to it.
+Image frame_after(const std::vector<std::uint32_t>& frames, TestBackend backend) {
     return test::frame_after(bending_room(), frames, backend);
 }
 
@@ -128,8 +128,8 @@ TEST(PoseScene, AFlatFrameDoesNotDependOnThoseBefore) {
     EXPECT_FALSE(same(one.flat().normals, other.flat().normals));
 }
 
-TEST(PoseScene, APictureDoesNotDependOnTheFramesBefore) {
-    for (const Backend backend : test::backends()) {
+TEST(PoseScene, AnImageDoesNotDependOnTheFramesBefore) {
+    for (const TestBackend backend : test::backends()) {
         const Image alone = frame_after({4}, backend);
         EXPECT_EQ(test::differing_values(alone, frame_after({7, 1, 4}, backend)), 0U)
             << test::backend_name(backend);
@@ -137,7 +137,7 @@ TEST(PoseScene, APictureDoesNotDependOnTheFramesBefore) {
     }
 }
 
-TEST(PoseScene, PicturesShowWhatIsDeformed) {
+TEST(PoseScene, ImagesShowWhatIsDeformed) {
     // As if the scene had been modelled that way: triangles only have other numbers, and origins of
     // rays are moved off surfaces by a share of an extent that is rounded up where things move.
     const Scene rest = bending_room();
@@ -145,8 +145,8 @@ TEST(PoseScene, PicturesShowWhatIsDeformed) {
     pose_scene(rest, 4.0, modelled);
     hold_still(modelled);
     const test::Rendering expected =
-        test::render(Backend::own_bvh, modelled, test::room_camera(), igi_settings());
-    const Image image = frame_after({0, 4}, Backend::own_bvh);
+        test::render(TestBackend::own_bvh, modelled, test::room_camera(), igi_settings());
+    const Image image = frame_after({0, 4}, TestBackend::own_bvh);
     for (const char* const layer : {"direct", "indirect", "albedo", "depth", "normal"})
         EXPECT_LT(test::relative_mse(expected.layer(layer), image.find(layer)->values), 1e-7)
             << layer;
@@ -155,9 +155,9 @@ TEST(PoseScene, PicturesShowWhatIsDeformed) {
 TEST(PoseScene, RecordsThatAreKeptFollowWhatDeforms) {
     RenderSettings settings = test::small_settings(Algorithm::tic, 32, 24);
     settings.sampling.vpls_per_set = 14;
-    settings.sampling.cache_audit = true;
+    settings.sampling.validate_cache = true;
     settings.direct = false;
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         MovingScene moving(bending_room(), {}, 1.0);
         moving.set_frame(0);
         Renderer renderer(test::shared_executor(backend), moving.flat(), test::room_camera(),

@@ -85,7 +85,7 @@ TEST(SceneEditsHostile, RefuseUnknownAndContradictoryKeys) {
     expect_refused({
         {R"({"frame": 0, "move": [0,0,0]})",
          "0: has none of 'object', 'light', 'material', expected one of them"},
-        {R"({"frame": 0, "object": "Box", "light": "Lamp"})",
+        {R"({"frame": 0, "object": "Box", "light": "Bulb"})",
          "0: has both 'object' and 'light', expected one of them"},
         {R"({"frame": 0, "object": "Box", "move": [0,0,0], "remove": true})",
          "0: has both 'move' and 'remove', expected one of them"},
@@ -99,10 +99,10 @@ TEST(SceneEditsHostile, RefuseUnknownAndContradictoryKeys) {
         {R"({"frame": 0, "object": "Box", "add": {"name": "B", "matrix": 1}})",
          "0/add: has the unknown key 'matrix', expected 'name', 'translation', 'rotation', "
          "'scale', 'material'"},
-        {R"({"frame": 0, "light": "Lamp", "remove": true})",
+        {R"({"frame": 0, "light": "Bulb", "remove": true})",
          "0: has the unknown key 'remove', expected 'frame', 'until', 'light', 'intensity', "
          "'move'"},
-        {R"({"frame": 0, "light": "Lamp"})", "0: lacks a change, expected 'intensity' or 'move'"},
+        {R"({"frame": 0, "light": "Bulb"})", "0: lacks a change, expected 'intensity' or 'move'"},
         {R"({"frame": 0, "material": "Red", "move": [0,0,0]})",
          "0: has the unknown key 'move', expected 'frame', 'until', 'material', 'albedo', "
          "'emission', 'emission_factor'"},
@@ -166,7 +166,7 @@ TEST(SceneEditsHostile, RefuseValues) {
     EXPECT_EQ(box(add + R"("translation": [1e16, 0, 0]})"),
               "#/edits/0/add: is placed too far from the origin");
     expect_refused({
-        {R"({"frame": 0, "light": "Lamp", "intensity": -1})",
+        {R"({"frame": 0, "light": "Bulb", "intensity": -1})",
          "0/intensity: is negative, expected a factor from 0 on"},
         {R"({"frame": 0, "material": "Red", "albedo": [0, 1.5, 0]})",
          "0/albedo/1: is outside [0, 1]"},
@@ -221,11 +221,11 @@ TEST(SceneEditsHostile, AFailedChangeNamesItsEditAndLeavesTheSceneBefore) {
     EXPECT_EQ(failure(box + R"("rotate": {"axis": [0,0,1], "degrees": 180,
                       "about": [1e308, 0, 0]}})"),
               "#/edits/1/rotate: makes a transform that is not finite");
-    EXPECT_EQ(failure(R"({"frame": 2, "light": "Lamp", "move": [1e16, 0, 0]})"),
+    EXPECT_EQ(failure(R"({"frame": 2, "light": "Bulb", "move": [1e16, 0, 0]})"),
               "#/edits/1: " + far);
-    EXPECT_EQ(failure(R"({"frame": 2, "light": "Lamp", "intensity": 1e38})"),
+    EXPECT_EQ(failure(R"({"frame": 2, "light": "Bulb", "intensity": 1e38})"),
               "#/edits/1: makes a value that is not finite as a float");
-    EXPECT_EQ(failure(R"({"frame": 2, "material": "Glow", "emission_factor": 1e308})"),
+    EXPECT_EQ(failure(R"({"frame": 2, "material": "Emissive", "emission_factor": 1e308})"),
               "#/edits/1: makes a value that is not finite as a float");
 }
 

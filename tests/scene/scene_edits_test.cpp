@@ -83,7 +83,7 @@ TEST(SceneEdits, ReachAllPartsOfAnObject) {
 TEST(SceneEdits, AddCopiesThatLaterEditsReach) {
     const Edited edited(R"(
         {"frame": 4, "object": "Wall", "add": {"name": "Wall 2", "translation": [1, 2, 3],
-            "rotation": [0, 0, 1, 0], "scale": [2, 3, -4], "material": "Glow"}},
+            "rotation": [0, 0, 1, 0], "scale": [2, 3, -4], "material": "Emissive"}},
         {"frame": 5, "object": "Wall 2", "move": [1, 0, 0]},
         {"frame": 6, "object": "Wall 2", "add": {"name": "Wall 3"}},
         {"frame": 7, "object": "Wall 2", "remove": true})");
@@ -128,8 +128,8 @@ TEST(SceneEdits, AddWhatWasRemovedUnderANewName) {
 
 TEST(SceneEdits, ChangeLights) {
     const Edited edited(
-        R"({"frame": 7, "until": 8, "light": "Lamp", "intensity": 0.5, "move": [0, -2, 0]},
-           {"frame": 9, "light": "Lamp", "intensity": 0})");
+        R"({"frame": 7, "until": 8, "light": "Bulb", "intensity": 0.5, "move": [0, -2, 0]},
+           {"frame": 9, "light": "Bulb", "intensity": 0})");
     EXPECT_EQ(edited.at(6).lights[0].intensity, glm::vec3(8, 4, 2));
     EXPECT_EQ(edited.at(7).lights[0].intensity, glm::vec3(6, 3, 1.5));
     EXPECT_EQ(edited.at(7).lights[0].position, glm::dvec3(0, 4, 0));
@@ -142,8 +142,8 @@ TEST(SceneEdits, ChangeLights) {
 TEST(SceneEdits, ChangeMaterials) {
     const Edited edited(R"(
         {"frame": 1, "until": 2, "material": "Red", "albedo": [0, 0.75, 1], "emission": [2, 4, 0]},
-        {"frame": 3, "until": 4, "material": "Glow", "emission_factor": 0},
-        {"frame": 5, "material": "Glow", "emission": [1, 2, 3], "emission_factor": 3})");
+        {"frame": 3, "until": 4, "material": "Emissive", "emission_factor": 0},
+        {"frame": 5, "material": "Emissive", "emission": [1, 2, 3], "emission_factor": 3})");
     EXPECT_EQ(diffuse_albedo(edited.at(1).materials[0]), glm::vec3(0.4F, 0.5F, 0.5F));
     EXPECT_EQ(edited.at(1).materials[0].emission.radiance, glm::vec3(1, 2, 0));
     EXPECT_EQ(diffuse_albedo(edited.at(2).materials[0]), glm::vec3(0, 0.75F, 1));

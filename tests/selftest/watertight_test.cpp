@@ -18,8 +18,8 @@ TEST(Watertight, BoxesWithoutPaddingAreMetAllTheSame) {
     for (const test::ClosedMesh& mesh : test::closed_meshes())
         for (const test::Placement& placement : test::placements()) {
             const test::Room room = test::place(mesh.mesh, placement);
-            const test::Leaks leaks = test::leaks_of(test::shared_executor(test::Backend::own_bvh),
-                                                     mesh, room, 100000, 7, 0.0F);
+            const test::Leaks leaks = test::leaks_of(
+                test::shared_executor(test::TestBackend::own_bvh), mesh, room, 100000, 7, 0.0F);
             EXPECT_EQ(leaks.closest, 0U) << mesh.name << ", " << placement.name;
             EXPECT_EQ(leaks.any, 0U) << mesh.name << ", " << placement.name;
         }
@@ -27,7 +27,7 @@ TEST(Watertight, BoxesWithoutPaddingAreMetAllTheSame) {
 
 TEST(Watertight, ARayThroughAHoleIsNoticed) {
     // The count is of rays that get out, so one triangle taken away has to show.
-    for (const test::Backend backend : test::backends()) {
+    for (const test::TestBackend backend : test::backends()) {
         test::ClosedMesh mesh = test::closed_meshes().front();
         mesh.mesh.triangles.erase(mesh.mesh.triangles.begin() + 100);
         const test::Room room = test::place(mesh.mesh, test::placements().front());

@@ -11,7 +11,6 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::counted_session;
 using test::CountedSession;
 using test::differing_values;
@@ -20,16 +19,17 @@ using test::KeptDisplay;
 using test::KeptOutput;
 using test::small_path;
 using test::small_settings;
+using test::TestBackend;
 
 constexpr std::uint32_t width = 40;
 constexpr std::uint32_t height = 33;
 
-CountedSession room_session(Backend backend, const ImageSettings& settings) {
+CountedSession room_session(TestBackend backend, const ImageSettings& settings) {
     return counted_session(backend, test::moving_room(2).scene, test::room_camera(), settings);
 }
 
 /// That the session's next image is that of a new renderer on its scene.
-void expect_fresh(RenderSession& session, Backend backend, const std::string& when) {
+void expect_fresh(RenderSession& session, TestBackend backend, const std::string& when) {
     ASSERT_EQ(session.render({}), SessionEnd::complete) << when;
     const Image fresh = fresh_image(test::shared_executor(backend), session.scene().flat(),
                                     session.camera(), session.settings());
@@ -37,7 +37,7 @@ void expect_fresh(RenderSession& session, Backend backend, const std::string& wh
 }
 
 TEST(RenderSession, AlgorithmsShareOneUploadOfTheScene) {
-    for (const Backend backend : test::backends()) {
+    for (const TestBackend backend : test::backends()) {
         CountedSession made = room_session(backend, small_settings(Algorithm::ais, width, height));
         expect_fresh(*made.session, backend, "ais");
         made.session->set_settings(small_settings(Algorithm::ic, width, height));
@@ -53,32 +53,33 @@ TEST(RenderSession, AlgorithmsShareOneUploadOfTheScene) {
 }
 
 TEST(RenderSession, AlgorithmsShareOneUploadOfMedia) {
-    CountedSession made = counted_session(Backend::embree, test::smoky_room(), test::room_camera(),
-                                          small_settings(Algorithm::igi, width, height));
-    expect_fresh(*made.session, Backend::embree, "igi");
+    CountedSession made =
+        counted_session(TestBackend::embree, test::smoky_room(), test::room_camera(),
+                        small_settings(Algorithm::igi, width, height));
+    expect_fresh(*made.session, TestBackend::embree, "igi");
     made.session->set_settings(small_path(width, height, 2));
-    expect_fresh(*made.session, Backend::embree, "path");
+    expect_fresh(*made.session, TestBackend::embree, "path");
     made.session->set_settings(small_settings(Algorithm::ais, width, height));
-    expect_fresh(*made.session, Backend::embree, "ais");
+    expect_fresh(*made.session, TestBackend::embree, "ais");
     EXPECT_EQ(made.allocations("media"), 1U);
 }
 
 TEST(RenderSession, TheSizeChangesWithoutAnotherUpload) {
-    CountedSession made = room_session(Backend::embree, small_path(width, height, 2));
-    expect_fresh(*made.session, Backend::embree, "first");
+    CountedSession made = room_session(TestBackend::embree, small_path(width, height, 2));
+    expect_fresh(*made.session, TestBackend::embree, "first");
     made.session->resize(51, 24);
-    expect_fresh(*made.session, Backend::embree, "resized");
+    expect_fresh(*made.session, TestBackend::embree, "resized");
     EXPECT_EQ(made.session->image().image.width, 51U);
     EXPECT_EQ(made.allocations("vertex positions"), 1U);
 }
 
 TEST(RenderSession, TheCameraBeginsAnotherImage) {
     CountedSession made =
-        room_session(Backend::embree, small_settings(Algorithm::igi, width, height));
-    expect_fresh(*made.session, Backend::embree, "first");
+        room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));
+    expect_fresh(*made.session, TestBackend::embree, "first");
     made.session->set_camera(test::look_at({0.5, 0.2, 3.0}, {0.0, 0.0, 0.0}, 0.8));
     EXPECT_EQ(made.session->samples(), 0U);
-    expect_fresh(*made.session, Backend::embree, "from elsewhere");
+    expect_fresh(*made.session, TestBackend::embree, "from elsewhere");
 }
 
 /// Edits, and whether the scene can take them where it lies.
@@ -94,7 +95,7 @@ std::vector<Edit> edits() {
          [](const SceneParts& parts) {
              set_diffuse_albedo(parts.materials[1], {0.1F, 0.8F, 0.2F});
          }},
-        {"a brighter lamp", true,
+        {"a brighter area light", true,
          [](const SceneParts& parts) { parts.materials[2].emission.radiance *= 2.0F; }},
         {"a thing that may move", true,
          [](const SceneParts& parts) { parts.instances.back().to_world[3].x += 0.3; }},
@@ -120,7 +121,7 @@ TEST(RenderSession, AnythingCanBeEdited) {
     const std::vector<ImageSettings> all{small_settings(Algorithm::ais, width, height),
                                          small_path(width, height, 2)};
     for (const ImageSettings& settings : all) {
-        CountedSession made = room_session(Backend::embree, settings);
+        CountedSession made = room_session(TestBackend::embree, settings);
         std::size_t uploads = 1;
         ASSERT_EQ(made.session->render({}), SessionEnd::complete);
         for (const Edit& edit : edits()) {
@@ -134,24 +135,24 @@ TEST(RenderSession, AnythingCanBeEdited) {
         made.session->rebuild([](Scene& scene) {
             for (glm::vec3& position : scene.meshes[0].positions) position *= 0.9F;
         });
-        expect_fresh(*made.session, Backend::embree, "another mesh");
+        expect_fresh(*made.session, TestBackend::embree, "another mesh");
     }
 }
 
 TEST(RenderSession, WhatIsEditedIsWhatARendererOfThatSceneShows) {
-    // Each first picture of a new sequence; those of a sequence may go on from others.
+    // Each first image of a new sequence; those of a sequence may go on from others.
     CountedSession made =
-        room_session(Backend::embree, small_settings(Algorithm::igi, width, height));
+        room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));
     for (const Edit& edit : edits()) {
         made.session->edit(edit.change);
         made.session->set_camera(test::room_camera());
-        expect_fresh(*made.session, Backend::embree, edit.name);
+        expect_fresh(*made.session, TestBackend::embree, edit.name);
     }
 }
 
 TEST(RenderSession, AnEditThatIsRefusedChangesNothing) {
     CountedSession made =
-        room_session(Backend::embree, small_settings(Algorithm::igi, width, height));
+        room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));
     ASSERT_EQ(made.session->render({}), SessionEnd::complete);
     const Image before = made.session->image().image;
     const auto flatten_something = [](const SceneParts& parts) {
@@ -175,7 +176,7 @@ TEST(RenderSession, OnlyADisplayMakesItResolveForOne) {
     path.frame_ms = 1e-3;  // a sample a frame
     for (const ImageSettings& settings :
          {ImageSettings(small_settings(Algorithm::igi, width, height)), ImageSettings(path)}) {
-        CountedSession made = room_session(Backend::embree, settings);
+        CountedSession made = room_session(TestBackend::embree, settings);
         ASSERT_EQ(made.session->render({}), SessionEnd::complete);
         EXPECT_FALSE(made.has_built("resolve_display"));
         EXPECT_FALSE(made.has_built("resolve_display_sums"));
@@ -195,7 +196,7 @@ TEST(RenderSession, OnlyADisplayMakesItResolveForOne) {
 
 TEST(RenderSession, TheOutputGetsEachFinishedImage) {
     CountedSession made =
-        room_session(Backend::embree, small_settings(Algorithm::igi, width, height));
+        room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));
     KeptOutput output;
     made.session->set_output(&output);
     RenderBudget budget;
@@ -216,7 +217,7 @@ TEST(RenderSession, TheOutputGetsEachFinishedImage) {
 
 TEST(RenderSession, TimeEndsAnImageAfterItsFirstSample) {
     CountedSession made =
-        room_session(Backend::embree, small_settings(Algorithm::igi, width, height));
+        room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));
     RenderBudget budget;
     budget.time_ms = 1e-3;
     EXPECT_EQ(made.session->render(budget), SessionEnd::complete);
@@ -228,7 +229,7 @@ TEST(RenderSession, TimeEndsAnImageAfterItsFirstSample) {
 }
 
 TEST(RenderSession, AnErrorEndsPathTracing) {
-    CountedSession made = room_session(Backend::embree, small_path(width, height, 4096));
+    CountedSession made = room_session(TestBackend::embree, small_path(width, height, 4096));
     RenderBudget budget;
     budget.target_error = 0.5;
     EXPECT_EQ(made.session->render(budget), SessionEnd::complete);
@@ -236,9 +237,10 @@ TEST(RenderSession, AnErrorEndsPathTracing) {
     EXPECT_LT(made.session->samples(), 4096U);
 }
 
-TEST(RenderSession, RemembersTheLastFramesAndCountsAll) {
-    auto made = counted_session(Backend::embree, test::moving_room(0).scene, test::room_camera(),
-                                small_settings(Algorithm::igi, width, height), 3);
+TEST(RenderSession, KeepsTheLastFramesAndCountsAll) {
+    auto made =
+        counted_session(TestBackend::embree, test::moving_room(0).scene, test::room_camera(),
+                        small_settings(Algorithm::igi, width, height), 3);
     RenderBudget budget;
     budget.samples = 5;
     ASSERT_EQ(made.session->render(budget), SessionEnd::complete);
@@ -247,8 +249,8 @@ TEST(RenderSession, RemembersTheLastFramesAndCountsAll) {
     const SessionStats& stats = made.session->stats();
     EXPECT_EQ(stats.frames(), 6U);
     ASSERT_EQ(stats.last_frames().size(), 3U);
-    EXPECT_EQ(stats.last_frames()[1].picture, 0U);
-    EXPECT_EQ(stats.last_frames()[2].picture, 1U) << "another renderer's";
+    EXPECT_EQ(stats.last_frames()[1].image, 0U);
+    EXPECT_EQ(stats.last_frames()[2].image, 1U) << "another renderer's";
     double ms = 0.0;
     for (const FrameStats& frame : stats.last_frames()) ms += frame.ms;
     EXPECT_GT(stats.ms(), ms);

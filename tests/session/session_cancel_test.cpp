@@ -10,8 +10,8 @@
 namespace weft {
 namespace {
 
-using test::Backend;
 using test::differing_values;
+using test::TestBackend;
 
 constexpr std::uint32_t width = 64;
 constexpr std::uint32_t height = 48;
@@ -46,7 +46,7 @@ struct CancelledSession {
     std::unique_ptr<RenderSession> session;
 };
 
-CancelledSession session_of(const ImageSettings& settings, Backend backend) {
+CancelledSession session_of(const ImageSettings& settings, TestBackend backend) {
     auto executor = std::make_unique<LaunchCounter>(test::make_executor(backend));
     LaunchCounter* const launches = executor.get();
     return {launches, std::make_unique<RenderSession>(
@@ -102,7 +102,7 @@ bool adds_to_film(KernelId kernel) {
 }
 
 void expect_nothing_heavy_after(const std::string& name, const ImageSettings& settings,
-                                Backend backend) {
+                                TestBackend backend) {
     CancelledSession made = session_of(settings, backend);
     ASSERT_EQ(made.session->render(two_samples()), SessionEnd::complete);
     const std::size_t all = sure_launches(made, name);
@@ -121,7 +121,7 @@ void expect_nothing_heavy_after(const std::string& name, const ImageSettings& se
 }
 
 TEST(SessionCancel, NothingHeavyBeginsAfterIt) {
-    for (const Backend backend : test::backends())
+    for (const TestBackend backend : test::backends())
         for (const auto& [name, settings] : all_settings()) {
             SCOPED_TRACE(test::backend_name(backend));
             expect_nothing_heavy_after(name, settings, backend);
@@ -130,7 +130,7 @@ TEST(SessionCancel, NothingHeavyBeginsAfterIt) {
 
 TEST(SessionCancel, WhatGoesOnIsWhatItWouldHaveBeen) {
     for (const auto& [name, settings] : all_settings()) {
-        CancelledSession made = session_of(settings, Backend::embree);
+        CancelledSession made = session_of(settings, TestBackend::embree);
         ASSERT_EQ(made.session->render(two_samples()), SessionEnd::complete);
         const std::size_t all = sure_launches(made, name);
         const Image whole = made.session->image().image;
@@ -150,7 +150,7 @@ TEST(SessionCancel, WhatGoesOnIsWhatItWouldHaveBeen) {
 TEST(SessionCancel, AnImageHoldsWholeFramesAlone) {
     for (const auto& [name, settings] : all_settings()) {
         if (name == "path") continue;
-        CancelledSession made = session_of(settings, Backend::embree);
+        CancelledSession made = session_of(settings, TestBackend::embree);
         ASSERT_EQ(made.session->render({}), SessionEnd::complete);
         const Image one = made.session->image().image;
         const std::size_t of_frame = made.launches->launches;
@@ -164,7 +164,7 @@ TEST(SessionCancel, AnImageHoldsWholeFramesAlone) {
 }
 
 TEST(SessionCancel, SumsOfPathTracingStayExact) {
-    CancelledSession made = session_of(test::small_path(width, height, 6), Backend::embree);
+    CancelledSession made = session_of(test::small_path(width, height, 6), TestBackend::embree);
     ASSERT_EQ(made.session->render({}), SessionEnd::complete);
     const FilmSums whole = *made.session->image().sums;
     const std::size_t all = made.launches->launches;
@@ -180,7 +180,7 @@ TEST(SessionCancel, SumsOfPathTracingStayExact) {
         PathSettings first = test::small_path(width, height, 6);
         first.samples.end = static_cast<std::uint32_t>(part.samples());
         if (first.samples.end > 0) {
-            PathRenderer renderer(test::shared_executor(Backend::embree),
+            PathRenderer renderer(test::shared_executor(TestBackend::embree),
                                   made.session->scene().flat(), test::room_camera(), first, {});
             while (renderer.render_frame({})) continue;
             EXPECT_EQ(part.words, renderer.sums().words) << "launch " << point;
@@ -192,7 +192,7 @@ TEST(SessionCancel, SumsOfPathTracingStayExact) {
 
 TEST(SessionCancel, ARequestBeforehandEndsTheNextCall) {
     CancelledSession made =
-        session_of(test::small_settings(Algorithm::igi, width, height), Backend::embree);
+        session_of(test::small_settings(Algorithm::igi, width, height), TestBackend::embree);
     test::KeptOutput output;
     made.session->set_output(&output);
     const std::size_t before = made.launches->launches;
@@ -205,7 +205,7 @@ TEST(SessionCancel, ARequestBeforehandEndsTheNextCall) {
 }
 
 TEST(SessionCancel, ComesFromAnyThread) {
-    CancelledSession made = session_of(test::small_path(width, height, 60000), Backend::embree);
+    CancelledSession made = session_of(test::small_path(width, height, 60000), TestBackend::embree);
     std::atomic<bool> begun{false};
     RenderBudget budget;
     budget.progress = [&](const SessionProgress&) { begun = true; };

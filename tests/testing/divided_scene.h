@@ -33,15 +33,15 @@ inline void divide(Mesh& mesh, int times) {
     }
 }
 
-/// Divides the meshes of all lamps.
-inline void divide_lamps(Scene& scene, int times) {
+/// Divides the meshes of all area lights.
+inline void divide_area_lights(Scene& scene, int times) {
     for (const Instance& instance : scene.instances)
         if (scene.materials.at(instance.material).emission.radiance != glm::vec3(0.0F))
             divide(scene.meshes.at(instance.mesh), times);
 }
 
-/// A scene that comes with Weft, with lamps of more triangles than are known in closed form
-/// (host/scene/lamp_bounds.h).
+/// A scene that comes with Weft, with area lights of more triangles than are known in closed form
+/// (host/scene/area_light_bounds.h).
 struct DividedScene {
     Camera camera;
     FlatScene flat;
@@ -49,7 +49,7 @@ struct DividedScene {
     explicit DividedScene(const std::string& file) {
         Diagnostics diagnostics;
         Scene scene = load_scene(WEFT_SOURCE_DIR "/scenes/" + file, diagnostics);
-        divide_lamps(scene, 2);
+        divide_area_lights(scene, 2);
         camera = scene.cameras.at(0);
         flat = flatten(scene);
     }

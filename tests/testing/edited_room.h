@@ -14,25 +14,26 @@
 
 namespace weft::test {
 
-/// "Box", scaled by 2 at (1, 2, 3); "Wall" of two parts at the origin; a lamp, a sun and two lights
-/// of one name; materials "Red" and "Glow", and two that share a name.
+/// "Box", scaled by 2 at (1, 2, 3); "Wall" of two parts at the origin; an area light, a sun and two
+/// lights of one name; materials "Red" and "Emissive", and two that share a name.
 inline Scene room() {
     SceneBuilder builder;
-    const auto material = [&](const char* name, const glm::vec3& albedo, const glm::vec3& glow) {
-        const std::uint32_t index = builder.material(albedo, glow);
+    const auto material = [&](const char* name, const glm::vec3& albedo,
+                              const glm::vec3& emission) {
+        const std::uint32_t index = builder.material(albedo, emission);
         builder.scene.materials[index].name = name;
         return index;
     };
     const std::uint32_t red = material("Red", {0.8F, 0.25F, 0.0F}, glm::vec3(0.0F));
-    const std::uint32_t glow = material("Glow", glm::vec3(0.5F), {4.0F, 2.0F, 1.0F});
+    const std::uint32_t emissive = material("Emissive", glm::vec3(0.5F), {4.0F, 2.0F, 1.0F});
     material("Same", glm::vec3(0.5F), glm::vec3(0.0F));
     material("Same", glm::vec3(0.5F), glm::vec3(0.0F));
     const Mesh quad = quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     builder.add(quad, red, placement(2.0, {1, 2, 3}));
     builder.add(quad, red);
-    builder.add(quad, glow);
+    builder.add(quad, emissive);
     builder.add(quad, red, placement(1.0, {9, 9, 9}));
-    builder.light(LightType::point, {0, 5, 0}, {8, 4, 2}).name = "Lamp";
+    builder.light(LightType::point, {0, 5, 0}, {8, 4, 2}).name = "Bulb";
     builder.light(LightType::directional, {}, glm::vec3(1.0F)).name = "Sun";
     for (int i = 0; i < 3; ++i) builder.light(LightType::point, {}, {}).name = "Spot";
     Scene scene = builder.scene;

@@ -65,7 +65,7 @@ inline Mesh half_plane(const Line& line, double z, std::uint32_t width, std::uin
     return quad_mesh(point - 100.0F * along, 200.0F * along, 100.0F * inwards);
 }
 
-/// A line near the centre of the picture, its normal at that angle from the
+/// A line near the centre of the image, its normal at that angle from the
 /// film's x axis.
 inline Line line_at(double degrees, std::uint32_t width, std::uint32_t height) {
     const double angle = degrees * std::numbers::pi / 180.0;

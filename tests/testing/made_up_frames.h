@@ -13,22 +13,22 @@
 #include <vector>
 
 #include "adaptive/level_scheduler.h"
-#include "tests/testing/picture_masks.h"
+#include "tests/testing/image_masks.h"
 
-// Frames for the scheduler alone: pictures and signals are made up, and a frame is run as
+// Frames for the scheduler alone: images and signals are made up, and a frame is run as
 // AdaptiveSampling runs it.
 namespace weft::test {
 
 /// Irradiance by pixel.
 using Signal = std::function<float(std::uint32_t x, std::uint32_t y)>;
 
-/// What the G-buffer says of a picture.
-struct Picture {
+/// What the G-buffer says of an image.
+struct MadeUpImage {
     TileGrid grid;
     std::vector<shared::TileRecord> records;
     std::vector<TileMask> lit, fine;
 
-    explicit Picture(const TileGrid& size) : grid(size), records(size.tiles()) {}
+    explicit MadeUpImage(const TileGrid& size) : grid(size), records(size.tiles()) {}
 
     void set(std::uint32_t tile, TileMask lit_pixels, TileMask middle, TileMask fine_pixels) {
         const auto words = [](std::uint32_t(&to)[2], TileMask mask) {
@@ -57,25 +57,25 @@ inline TileMask inside(const TileGrid& grid, std::uint32_t tile) {
 }
 
 /// Everything lit, one smooth surface.
-inline Picture plain(const TileGrid& grid) {
-    Picture picture(grid);
+inline MadeUpImage plain(const TileGrid& grid) {
+    MadeUpImage image(grid);
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
-        picture.set(tile, inside(grid, tile), 0, 0);
-    picture.take_masks();
-    return picture;
+        image.set(tile, inside(grid, tile), 0, 0);
+    image.take_masks();
+    return image;
 }
 
-inline Picture random_picture(const TileGrid& grid, Uniform& random) {
-    Picture picture(grid);
+inline MadeUpImage random_image(const TileGrid& grid, Uniform& random) {
+    MadeUpImage image(grid);
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
         const TileMask lit =
             inside(grid, tile) & (random.below(3) == 0 ? random.mask() : ~TileMask{0});
         const TileMask special = random.below(2) == 0 ? random.mask() & random.mask() : 0;
         const TileMask which = random.below(2) == 0 ? random.mask() : ~TileMask{0};
-        picture.set(tile, lit, lit & special & which, lit & special & ~which);
+        image.set(tile, lit, lit & special & which, lit & special & ~which);
     }
-    picture.take_masks();
-    return picture;
+    image.take_masks();
+    return image;
 }
 
 inline Signal random_signal(Uniform& random) {
@@ -129,13 +129,13 @@ inline LevelSettings settings_of(double threshold) {
     return settings;
 }
 
-/// A frame. Where `complete`, signals are those of a picture in which every pixel has a sample.
-inline Frame run_frame(const Picture& picture, double threshold, const Signal& irradiance,
+/// A frame. Where `complete`, signals are those of an image in which every pixel has a sample.
+inline Frame run_frame(const MadeUpImage& image, double threshold, const Signal& irradiance,
                        bool complete = false, const std::vector<Level>& least = {},
                        const std::vector<Level>& held = {},
                        const std::vector<float>& earlier = {}) {
     const BrightnessSlope slope(100.0);
-    LevelScheduler scheduler(picture.grid, settings_of(threshold), picture.records);
+    LevelScheduler scheduler(image.grid, settings_of(threshold), image.records);
     const auto sampled = [&] {
         const auto masks = scheduler.sampled();
         return std::vector<TileMask>(masks.begin(), masks.end());
@@ -150,8 +150,8 @@ inline Frame run_frame(const Picture& picture, double threshold, const Signal& i
         frame.rounds.push_back(
             scheduler.has(level)
                 ? scheduler.refine(level,
-                                   lattice_signal(picture.grid, stride_of(level),
-                                                  complete ? picture.lit : sampled(), irradiance),
+                                   lattice_signal(image.grid, stride_of(level),
+                                                  complete ? image.lit : sampled(), irradiance),
                                    slope)
                 : scheduler.next_round());
     }
@@ -164,7 +164,7 @@ inline Frame run_frame(const Picture& picture, double threshold, const Signal& i
 
 inline std::size_t pixels_of(const WorkList& list) {
     return static_cast<std::size_t>(std::count_if(list.pixels.begin(), list.pixels.end(),
-                                                  [](auto p) { return p != NO_TRIANGLE; }));
+                                                  [](auto p) { return p != INVALID_INDEX; }));
 }
 
 inline std::size_t pixels_of(const std::vector<TileMask>& masks) {

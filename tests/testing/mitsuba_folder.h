@@ -14,7 +14,7 @@
 
 namespace weft {
 
-/// A folder with a small PLY file, a picture and a scene that is made of given elements.
+/// A folder with a small PLY file, an image and a scene that is made of given elements.
 class MitsubaFolder {
   public:
     MitsubaFolder() {
@@ -25,7 +25,7 @@ class MitsubaFolder {
         write_square("normals.ply", "property float nx\nproperty float ny\nproperty float nz\n",
                      {" 0.1 0 1", " 0.1 0 1", " 0.1 0 1", " 0.1 0 1"});
         folder_.write("bare.ply", ply("", 3, 1) + "-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n");
-        folder_.write("picture.tga", picture());
+        folder_.write("image.tga", image());
     }
 
     /// Writes `elements` as the lines after the first of `s.xml` and reads it.
@@ -80,7 +80,7 @@ class MitsubaFolder {
     }
 
     /// A TGA of 2 x 2 pixels, top row first: red, green above blue, white.
-    static std::string picture() {
+    static std::string image() {
         const std::string header("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\x18\x20", 18);
         return header + std::string("\0\0\xFF\0\xFF\0\xFF\0\0\xFF\xFF\xFF", 12);
     }

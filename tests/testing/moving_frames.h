@@ -13,13 +13,14 @@
 
 namespace weft::test {
 
-/// Settings of small pictures in which every sample set counts.
+/// Settings of small images in which every sample set counts.
 inline RenderSettings igi_settings() {
     return small_settings(Algorithm::igi, 48, 36);
 }
 
-/// The picture of the last of these frames after all that lead to it, one a second.
-inline Image frame_after(Scene scene, const std::vector<std::uint32_t>& frames, Backend backend) {
+/// The image of the last of these frames after all that lead to it, one a second.
+inline Image frame_after(Scene scene, const std::vector<std::uint32_t>& frames,
+                         TestBackend backend) {
     MovingScene moving(std::move(scene), {}, 1.0);
     moving.set_frame(frames.front());
     Renderer renderer(shared_executor(backend), moving.flat(), room_camera(), igi_settings());

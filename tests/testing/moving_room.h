@@ -22,7 +22,7 @@ inline MovingNode sliding_node(Scene& scene) {
     return node;
 }
 
-/// The room of a block and a lamp: the block slides.
+/// The room of a block and an area light: the block slides.
 inline Scene sliding_room() {
     MovingRoom room = moving_room(0);
     Scene scene = std::move(room.scene);

@@ -37,19 +37,19 @@ inline FilmSums path_sums(Executor& executor, const FlatScene& flat, const Camer
     return renderer.sums();
 }
 
-/// A path-traced picture with the variance of its pixels.
-inline Rendering path_picture(Executor& executor, const FlatScene& flat, const Camera& camera,
-                              const PathSettings& settings) {
+/// A path-traced image with the variance of its pixels.
+inline Rendering path_image(Executor& executor, const FlatScene& flat, const Camera& camera,
+                            const PathSettings& settings) {
     Rendering rendering{resolve_sums(path_sums(executor, flat, camera, settings)), {}, {}};
     expect_clean(rendering);
     return rendering;
 }
 
 /// Validates, flattens and renders.
-inline Rendering path_picture(Backend backend, const Scene& scene, const Camera& camera,
-                              const PathSettings& settings) {
+inline Rendering path_image(TestBackend backend, const Scene& scene, const Camera& camera,
+                            const PathSettings& settings) {
     validate_scene(scene);
-    return path_picture(shared_executor(backend), flatten(scene), camera, settings);
+    return path_image(shared_executor(backend), flatten(scene), camera, settings);
 }
 
 /// What a comparison allows.

@@ -31,15 +31,15 @@
 namespace weft::test {
 
 /// What runs the kernels.
-enum class Backend : std::uint8_t { opencl, own_bvh, embree };
+enum class TestBackend : std::uint8_t { opencl, own_bvh, embree };
 
-inline const char* backend_name(Backend backend) {
+inline const char* backend_name(TestBackend backend) {
     switch (backend) {
-        case Backend::opencl:
+        case TestBackend::opencl:
             return "opencl";
-        case Backend::own_bvh:
+        case TestBackend::own_bvh:
             return "own_bvh";
-        case Backend::embree:
+        case TestBackend::embree:
             return "embree";
     }
     return "";
@@ -55,16 +55,30 @@ inline bool has_opencl() {
 }
 
 /// The backends of this machine; says once what is missing.
-inline const std::vector<Backend>& backends() {
-    static const std::vector<Backend> all = [] {
-        std::vector<Backend> found{Backend::own_bvh, Backend::embree};
+inline const std::vector<TestBackend>& backends() {
+    static const std::vector<TestBackend> all = [] {
+        std::vector<TestBackend> found{TestBackend::own_bvh, TestBackend::embree};
         if (has_opencl())
-            found.push_back(Backend::opencl);
+            found.push_back(TestBackend::opencl);
         else
             std::cout << "no OpenCL device: tested on the native backends only\n";
         return found;
     }();
     return all;
+}
+
+/// The backends of tests that compare many samples with light that is known: the native kernels
+/// alone, since those of OpenCL compute the same bits and Embree meets the same triangles, which
+/// other tests prove (tests/device/backend_agreement_test.cpp names them). All of the machine's
+/// where the environment variable WEFT_TEST_BACKENDS is `all`.
+inline const std::vector<TestBackend>& light_backends() {
+    static const std::vector<TestBackend> chosen = [] {
+        const char* const wanted = std::getenv("WEFT_TEST_BACKENDS");
+        return wanted != nullptr && std::string_view(wanted) == "all"
+                   ? backends()
+                   : std::vector<TestBackend>{TestBackend::own_bvh};
+    }();
+    return chosen;
 }
 
 /// Sets WEFT_LANES for as long as it lives.
@@ -88,19 +102,21 @@ class LanesInEnvironment {
 };
 
 /// An executor; `lanes` 0 leaves the packet width to the environment and the device.
-inline std::unique_ptr<Executor> make_executor(Backend backend, std::uint32_t lanes = 0,
+inline std::unique_ptr<Executor> make_executor(TestBackend backend, std::uint32_t lanes = 0,
                                                int threads = 0) {
     std::optional<LanesInEnvironment> environment;
     if (lanes > 0) environment.emplace(lanes);
-    if (backend == Backend::embree) return make_native_executor(NativeTraversal::embree, threads);
+    if (backend == TestBackend::embree)
+        return make_native_executor(NativeTraversal::embree, threads);
 #if WEFT_HAS_OPENCL
-    if (backend == Backend::opencl) return make_opencl_executor(choose_opencl_device(""), threads);
+    if (backend == TestBackend::opencl)
+        return make_opencl_executor(choose_opencl_device(""), threads);
 #endif
     return make_native_executor(NativeTraversal::own_bvh, threads);
 }
 
 /// One executor a backend for the whole program, so that kernels are built once.
-inline Executor& shared_executor(Backend backend) {
+inline Executor& shared_executor(TestBackend backend) {
     static std::array<std::unique_ptr<Executor>, 3> made;
     auto& executor = made.at(static_cast<std::size_t>(backend));
     if (!executor) executor = make_executor(backend);
@@ -109,7 +125,7 @@ inline Executor& shared_executor(Backend backend) {
 
 using selftest::render;
 
-inline Rendering render(Backend backend, const Scene& scene, const Camera& camera,
+inline Rendering render(TestBackend backend, const Scene& scene, const Camera& camera,
                         const RenderSettings& settings, std::uint32_t frames = 1) {
     return render(shared_executor(backend), scene, camera, settings, frames);
 }

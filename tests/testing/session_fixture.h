@@ -55,7 +55,7 @@ struct CountedSession {
     }
 };
 
-inline CountedSession counted_session(Backend backend, Scene scene, const Camera& camera,
+inline CountedSession counted_session(TestBackend backend, Scene scene, const Camera& camera,
                                       const ImageSettings& settings,
                                       std::size_t kept = RenderSession::default_kept_frames) {
     auto executor = std::make_unique<CountingExecutor>(make_executor(backend));

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "tests/testing/density_grid_twin.h"
+#include "tests/testing/density_grid_reference.h"
 #include "tests/testing/media_builder.h"
 #include "tests/testing/path_fixture.h"
 
@@ -29,7 +29,7 @@ inline glm::dmat4 turned(double size, const glm::dvec3& move) {
            glm::scale(glm::dmat4(1.0), glm::dvec3(size, 0.8 * size, -1.2 * size));
 }
 
-/// A room with a lamp, and fog in a box with a point light inside.
+/// A room with an area light, and fog in a box with a point light inside.
 inline SceneBuilder foggy_room() {
     SceneBuilder builder;
     builder.add(room_mesh(), builder.material({0.7F, 0.5F, 0.3F}));

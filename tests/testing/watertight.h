@@ -26,10 +26,10 @@ inline void expect_watertight(std::size_t count) {
             const Room room = place(mesh.mesh, placement);
             ASSERT_GT(room.radius, 0.4 * room.scale) << mesh.name << ' ' << placement.name;
             seed += 1000;
-            for (const Backend backend : backends()) {
+            for (const TestBackend backend : backends()) {
                 const Leaks leaks = leaks_of(shared_executor(backend), mesh, room, count, seed);
                 EXPECT_EQ(leaks.rays, count);
-                if (backend == Backend::embree) {
+                if (backend == TestBackend::embree) {
                     embree += leaks.closest + leaks.any;
                     rays += 2 * leaks.rays;
                     continue;

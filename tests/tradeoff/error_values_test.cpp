@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "tradeoff/picture_errors.h"
+#include "tradeoff/image_errors.h"
 
 namespace weft {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t edge = 64;
 
 /// A gradient, and spots of growing contrast upon it.
-Image picture(float contrast) {
+Image make_image(float contrast) {
     Layer layer{"", "RGB", std::vector<float>(3 * edge * edge)};
     for (std::uint32_t i = 0; i < edge * edge; ++i) {
         const float x = static_cast<float>(i % edge) / edge;
@@ -35,10 +35,10 @@ double value(const std::vector<double>& values, ErrorMeasure measure) {
 }
 
 TEST(ErrorValues, EachIsAtItsPlace) {
-    const Image reference = picture(0.0F);
-    const Image test = picture(0.6F);
+    const Image reference = make_image(0.0F);
+    const Image test = make_image(0.6F);
     const std::vector<double> values = error_values(reference, test);
-    const PictureErrors errors = picture_errors(reference, test, "", {});
+    const ImageErrors errors = image_errors(reference, test, "", {});
     ASSERT_EQ(values.size(), error_measures);
     EXPECT_EQ(value(values, ErrorMeasure::hdrflip), *errors.hdrflip);
     EXPECT_EQ(value(values, ErrorMeasure::vdp75), errors.published->p75);
@@ -52,17 +52,18 @@ TEST(ErrorValues, EachIsAtItsPlace) {
 }
 
 TEST(ErrorValues, NothingDiffersFromItself) {
-    EXPECT_EQ(error_values(picture(0.3F), picture(0.3F)), std::vector<double>(error_measures, 0.0));
-    const std::vector<float> map = error_map(picture(0.3F), picture(0.3F));
+    EXPECT_EQ(error_values(make_image(0.3F), make_image(0.3F)),
+              std::vector<double>(error_measures, 0.0));
+    const std::vector<float> map = error_map(make_image(0.3F), make_image(0.3F));
     EXPECT_EQ(map.size(), std::size_t{edge} * edge);
     EXPECT_EQ(*std::max_element(map.begin(), map.end()), 0.0F);
 }
 
 TEST(ErrorValues, WhatCannotBeComparedIsRefused) {
-    Image black = picture(0.0F);
+    Image black = make_image(0.0F);
     std::fill(black.layers[0].values.begin(), black.layers[0].values.end(), 0.0F);
-    EXPECT_THROW((void)error_values(black, picture(0.3F)), Error);
-    EXPECT_THROW((void)layer_as_beauty(picture(0.3F), "missing"), Error);
+    EXPECT_THROW((void)error_values(black, make_image(0.3F)), Error);
+    EXPECT_THROW((void)layer_as_beauty(make_image(0.3F), "missing"), Error);
 }
 
 }  // namespace

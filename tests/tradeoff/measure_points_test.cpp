@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tradeoff/reference_pictures.h"
+#include "tradeoff/reference_images.h"
 
 namespace weft {
 namespace {
@@ -35,16 +35,16 @@ struct MadeUp {
     Measuring measuring() {
         return {.make =
                     [this](const Preset& preset, std::uint32_t seed, bool first_alone) {
-                        MeasuredPicture picture;
-                        picture.frames = first_alone ? 1 : preset.samples;
-                        picture.ms = frame_ms * picture.frames;
-                        picture.rays = preset.samples;
-                        picture.image.width = preset.samples;
+                        MeasuredImage image;
+                        image.frames = first_alone ? 1 : preset.samples;
+                        image.ms = frame_ms * image.frames;
+                        image.rays = preset.samples;
+                        image.image.width = preset.samples;
                         if (first_alone)
                             ++first_frames;
                         else
                             made.emplace_back(preset.samples, seed);
-                        return picture;
+                        return image;
                     },
                 .judge =
                     [](const Image& image) {
@@ -84,10 +84,10 @@ TEST(MeasurePoints, TimesOfAllSettingsSayHowFarThoseOfOneMayLie) {
     Measuring measuring = machine.measuring();
     measuring.make = [make = measuring.make](const Preset& preset, std::uint32_t seed,
                                              bool first_alone) {
-        MeasuredPicture picture = make(preset, seed, first_alone);
+        MeasuredImage image = make(preset, seed, first_alone);
         // One setting takes as long with every seed, as chance may have it.
-        if (!first_alone && preset.samples != 10) picture.ms *= seed % 2 == 0 ? 1.0 : 1.25;
-        return picture;
+        if (!first_alone && preset.samples != 10) image.ms *= seed % 2 == 0 ? 1.0 : 1.25;
+        return image;
     };
     std::vector<std::string> skipped;
     const MeasurePlan plan{.repetitions = 4, .seed = 0, .slow_ms = 500.0};
@@ -118,9 +118,9 @@ TEST(MeasurePoints, BudgetsAreFilledByFramesThatAreNotTheFirst) {
     Measuring measuring = machine.measuring();
     measuring.make = [make = measuring.make](const Preset& preset, std::uint32_t seed,
                                              bool first_alone) {
-        MeasuredPicture picture = make(preset, seed, first_alone);
-        picture.ms *= first_alone ? 2.5 : 1.0;  // the first of a process takes longer
-        return picture;
+        MeasuredImage image = make(preset, seed, first_alone);
+        image.ms *= first_alone ? 2.5 : 1.0;  // the first of a process takes longer
+        return image;
     };
     std::vector<Candidate> candidates;
     for (const char* const family : {"a", "b"})
@@ -170,7 +170,7 @@ TEST(MeasurePoints, TheCheckUsesNewSeedsAndCounts) {
     machine.frame_ms = 1.25;
     const FrontCheck check =
         check_front(points, ErrorMeasure::hdrflip, plan, machine.measuring(), 2);
-    EXPECT_EQ(check.pictures, 6U);
+    EXPECT_EQ(check.images, 6U);
     EXPECT_EQ(check.times_within, 2U);
     EXPECT_EQ(check.errors_within, 6U);
     ASSERT_EQ(check.points.size(), 3U);
@@ -183,12 +183,12 @@ TEST(MeasurePoints, SeedsDifferAndAreNeverTheReferences) {
          {0U, reference_seed - 1, reference_seed, reference_seed + 1, 0xFFFFFFF0U}) {
         std::set<std::uint32_t> seeds;
         for (std::uint32_t index = 0; index < 200; ++index) {
-            const std::uint32_t seed = picture_seed(first, index);
+            const std::uint32_t seed = image_seed(first, index);
             EXPECT_NE(seed, reference_seed);
             EXPECT_TRUE(seeds.insert(seed).second) << first << " " << index;
         }
         if (first != reference_seed) {
-            EXPECT_EQ(picture_seed(first, 0), first);
+            EXPECT_EQ(image_seed(first, 0), first);
         }
     }
 }

@@ -48,7 +48,7 @@ TEST(PredictionInterval, TwoMeasurementsGiveAClosedForm) {
     EXPECT_NEAR(std::log(interval.high), 0.5 * std::log(8.0) + reach, 1e-10);
 }
 
-TEST(PredictionInterval, EqualMeasurementsLeaveNoDoubt) {
+TEST(PredictionInterval, EqualMeasurementsHaveAnIntervalWithoutWidth) {
     for (const double value : {5.0, 6.57132387963843e-05}) {
         const Interval interval = prediction_interval(std::array{value, value, value});
         EXPECT_EQ(interval.median, value);

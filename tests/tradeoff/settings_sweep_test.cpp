@@ -124,31 +124,31 @@ TEST(SettingsSweep, ReadsTheSceneFromItsPlan) {
     scene.area_lights = 1;
     scene.surface_area = 1.0;
     scene.mean_reflectance = 0.5;
-    const auto called_for = [&] {
+    const auto is_enabled = [&] {
         return sweep_scene(plan_frames(Algorithm::ais, SamplingSettings{}, scene));
     };
-    EXPECT_TRUE(called_for().indirect);
-    EXPECT_TRUE(called_for().sampled_lights);
-    EXPECT_FALSE(called_for().media);
+    EXPECT_TRUE(is_enabled().indirect);
+    EXPECT_TRUE(is_enabled().sampled_lights);
+    EXPECT_FALSE(is_enabled().media);
     scene.media = scene.scattering = true;
-    EXPECT_TRUE(called_for().media);
-    EXPECT_TRUE(called_for().media_light);
+    EXPECT_TRUE(is_enabled().media);
+    EXPECT_TRUE(is_enabled().media_light);
     scene.media = scene.scattering = false;
     scene.area_lights = 0;
     scene.punctual_lights = 1;
-    EXPECT_FALSE(called_for().sampled_lights);
-    EXPECT_TRUE(called_for().adapts);
+    EXPECT_FALSE(is_enabled().sampled_lights);
+    EXPECT_TRUE(is_enabled().adapts);
     scene.mean_reflectance = 0.0;
-    EXPECT_FALSE(called_for().indirect);
-    EXPECT_FALSE(called_for().adapts);
+    EXPECT_FALSE(is_enabled().indirect);
+    EXPECT_FALSE(is_enabled().adapts);
     // Lights are looked at first where a set has enough samples on them.
     scene.area_lights = 1;
-    EXPECT_FALSE(called_for().adapts);
+    EXPECT_FALSE(is_enabled().adapts);
     scene.area_lights = 16;
-    EXPECT_TRUE(called_for().adapts);
+    EXPECT_TRUE(is_enabled().adapts);
     scene.area_lights = 0;
     scene.media = scene.scattering = true;
-    EXPECT_TRUE(called_for().adapts);
+    EXPECT_TRUE(is_enabled().adapts);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(TimeSpread, ASlowRoundLeavesFewDegreesOfFreedom) {
     EXPECT_LT(std::log(drifted.factor), 3.3 * 0.182);
 }
 
-TEST(TimeSpread, EqualTimesLeaveNoDoubt) {
+TEST(TimeSpread, EqualTimesHaveAnIntervalWithoutWidth) {
     const TimeSpread spread = spread_of({{0.3, 0.3, 0.3}, {1e9, 1e9, 1e9}});
     EXPECT_EQ(spread.factor, 1.0);
     EXPECT_EQ(spread.deviations, 6U);
@@ -178,7 +178,7 @@ struct Machine {
     double noise;        ///< standard deviation of logarithms
     double spikes;       ///< share of times that are 1.3 to 2.5 times as long
     double drift;        ///< standard deviation of what changes slowly
-    double drift_turns;  ///< pictures after which it has changed by most
+    double drift_turns;  ///< images after which it has changed by most
 };
 
 class Simulation {
@@ -231,7 +231,7 @@ double reach_of(const Interval& interval) {
     return 0.5 * std::log(interval.high / interval.low);
 }
 
-/// Trials of a sweep each, and one picture of one setting within a sweep's time after it: trials
+/// Trials of a sweep each, and one image of one setting within a sweep's time after it: trials
 /// are independent.
 Outcome simulate(const Machine& machine, int trials) {
     Simulation simulation(machine, 20261123);

@@ -34,7 +34,7 @@ TradeoffPoint point_of(const std::string& name, double ms, double error, bool on
     point.rays = 1234567;
     point.on_front = on_front;
     if (on_front) {
-        point.picture = grey(8, 4, 0.5F);
+        point.image = grey(8, 4, 0.5F);
         point.error_map.assign(32, static_cast<float>(error));
     }
     return point;
@@ -49,24 +49,24 @@ TradeoffResult made_up() {
     result.height = 4;
     result.repetitions = 3;
     result.machine = {{"processor", "four cores"}, {"versions", {{"weft", "1"}}}};
-    result.picture_options = " --size 64x48";
+    result.image_options = " --size 64x48";
     result.command = "weft tradeoff nave.gltf";
     result.reference = {.samples = 1024,
                         .noise_floor = std::vector<double>(error_measures, 0.001),
-                        .picture = grey(8, 4, 0.5F)};
+                        .image = grey(8, 4, 0.5F)};
     result.points = {point_of("ais 1", 10.0, 0.4, true), point_of("igi 1", 20.0, 0.5, false),
                      point_of("ais 2", 100.0, 0.1, true), point_of("path 1", 2000.0, 0.02, true)};
     result.time_spread = {.factor = 1.25, .degrees = 10.0, .deviations = 1200};
     result.advice = {{300.0, {}, 2, "For 300 ms the best is ais 2.", "300ms.json"}};
     for (const double budget : {0.3, 3.0})
-        result.peers.push_back({.name = "other",
-                                .budget_s = budget,
-                                .seconds = budget,
-                                .samples = 7.0,
-                                .denoised = budget > 1.0,
-                                .errors = std::vector<double>(error_measures, 0.2 / budget),
-                                .picture = grey(8, 4, 0.25F)});
-    result.peer_notes = {"one more is not installed"};
+        result.others.push_back({.name = "other",
+                                 .budget_s = budget,
+                                 .seconds = budget,
+                                 .samples = 7.0,
+                                 .denoised = budget > 1.0,
+                                 .errors = std::vector<double>(error_measures, 0.2 / budget),
+                                 .image = grey(8, 4, 0.25F)});
+    result.other_notes = {"one more is not installed"};
     return result;
 }
 
@@ -128,11 +128,11 @@ TEST(TradeoffPage, SetsTheBestOfTheSameTimeBesideOthers) {
     EXPECT_EQ(page.count(in_table("In 3 s", "/tbody/tr[td='denoised']")), 1U);
     EXPECT_TRUE(page.holds("one more is not installed"));
     TradeoffResult slow = made_up();
-    slow.peers[0].budget_s = 0.001;
+    slow.others[0].budget_s = 0.001;
     EXPECT_TRUE(Page(slow).holds("No setting of the front is that fast."));
     TradeoffResult unsteady = made_up();
     for (TradeoffPoint& point : unsteady.points) point.ms.high = 10.0 * point.ms.median;
-    unsteady.peers[0].budget_s = 0.011;
+    unsteady.others[0].budget_s = 0.011;
     const Page page_of_unsteady(unsteady);
     EXPECT_TRUE(
         page_of_unsteady.holds("No setting of the front is certain enough to keep to that."));
@@ -164,19 +164,17 @@ TEST(TradeoffPage, TakesNamesAsText) {
     const std::string hostile = "<script>alert(1)</script>\"'&]]>\xFF\x01";
     TradeoffResult result = made_up();
     result.scene = result.command = result.points[0].name = result.points[0].family = hostile;
-    result.peers[0].name = result.peer_notes[0] = result.advice[0].sentence = hostile;
+    result.others[0].name = result.other_notes[0] = result.advice[0].sentence = hostile;
     result.advice[0].preset_file = hostile;
     result.machine = {{hostile, hostile}, {"object", {{hostile, {hostile}}}}};
     result.skipped = {hostile};
-    result.check =
-        FrontCheck{.points = {}, .pictures = 30, .times_within = 28, .errors_within = 29};
+    result.check = FrontCheck{.points = {}, .images = 30, .times_within = 28, .errors_within = 29};
     const Page page(result);
     EXPECT_EQ(page.count("//script"), 0U);
     EXPECT_FALSE(page.holds("<script"));
     EXPECT_EQ(page.count("//h1"), 1U);
     EXPECT_TRUE(page.holds("Too slow to be measured: &lt;script&gt;"));
-    EXPECT_TRUE(
-        page.holds("of 30 pictures 28 kept to the interval of their setting's time, and 29"));
+    EXPECT_TRUE(page.holds("of 30 images 28 kept to the interval of their setting's time, and 29"));
     EXPECT_TRUE(page.holds("&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp;]]&gt;"));
 }
 
@@ -188,11 +186,11 @@ TEST(TradeoffPage, ShowsNoNumbersThatAreNone) {
     result.points[0].ms = {nan, nan, nan};
     result.points[0].errors.assign(error_measures, {infinity, nan, infinity});
     result.points[0].error_map.assign(32, std::numeric_limits<float>::infinity());
-    result.points[0].picture = grey(8, 4, std::numeric_limits<float>::quiet_NaN());
+    result.points[0].image = grey(8, 4, std::numeric_limits<float>::quiet_NaN());
     result.points[2].errors.clear();
     result.reference.noise_floor.assign(error_measures, nan);
-    result.peers[0].seconds = result.peers[0].budget_s = infinity;
-    result.peers[1].samples = nan;
+    result.others[0].seconds = result.others[0].budget_s = infinity;
+    result.others[1].samples = nan;
     result.machine["number"] = nan;
     const Page page(result);
     for (const char* path : {"//td", "//th", "//p", "//text", "//title", "//caption", "//@*"})
@@ -212,11 +210,11 @@ TEST(TradeoffPage, WorksWithNothing) {
     EXPECT_EQ(page.count("//h2[.='In the same time']"), 0U);
     TradeoffResult bare = made_up();
     for (TradeoffPoint& point : bare.points) {
-        point.picture = {};
+        point.image = {};
         point.error_map.clear();
     }
     bare.reference = {};
-    EXPECT_EQ(Page(bare).count("//span[.='no picture']"), 9U) << "three each of the front";
+    EXPECT_EQ(Page(bare).count("//span[.='no image']"), 9U) << "three each of the front";
 }
 
 TEST(TradeoffPage, ThumbnailsAreMeansOfWhatTheyCover) {

@@ -24,7 +24,7 @@ struct CandidateList {
     unsigned int count;
 };
 
-/// Filter that notes every triangle met and rejects it, so that traversal goes on.
+/// Filter that collects every triangle that is hit and rejects the hit, so that traversal goes on.
 void collect(const RTCFilterFunctionNArguments* arguments) {
     auto* const list = reinterpret_cast<CandidateList*>(arguments->context);
     for (unsigned int i = 0; i < arguments->N; ++i) {
@@ -139,7 +139,7 @@ void trace_packet(RTCScene scene, const float* origin, const float* directions, 
     for (int i = 0; i < Width; ++i) lanes[i] = valid[i] != 0 && rays.tfar[i] < 0.0F ? -1 : 0;
 }
 
-/// What NativeScene::embree is.
+/// The scene that NativeScene::embree points to.
 const EmbreeScene& scene_of(const void* scene) {
     return *static_cast<const EmbreeScene*>(scene);
 }

@@ -36,8 +36,8 @@ EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads, int flags)
     device_ = rtcNewDevice(config.c_str());
     if (device_ == nullptr) throw_embree_error(nullptr, "start");
     scene_ = rtcNewScene(device_);
-    // Low quality is what Embree calls a tree of trees, one a mesh: only then does a commit leave
-    // the meshes alone that have not changed. Each of them has a quality of its own.
+    // With low quality Embree builds a tree of trees, one a mesh, and only then does a commit leave
+    // meshes alone that have not changed. Each mesh has a quality of its own.
     rtcSetSceneFlags(scene_,
                      static_cast<RTCSceneFlags>(flags | (moves_ ? RTC_SCENE_FLAG_DYNAMIC : 0)));
     rtcSetSceneBuildQuality(scene_, moves_ ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
@@ -84,8 +84,8 @@ void EmbreeScene::attach(const TracedGeometry& geometry, std::size_t first, std:
 }
 
 bool EmbreeScene::choose_moving(const TracedGeometry& geometry) {
-    // What is absent has shrunk to a point. Embree's tree of trees fails an assertion (compiled in
-    // by Debian) where boxes are points; indices beyond the vertices make it leave them out.
+    // Absent instances have shrunk to a point. Embree's tree of trees fails an assertion (compiled
+    // in by Debian) where boxes are points; with indices beyond the vertices it leaves them out.
     constexpr std::array none{~0U, ~0U, ~0U};
     const auto same = [&](std::uint32_t a, std::uint32_t b) {
         const shared::float4& p = geometry.positions[a];

@@ -14,7 +14,7 @@
 
 namespace weft {
 
-/// What pictures are traced with: Embree's robust mode, and queries may bring a filter of their own
+/// Scene flags for tracing images: Embree's robust mode, and queries may have a filter of their own
 /// (embree_candidates).
 #if WEFT_EMBREE_MAJOR >= 4
 inline const int embree_render_flags =
@@ -24,8 +24,8 @@ inline const int embree_render_flags =
     RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
-/// Triangles as an Embree scene: one mesh of the highest build quality, and, where some may move, a
-/// mesh of those, which can be updated alone. Queries for pictures are never COHERENT: a ray's
+/// Triangles as an Embree scene: one mesh of the highest build quality and, where some may move, a
+/// second mesh of those, which can be updated alone. Queries for images are never COHERENT: a ray's
 /// result must not depend on its packet.
 class EmbreeScene {
   public:
@@ -53,7 +53,7 @@ class EmbreeScene {
 
     void attach(const TracedGeometry& geometry, std::size_t first, std::size_t end,
                 unsigned int mesh);
-    /// Chooses the moving triangles that Embree is to know of. Returns whether there are any.
+    /// Chooses the moving triangles that are given to Embree. Returns whether there are any.
     bool choose_moving(const TracedGeometry& geometry);
     void release() noexcept;
 
@@ -61,10 +61,10 @@ class EmbreeScene {
     RTCScene scene_ = nullptr;
     unsigned int first_moving_ = 0;
     bool moves_ = false;
-    std::vector<std::array<unsigned int, 3>> moving_;  ///< vertices of moving triangles
+    std::vector<std::array<unsigned int, 3>> moving_;  ///< vertex indices of moving triangles
 };
 
-/// "3.13.5", as the library that is loaded says.
+/// Version of the library that is loaded, such as "3.13.5".
 [[nodiscard]] std::string embree_version();
 
 }  // namespace weft

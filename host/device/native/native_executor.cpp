@@ -50,7 +50,7 @@ class NativeTracedScene : public TracedScene {
     TracedGeometry geometry;
     std::unique_ptr<EmbreeScene> embree;
     mutable NativeScene view;      ///< kernels take pointers to what they only read
-    std::optional<MovingBvh> own;  ///< where there is no Embree
+    std::optional<MovingBvh> own;  ///< used where Embree is not
 
     void build_own_bvh() {
         BvhSettings settings;
@@ -186,7 +186,7 @@ class NativeExecutor : public Executor {
 
 std::vector<const void*> NativeExecutor::bind(const Launch& launch,
                                               const shared::LaunchRange& range) const {
-    // Stands in for buffers that a launch has no use for, so that kernels need not ask.
+    // Passed for buffers that a launch does not use, so that kernels need not check for null.
     static const std::array<shared::float4, 4> unused{};
     check_arguments(launch);
     std::vector<const void*> arguments{&launch.params, &range};

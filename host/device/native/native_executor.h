@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// What the natively compiled kernels trace with.
+/// The traversal that natively compiled kernels use.
 enum class NativeTraversal : std::uint8_t { embree, own_bvh };
 
 /// The host as a device. `threads` is 0 for all cores; `lanes` is the width of packets, as

@@ -5,8 +5,8 @@
 
 namespace weft {
 
-/// What natively compiled kernels trace in. Pointers are untyped, because every kernel variant has
-/// its own copy of the shared structs in its own namespace.
+/// The scene in which natively compiled kernels trace. Pointers are untyped, because every kernel
+/// variant has its own copy of the shared structs in its own namespace.
 struct NativeScene {
     const void* bvh_nodes = nullptr;   ///< BvhNode; null beside Embree until a kernel walks them
     const void* bvh_leaves = nullptr;  ///< float, see LEAF_ROWS
@@ -24,18 +24,18 @@ struct EmbreeHit {
 /// Closest hit of a ray within (0, t_max].
 EmbreeHit embree_closest(void* scene, const float* origin, const float* direction, float t_max);
 
-/// Triangles that Embree finds within [t_from, t_to] of the ray, in no promised order: at most
-/// `capacity` of their ids go to `triangles`. Returns how many.
+/// Finds triangles within [t_from, t_to] of the ray and writes at most `capacity` of their ids to
+/// `triangles`, in no promised order. Returns how many.
 unsigned int embree_candidates(void* scene, const float* origin, const float* direction,
                                float t_from, float t_to, unsigned int* triangles,
                                unsigned int capacity);
 
-/// Whether anything lies within (0, t_max).
+/// Whether the ray hits anything within (0, t_max).
 bool embree_any(void* scene, const float* origin, const float* direction, float t_max);
 
-/// Shadow rays from one `origin` along `directions` (`width` x, then y, then z components), within
-/// (0, SHADOW_END). `lanes` is -1 for lanes to trace and 0 for others; on return -1 where blocked,
-/// else 0. `width` is 1, 4, 8 or 16.
+/// Traces shadow rays from one `origin` along `directions` (`width` x, then y, then z components),
+/// within (0, SHADOW_END). `lanes` is -1 for lanes to trace and 0 for others; on return it is -1
+/// where blocked, else 0. `width` is 1, 4, 8 or 16.
 void embree_any_packet(void* scene, const float* origin, const float* directions, int* lanes,
                        int width);
 

@@ -17,7 +17,7 @@ struct IsaVariant {
     const NativeVariant* kernels;
 };
 
-/// The compiled variants that this processor can run, plainest instruction set first.
+/// The compiled variants that this processor can run, the most basic instruction set first.
 [[nodiscard]] std::vector<IsaVariant> runnable_variants();
 
 /// The variant to use: `lanes` wide where that is not 0, else as wide as the processor's vectors;

@@ -14,7 +14,7 @@
 namespace weft {
 namespace {
 
-/// Each has a compiler in memory, and one picture has no more than about as many programs.
+/// Most processes, since each has a compiler in memory and an image has about as many programs.
 constexpr std::uint32_t most_processes = 16;
 
 }  // namespace
@@ -25,8 +25,8 @@ CompileTimes compile_ahead(const std::vector<ProgramRecipe>& programs, const Dev
     CompileServer* const server = CompileServer::current();
     const std::uint32_t workers =
         std::min({processes, std::thread::hardware_concurrency(), most_processes});
-    // Drivers of other devices compile with threads of their own; a simulator has to see the source
-    // in the process that it watches.
+    // Drivers of other devices compile with threads of their own; a simulator has to compile the
+    // source in the process that it watches.
     if (server == nullptr || workers < 2 || !device.is_cpu || is_simulator(device) ||
         cache.folder().empty())
         return times;

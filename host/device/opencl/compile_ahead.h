@@ -11,9 +11,10 @@
 
 namespace weft {
 
-/// Has the CompileServer compile into `cache` what is missing there of `programs`, in at most so
-/// many processes at once. What each program took; empty where it was there, or is left to the
-/// caller, as all are where there is no server or too little for it to do.
+/// Lets the CompileServer compile those of `programs` that are not in `cache` into it, in at most
+/// `processes` processes at once. Returns the time of each program; empty where it was there
+/// already, or where the caller has to compile it, as always where there is no server or too little
+/// for it to do.
 [[nodiscard]] CompileTimes compile_ahead(const std::vector<ProgramRecipe>& programs,
                                          const DeviceInfo& device, const ProgramCache& cache,
                                          std::uint32_t processes);

@@ -31,7 +31,7 @@ class Writer {
     std::vector<std::byte> bytes_;
 };
 
-/// Gives zeros and empty texts from the first byte on that is missing.
+/// Reads numbers and texts; once bytes are missing it returns zeros and empty texts.
 class Reader {
   public:
     explicit Reader(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -51,7 +51,7 @@ class Reader {
         if (value > most) good_ = false;
         return good_ ? static_cast<std::uint32_t>(value) : 0;
     }
-    /// Whether all was there, and nothing more.
+    /// Whether the bytes sufficed and none remain.
     [[nodiscard]] bool finished() const { return good_ && left_.empty(); }
     [[nodiscard]] bool good() const { return good_; }
 

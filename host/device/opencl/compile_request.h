@@ -14,25 +14,25 @@
 
 namespace weft {
 
-/// Programs that other processes are to compile into a ProgramCache.
+/// Programs that the CompileServer is to compile into a ProgramCache.
 struct CompileRequest {
-    std::uint32_t device = 0;   ///< index in opencl_devices(); the keys tell whether it is the same
+    std::uint32_t device = 0;   ///< index in opencl_devices(); keys verify that it is the same one
     std::uint32_t workers = 1;  ///< processes at once, at most
     std::string cache_folder;   ///< absolute
     std::vector<ProgramRecipe> programs;
 };
 
-/// What each program of a request took, in milliseconds; empty where it is not in the cache.
+/// Time of each program of a request, in milliseconds; empty where it is not in the cache.
 using CompileTimes = std::vector<std::optional<double>>;
 
-/// As bytes, for a process on the same machine.
+/// Encodes as bytes, for a process on the same machine.
 [[nodiscard]] std::vector<std::byte> encode(const CompileRequest& request);
 [[nodiscard]] std::vector<std::byte> encode(const CompileTimes& times);
 
-/// What was encoded; nothing where the bytes are not of that form, and then nothing large is
+/// Decodes what was encoded; empty where the bytes are not of that form, and then nothing large is
 /// allocated.
 [[nodiscard]] std::optional<CompileRequest> decode_request(std::span<const std::byte> bytes);
-/// Of a request with so many programs.
+/// The same for the times of a request with so many programs.
 [[nodiscard]] std::optional<CompileTimes> decode_times(std::span<const std::byte> bytes,
                                                        std::size_t programs);
 

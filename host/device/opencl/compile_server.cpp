@@ -20,12 +20,12 @@ namespace {
 
 CompileServer* running = nullptr;
 
-/// Away from the terminal and from whoever reads what the program prints: neither what compilers
-/// say nor a process that outlives the program by a moment is to be noticed there.
+/// Detaches the server from the terminal and from whoever reads what the program prints: these must
+/// notice neither the output of compilers nor a process that outlives the program by a moment.
 bool detach() {
     ::setsid();
     std::signal(SIGINT, SIG_IGN);
-    std::signal(SIGCHLD, SIG_DFL);  // ends of workers are waited for
+    std::signal(SIGCHLD, SIG_DFL);  // the server waits for its workers
     const int nowhere = ::open("/dev/null", O_RDWR);
     if (nowhere < 0) return false;
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -44,11 +44,11 @@ void answer(int client) {
     }
 }
 
-/// The life of the server. What the program would do at its end is not for this process.
+/// Runs the server process to its end. It leaves by _exit, since exit handlers are for the program.
 [[noreturn]] void serve(int client) noexcept {
     try {
         if (detach()) answer(client);
-    } catch (...) {  // the client sees the end and compiles by itself
+    } catch (...) {  // the client sees the server end and compiles itself
     }
     ::_exit(0);
 }
@@ -56,7 +56,7 @@ void answer(int client) {
 }  // namespace
 
 CompileServer::CompileServer() {
-    // The connection would take the place of a standard descriptor that is closed.
+    // Otherwise the socket would get the number of a standard descriptor that is closed.
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(standard, F_GETFD) < 0) return;
     std::array<int, 2> ends{};
@@ -79,8 +79,8 @@ CompileServer::~CompileServer() {
     if (running == this) running = nullptr;
     if (socket_ >= 0) ::close(socket_);
     if (process_ < 0) return;
-    // It has nothing to put away, and may have been stopped. Nobody else waits for it, so that its
-    // number is its own still.
+    // The server has nothing to clean up, and may have been stopped, so it is killed. Nobody else
+    // waits for it, so its process id is still its own.
     if (::waitpid(process_, nullptr, WNOHANG) != 0) return;
     ::kill(process_, SIGKILL);
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {

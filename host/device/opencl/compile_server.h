@@ -13,24 +13,24 @@ namespace weft {
 
 /// A process that compiles programs for this one, several at once, each in a process of its own:
 /// drivers such as PoCL compile one program at a time in a process, whatever its threads. It sleeps
-/// until it is asked, sees no signal of the terminal, and ends with this object or this process.
+/// between requests, gets no signal of the terminal, and ends with this object or this process.
 class CompileServer {
   public:
-    /// Forks, so that it must be called before the process has a thread or has called OpenCL.
-    /// Where that fails nothing is ever compiled.
+    /// Forks, so it must be called before the process has a thread or has called OpenCL. Where that
+    /// fails nothing is ever compiled.
     CompileServer();
     ~CompileServer();
     CompileServer(const CompileServer&) = delete;
     CompileServer& operator=(const CompileServer&) = delete;
 
-    /// Waits until each program is in the cache or known not to come; these are for the caller to
-    /// compile, who learns what is wrong with them. A server that has died compiles nothing.
+    /// Waits until each program is in the cache or has failed. The caller has to compile those that
+    /// failed, and gets their errors. A server that has died compiles nothing.
     [[nodiscard]] CompileTimes compile(const CompileRequest& request);
 
-    /// Of the server; -1 where it could not be started.
+    /// Process id of the server; -1 where it could not be started.
     [[nodiscard]] pid_t process() const noexcept { return process_; }
 
-    /// The one that lives, or null. There must not be two.
+    /// The server that runs, or null. There must not be two.
     [[nodiscard]] static CompileServer* current() noexcept;
 
   private:

@@ -29,8 +29,8 @@
 namespace weft {
 namespace {
 
-/// What workers and their server share: which program is next, and what each took, or less than
-/// zero.
+/// Memory that workers and their server share: which program is next, and the time of each, which
+/// is below zero until it is compiled.
 class Board {
   public:
     explicit Board(std::size_t programs) : programs_(programs) {
@@ -45,7 +45,7 @@ class Board {
     Board(const Board&) = delete;
     Board& operator=(const Board&) = delete;
 
-    /// The position of a program that nobody else has taken; past the last one where none is left.
+    /// The position of a program that no worker has taken; past the last one where none remains.
     std::size_t take() { return next_->fetch_add(1); }
     void finish(std::size_t program, double milliseconds) { times_[program] = milliseconds; }
     [[nodiscard]] CompileTimes times() const {
@@ -69,7 +69,7 @@ class Board {
     Next* next_ = nullptr;
 };
 
-/// Longest sources first: what takes long must not be what is left at the end.
+/// Orders programs by falling length of their source, so that none that takes long comes last.
 std::vector<std::size_t> order_of(const std::vector<ProgramRecipe>& programs) {
     std::vector<std::size_t> order(programs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -79,7 +79,8 @@ std::vector<std::size_t> order_of(const std::vector<ProgramRecipe>& programs) {
     return order;
 }
 
-/// A launch of no work-items: drivers compile for its shape, and keep that in the program's binary.
+/// Launches no work-items: drivers compile for the launch size, and keep that in the program's
+/// binary.
 void launch_nothing(const cl::Context& context, const cl::Device& device, cl::Kernel& kernel,
                     const ProgramRecipe& recipe) {
     const std::optional<KernelId> id = kernel_of(recipe.name);
@@ -98,7 +99,7 @@ void launch_nothing(const cl::Context& context, const cl::Device& device, cl::Ke
     queue.finish();
 }
 
-/// Whether the program is in the cache afterwards.
+/// Compiles a program into the cache; returns whether it is there afterwards.
 bool compile(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
              const ProgramRecipe& recipe) {
     try {
@@ -118,7 +119,7 @@ bool compile(const cl::Context& context, const cl::Device& device, const Program
 
 void compile_all(const CompileRequest& request, const std::vector<std::size_t>& order,
                  Board& board) {
-    limit_opencl_threads(1);  // no work is done here
+    limit_opencl_threads(1);  // kernels do not run here
     const std::vector<OpenClDevice> devices = opencl_devices();
     if (request.device >= devices.size()) return;
     const cl::Device& device = devices[request.device].device;
@@ -131,24 +132,24 @@ void compile_all(const CompileRequest& request, const std::vector<std::size_t>& 
     }
 }
 
-/// The life of a worker. `server` is its parent.
+/// Runs a worker process to its end. `server` is its parent.
 [[noreturn]] void work(const CompileRequest& request, const std::vector<std::size_t>& order,
                        Board& board, pid_t server) noexcept {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    if (::getppid() != server) ::_exit(0);  // it had ended before
+    if (::getppid() != server) ::_exit(0);  // the server ended before prctl
     try {
         compile_all(request, order, board);
-    } catch (...) {  // whoever asked compiles the rest
+    } catch (...) {  // the client compiles the rest
     }
     ::_exit(0);
 }
 
-/// Waits until all have ended that hold the other end of the pipe `workers`; false where the client
-/// has gone before.
+/// Waits until all processes that hold the other end of the pipe `workers` have ended; false where
+/// the client has gone before.
 bool wait_for_end(int workers, int client) {
-    // The end of a connection is reported without being asked for.
+    // poll reports the end of a connection even where no events are requested.
     std::array<pollfd, 2> ends{{{workers, 0, 0}, {client, 0, 0}}};
     while (ends[0].revents == 0 && ends[1].revents == 0)
         if (::poll(ends.data(), ends.size(), -1) < 0 && errno != EINTR) return false;
@@ -170,7 +171,7 @@ std::optional<CompileTimes> compile_in_workers(const CompileRequest& request, in
     while (workers.size() < workers.capacity()) {
         const pid_t worker = ::fork();
         if (worker == 0) {
-            ::close(client);  // or its end would not be seen before that of all workers
+            ::close(client);  // an open copy would hide the client's end from the server
             ::close(alive[0]);
             work(request, order, board, server);
         }

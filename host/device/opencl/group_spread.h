@@ -12,8 +12,8 @@
 namespace weft {
 
 /// How many of the `groups` work groups of a kernel's longest launch (1 to 65535) a launch of
-/// `items` work-items starts: no more than there are items, since one that only finds out that it
-/// has none costs longer than a short launch lasts on slow devices.
+/// `items` work-items starts: no more than there are items, since on slow devices starting a group
+/// without any costs more time than a short launch takes.
 [[nodiscard]] inline std::uint32_t busy_groups(std::uint32_t groups, std::uint32_t items) {
     return std::clamp(items, 1U, groups);
 }

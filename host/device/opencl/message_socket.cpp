@@ -12,12 +12,12 @@
 namespace weft {
 namespace {
 
-/// Before each message goes how many bytes it has.
+/// Number of bytes of a message, which is sent before it.
 using Length = std::uint64_t;
 
 bool send_fully(int socket, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        // A broken connection is an answer here, not a signal that ends this program.
+        // A broken connection must be reported here and not raise SIGPIPE, which ends the program.
         const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR) continue;
         if (sent < 0) return false;

@@ -10,11 +10,11 @@
 
 namespace weft {
 
-/// Sends one message; whether the other process took it. None has more than `max_message_bytes`.
+/// Sends one message of at most `max_message_bytes`; returns whether the other process took it.
 [[nodiscard]] bool send_message(int socket, std::span<const std::byte> message);
 
-/// Waits for the next message; nothing where the other process has ended, or says what is no
-/// message.
+/// Waits for the next message; returns nothing where the other process has ended, or sends what is
+/// no message.
 [[nodiscard]] std::optional<std::vector<std::byte>> receive_message(int socket);
 
 inline constexpr std::size_t max_message_bytes = std::size_t{256} << 20;

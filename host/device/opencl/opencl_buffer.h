@@ -16,8 +16,8 @@
 
 namespace weft {
 
-/// Throws a failure of OpenCL as an Error: exit code 4 where memory ran out, else 3. `action` says
-/// what was being done.
+/// Throws a failure of OpenCL as an Error: exit code 4 where memory ran out, else 3. `action` names
+/// what failed.
 [[noreturn]] inline void rethrow(const cl::Error& error, const std::string& action) {
     const bool memory =
         error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_HOST_MEMORY;
@@ -26,7 +26,7 @@ namespace weft {
         fmt::format("OpenCL: {} failed in {} (error {})", action, error.what(), error.err()));
 }
 
-/// Device memory. On a processor it is the host's own.
+/// Device memory; on CPU devices it is host memory.
 class OpenClBuffer : public Buffer {
   public:
     OpenClBuffer(const cl::Context& context, bool on_host, std::size_t bytes, std::size_t& total)
@@ -44,7 +44,7 @@ class OpenClBuffer : public Buffer {
     [[nodiscard]] const cl::Buffer& memory() const noexcept { return memory_; }
 
   private:
-    std::optional<LargeMemory> host_;  // outlives what refers to it
+    std::optional<LargeMemory> host_;  // before memory_, which refers to it
     cl::Buffer memory_;
     std::size_t& total_;
 };

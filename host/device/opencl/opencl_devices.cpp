@@ -36,7 +36,7 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device) {
     return info;
 }
 
-/// Larger is preferred where the user names no device.
+/// Rank of a device; the largest is used where the user names none.
 int preference(const OpenClDevice& candidate) {
     if (is_simulator(candidate.info)) return 0;
     const auto type = candidate.device.getInfo<CL_DEVICE_TYPE>();
@@ -51,18 +51,18 @@ bool is_number(const std::string& text) {
 }
 
 /// Lets PoCL bind each of its threads to a processor, unless the user has decided that. They sleep
-/// between kernels and are often woken on one processor together: on two, every third launch of 15
-/// ms took twice as long. Fewer threads than processors stay free, or all programs would crowd the
-/// first ones.
+/// between kernels and are often woken on one processor together: with two processors, every third
+/// launch of 15 ms took twice as long. Where there are fewer threads than processors they are not
+/// bound, or all programs would crowd the first processors.
 void bind_driver_threads() {
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof(allowed), &allowed) != 0) return;
     if (CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_CONF)) setenv("POCL_AFFINITY", "1", 0);
 }
 
-/// Lets PoCL compile kernels once, unless the user has decided that. It would do so a second time
-/// for the binary that is kept, without what it knows of the launch: which is next to nothing here,
-/// as kernels name the size of their groups. Pictures take as long either way.
+/// Lets PoCL compile kernels once, unless the user has decided that. It would compile a second time
+/// for the binary that is kept, without the launch's sizes: these hardly matter here, since kernels
+/// declare the size of their groups. Images take as long either way.
 void compile_once() {
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
 }

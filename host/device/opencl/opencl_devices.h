@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// An OpenCL device and what is known of it.
+/// An OpenCL device and its description.
 struct OpenClDevice {
     cl::Device device;
     DeviceInfo info;
@@ -20,12 +20,12 @@ struct OpenClDevice {
 /// Every device of every platform, in the loader's order; empty where there is no driver.
 [[nodiscard]] std::vector<OpenClDevice> opencl_devices();
 
-/// The device meant by `wanted`: an index, or a part of the name in any case. Empty: the first GPU,
-/// else the first accelerator, else the first processor; a simulator only if nothing else is there.
-/// Throws Error (exit code 3) that lists what exists.
+/// The device that `wanted` names: an index, or a part of the name in any case. Where it is empty,
+/// the first GPU, else the first accelerator, else the first processor; a simulator only if nothing
+/// else is there. Throws Error (exit code 3) that lists the devices.
 [[nodiscard]] OpenClDevice choose_opencl_device(const std::string& wanted);
 
-/// Whether it interprets kernels to find errors in them (Oclgrind) rather than to run them.
+/// Whether the device interprets kernels to find errors in them (Oclgrind).
 [[nodiscard]] bool is_simulator(const DeviceInfo& device);
 
 /// Limits the threads of OpenCL drivers that run on the host (PoCL). Takes effect only before the

@@ -29,16 +29,16 @@ namespace {
 constexpr std::size_t launches_ahead = 2;
 /// A device with thousands of lanes needs larger launches to be busy.
 constexpr std::uint32_t gpu_chunk_factor = 16;
-/// Where a kernel takes its range: after what all kernels of a sample share.
+/// Index of the argument `range`, which follows `params`.
 constexpr cl_uint range_argument = 1;
 
 class OpenClTracedScene : public TracedScene {
   public:
     TracedGeometry geometry;
-    std::optional<MovingBvh> bvh;  ///< kept where something may move
+    std::optional<MovingBvh> bvh;  ///< kept where triangles may move
     std::unique_ptr<Buffer> nodes;
     std::unique_ptr<Buffer> leaves;
-    bool resting_on_device = false;  ///< they hold what updates of the BVH leave alone
+    bool resting_on_device = false;  ///< both hold the part of the BVH that updates leave alone
 };
 
 template <class T>
@@ -46,7 +46,7 @@ std::span<const std::byte> bytes_of(const LargeVector<T>& values) noexcept {
     return std::as_bytes(std::span(values));
 }
 
-/// Bytes of the nodes, or leaves, that updates leave alone but for the root.
+/// Bytes of the nodes, or leaves, that updates leave alone, except for the root.
 std::size_t resting_node_bytes(const MovingBvh& bvh) noexcept {
     return bvh.resting_nodes() * sizeof(shared::BvhNode);
 }
@@ -115,7 +115,7 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
   private:
-    /// That may compile at the same time.
+    /// Number of processes that may compile at the same time.
     [[nodiscard]] std::uint32_t processes() const {
         return static_cast<std::uint32_t>(arena_.max_concurrency());
     }
@@ -126,7 +126,7 @@ class OpenClExecutor : public Executor {
                                                            std::string_view what);
     void write_part(Buffer& buffer, std::span<const std::byte> bytes, std::size_t from);
 
-    /// A launch that may still run, and where its time is to be added.
+    /// A launch that may still run, and where its time will be added.
     struct InFlight {
         cl::Event event;
         double* milliseconds;
@@ -137,7 +137,7 @@ class OpenClExecutor : public Executor {
     /// Sets all arguments of a kernel but its range.
     void bind(cl::Kernel& kernel, const Launch& launch);
     cl::Event enqueue(cl::Kernel& kernel, KernelId id, shared::LaunchRange range);
-    /// Stands in for buffers that a launch has no use for, so that kernels need not ask.
+    /// Passed for buffers that a launch does not use, so that kernels need not check for null.
     [[nodiscard]] const cl::Buffer& unused();
     void retire_oldest();
 
@@ -174,7 +174,7 @@ void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
             queue_.finish();
             throw;
         }
-        // What is launched later finds the bytes: the queue keeps its order.
+        // Later launches see the bytes, because the queue keeps its order.
         queue_.enqueueUnmapMemObject(memory, data);
     } catch (const cl::Error& error) {
         rethrow(error, "mapping a buffer");
@@ -239,7 +239,8 @@ void OpenClExecutor::upload_bvh(OpenClTracedScene& scene) {
     bvh_ = stats_of(bvh);
 }
 
-/// A buffer that holds `bytes`, with room for twice as many behind the first `resting` of them.
+/// Allocates a buffer that holds `bytes`, and has room for twice as many of those behind the first
+/// `resting`.
 std::unique_ptr<Buffer> OpenClExecutor::upload_with_room(std::span<const std::byte> bytes,
                                                          std::size_t resting,
                                                          std::string_view what) {
@@ -250,7 +251,7 @@ std::unique_ptr<Buffer> OpenClExecutor::upload_with_room(std::span<const std::by
     return buffer;
 }
 
-/// Writes `bytes` from `from` on, after all that was launched before.
+/// Writes `bytes` from `from` on, after all earlier launches.
 void OpenClExecutor::write_part(Buffer& buffer, std::span<const std::byte> bytes,
                                 std::size_t from) {
     if (from < bytes.size())
@@ -379,7 +380,7 @@ double OpenClExecutor::take_milliseconds() {
     try {
         while (!in_flight_.empty()) retire_oldest();
     } catch (const cl::Error& error) {
-        // What the rest of a failed frame takes has nowhere to be added.
+        // The times of a failed frame's other launches are dropped: their targets may be gone.
         in_flight_.clear();
         rethrow(error, "waiting for kernels");
     }

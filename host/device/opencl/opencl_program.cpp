@@ -12,7 +12,7 @@ namespace weft {
 namespace {
 
 void check_argument_count(const cl::Kernel& kernel, KernelId id) {
-    constexpr std::size_t of_all = 2;     // what kernels of a sample share, and the range
+    constexpr std::size_t of_all = 2;     // `params` and `range`
     constexpr std::size_t of_traced = 2;  // nodes and leaves of the BVH
     const std::size_t expected =
         of_all + (kernel_traces(id) ? of_traced : 0) + kernel_arguments(id).size();
@@ -48,7 +48,7 @@ bool OpenClProgram::load(const cl::Context& context, const cl::Device& device,
     try {
         program_ = cl::Program(context, {device}, {*binary});
         program_.build({device}, build_.flags.c_str());
-        // A driver may take a program that it cannot use; only a kernel proves it.
+        // A driver may accept a program that it cannot use; only making a kernel shows that.
         (void)cl::Kernel(program_, build_.name.c_str());
         return true;
     } catch (const cl::Error&) {

@@ -16,8 +16,8 @@ namespace weft {
 /// One kernel, built and ready to launch.
 class OpenClProgram {
   public:
-    /// Loads the kernel from `cache` or compiles it. `compiled_ms`: what it took just now to
-    /// compile it into the cache, where that is so. Throws Error (exit code 3) with the build log.
+    /// Loads the kernel from `cache` or compiles it. `compiled_ms`: time for which it was just
+    /// compiled into the cache, if it was. Throws Error (exit code 3) with the build log.
     OpenClProgram(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
                   const KernelUse& use, const ProgramRecipe& recipe,
                   std::optional<double> compiled_ms);
@@ -25,8 +25,8 @@ class OpenClProgram {
     [[nodiscard]] cl::Kernel& kernel() noexcept { return kernel_; }
     [[nodiscard]] const KernelBuild& build() const noexcept { return build_; }
 
-    /// To be called once, after the first launch took `launch_ms`: drivers compile at that point
-    /// too, so only now the program is worth keeping.
+    /// Stores the program in the cache. To be called once, after the first launch took `launch_ms`:
+    /// drivers compile in that launch, too, so the binary is complete only now.
     void keep(const ProgramCache& cache, double launch_ms);
     [[nodiscard]] bool kept() const noexcept { return kept_; }
 
@@ -38,7 +38,7 @@ class OpenClProgram {
     cl::Kernel kernel_;
     std::string key_;
     KernelBuild build_;
-    bool cached_ = false;  ///< was loaded from the cache, so that it need not be stored
+    bool cached_ = false;  ///< was loaded from the cache, so it need not be stored
     bool kept_ = false;
 };
 

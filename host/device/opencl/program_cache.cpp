@@ -32,7 +32,7 @@ std::uint64_t fnv1a(std::uint64_t seed, const void* data, std::size_t size) {
 constexpr std::uint64_t seed_a = 0xcbf29ce484222325ULL;
 constexpr std::uint64_t seed_b = 0x9ae16a3b2f90404fULL;
 
-/// What precedes the program in a file: magic, key, and a checksum of the program.
+/// The header before the program in a file: magic, key, and a checksum of the program.
 std::string header_of(const std::string& key, std::span<const unsigned char> program) {
     return fmt::format("{}{}\n{:016x}\n", magic, key,
                        fnv1a(seed_a, program.data(), program.size()));
@@ -57,7 +57,7 @@ std::filesystem::path ProgramCache::file_of(const std::string& key) const {
 }
 
 void ProgramCache::make_folder() const {
-    // Drivers execute what lies here: nobody else may write to it.
+    // Drivers execute the files in this folder, so nobody else may write to it.
     if (std::filesystem::create_directories(folder_))
         std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
 }

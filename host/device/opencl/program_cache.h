@@ -15,8 +15,8 @@
 
 namespace weft {
 
-/// Compiled programs on disk, keyed by everything they depend on. An entry that is damaged in any
-/// way reads as absent; a cache that cannot be written is no error.
+/// Keeps compiled programs on disk, keyed by everything they depend on. An entry that is damaged in
+/// any way reads as absent; a cache that cannot be written is no error.
 class ProgramCache {
   public:
     /// `folder` empty: no cache.
@@ -31,7 +31,7 @@ class ProgramCache {
 
     /// Whether there is an entry, damaged or not.
     [[nodiscard]] bool contains(const std::string& key) const;
-    /// Whether entries can be stored, as far as that can be told before; makes the folder.
+    /// Whether entries can be stored, as far as that can be told in advance; makes the folder.
     [[nodiscard]] bool writable() const;
     [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
 

@@ -15,7 +15,7 @@
 namespace weft {
 namespace {
 
-/// The features that `source` asks about: names of FEATURE_ bits that occur beyond their
+/// The features that `source` depends on: FEATURE_ bits whose names occur outside of their
 /// definition.
 std::uint32_t asked_features(std::string_view source) {
     constexpr std::string_view prefix = "FEATURE_";

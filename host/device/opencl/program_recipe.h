@@ -15,10 +15,10 @@ namespace weft {
 struct ProgramSettings {
     std::uint32_t lanes = 1;
     std::uint32_t local_size = 8;
-    std::uint32_t chunk_factor = 1;  ///< work-items of a launch, in chunks of the kernel's own
+    std::uint32_t chunk_factor = 1;  ///< work-items of a launch, as a multiple of kernel_chunk
 };
 
-/// All that a program of one kernel is made of.
+/// Everything that is needed to compile the program of one kernel.
 struct ProgramRecipe {
     std::string name;  ///< of the kernel
     std::string source;
@@ -27,16 +27,16 @@ struct ProgramRecipe {
     std::uint32_t global_size = 0, local_size = 0;  ///< of every launch
 };
 
-/// Work-items of every launch of a kernel, a multiple of the local size. Drivers such as PoCL
-/// compile anew for each shape.
+/// Work-items of every launch of a kernel, a multiple of the local size. It is always the same,
+/// since drivers such as PoCL compile anew for each launch size.
 [[nodiscard]] std::uint32_t launch_size(KernelId kernel, const ProgramSettings& settings);
 
-/// What a program of this source and these options is kept under; differs with the device and its
-/// driver. Throws cl::Error.
+/// The key in the ProgramCache of a program of this source and these options; differs with the
+/// device and its driver. Throws cl::Error.
 [[nodiscard]] std::string program_key(const cl::Device& device, const std::string& source,
                                       const std::string& options);
 
-/// How `kernel` is built for `device`. `features` it does not ask about do not make another
+/// How `kernel` is built for `device`. `features` that it does not depend on do not make another
 /// variant. Throws Error as program_source does, and cl::Error.
 [[nodiscard]] ProgramRecipe program_recipe(const cl::Device& device, KernelId kernel,
                                            const ProgramSettings& settings, std::uint32_t features);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_source_bytes = std::size_t{1} << 20;
 
-/// The text of a file of kernels/: in the folder that WEFT_KERNELS names, else as embedded.
+/// The text of a file of kernels/: from the folder that WEFT_KERNELS names, else as embedded.
 std::string source_text(const std::string& name) {
     const char* const folder = std::getenv("WEFT_KERNELS");
     if (folder != nullptr && *folder != '\0') {

@@ -10,9 +10,9 @@ namespace weft {
 
 /// OpenCL C source of a kernel: `<name>.cl` of the embedded files, in a folder of kernels/, with
 /// every `#include "kernels/<folder>/<file>"` replaced by that file, once. Where the environment
-/// variable WEFT_KERNELS names a folder, the files are read there instead. Programs are cached by
-/// their source, so that what comes of one folder is never taken for another's. Throws Error (exit
-/// code 3) for a file that is not embedded, or (exit code 2) not in the folder.
+/// variable WEFT_KERNELS names a folder, the files are read from there instead. Programs are cached
+/// by their source, so those of different folders are never confused. Throws Error (exit code 3)
+/// for a file that is not embedded, or (exit code 2) not in the folder.
 [[nodiscard]] std::string program_source(std::string_view kernel);
 
 }  // namespace weft

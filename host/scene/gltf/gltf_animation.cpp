@@ -43,10 +43,10 @@ std::vector<float> read_times(const JsonValue& reference, const GltfAccessor& ac
     return times;
 }
 
-/// What the values of a track are.
+/// The kind of values that a track has.
 enum class Kind : std::uint8_t { vector, rotation, weights };
 
-/// What a channel animates.
+/// The property that a channel animates.
 struct Property {
     Kind kind = Kind::vector;
     std::uint32_t width = 3;  ///< numbers of a value
@@ -207,7 +207,7 @@ class AnimationReader {
         track.width = property.width;
         const JsonValue input = sampler.at("input");
         const GltfAccessor& times = data_.accessor(input);
-        // Each weight counts, or one accessor of many could be copied by many samplers.
+        // Every weight is counted, or one large accessor could be copied by many samplers.
         const std::size_t values = property.kind == Kind::weights ? property.width : 1;
         if (times.count() > (limits::max_animation_keys - keys_) / values)
             throw input.error("brings the file above the limit of " +

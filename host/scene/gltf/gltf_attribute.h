@@ -12,8 +12,7 @@
 namespace weft {
 
 /// The accessor of a vertex attribute, or null where there is none. Throws Error (exit code 2)
-/// where it has not `min_width` to `max_width` components or not as many elements as there are
-/// vertices.
+/// unless it has `min_width` to `max_width` components and as many elements as there are vertices.
 [[nodiscard]] const GltfAccessor* find_gltf_attribute(GltfData& data, const JsonValue& attributes,
                                                       const std::string& name,
                                                       std::size_t vertex_count,

@@ -20,8 +20,8 @@ struct GltfBufferView {
     std::size_t stride = 0;
 };
 
-/// The buffers, buffer views and accessors of a document, each read and checked when it is first
-/// asked for. Everything it returns stays valid as long as it lives.
+/// The buffers, buffer views and accessors of a document, each read and checked at its first use.
+/// Everything it returns stays valid as long as it lives.
 class GltfData {
   public:
     explicit GltfData(const GltfDocument& document);

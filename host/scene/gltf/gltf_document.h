@@ -15,7 +15,7 @@
 
 namespace weft {
 
-/// A `.gltf` or `.glb` file taken apart, its contents not yet looked at.
+/// A `.gltf` or `.glb` file split into JSON and binary data, which are not interpreted yet.
 struct GltfDocument {
     std::filesystem::path path;
     std::vector<std::byte> file;  ///< all bytes of a binary file, else empty

@@ -56,16 +56,16 @@ std::vector<JointSet> find_sets(GltfData& data, const JsonValue& attributes,
     return sets;
 }
 
-/// What was wrong with the weights of some vertices.
+/// Numbers of flaws in weights.
 struct WeightFlaws {
     std::size_t broken = 0;   ///< weights
     std::size_t unequal = 0;  ///< vertices, as `orphaned`
     std::size_t orphaned = 0;
 };
 
-/// Makes the weights of one vertex such that they sum to 1.
+/// Normalises the weights of one vertex to a sum of 1.
 void normalise(std::span<std::uint16_t> joints, std::span<float> weights, WeightFlaws& flaws) {
-    // More than integers are off that were rounded.
+    // Larger than the error of weights that were rounded to integers.
     constexpr double tolerance = 0.05;
     double sum = 0.0;
     for (float& weight : weights) {
@@ -82,7 +82,7 @@ void normalise(std::span<std::uint16_t> joints, std::span<float> weights, Weight
         ++flaws.orphaned;
         weights[0] = 1.0F;
     }
-    // Files may name anything there.
+    // Joints without weight may have any index in files.
     for (std::size_t i = 0; i < weights.size(); ++i)
         if (weights[i] == 0.0F) joints[i] = 0;
 }

@@ -47,8 +47,8 @@ constexpr std::array unsimulated_extensions = {
                 "colour is rendered instead"},
 };
 
-/// The set of texture coordinates and the transform that a textureInfo asks for. Positive
-/// rotation turns the coordinates counter-clockwise as seen with v pointing down.
+/// Reads the set of texture coordinates and the transform of a textureInfo. Positive rotation turns
+/// the coordinates counter-clockwise as seen with v pointing down.
 void read_uv_mapping(const JsonValue& info, GltfSurface& surface) {
     surface.uv_set = info.integer_or("texCoord", 0);
     const std::optional<JsonValue> transform = info.extension("KHR_texture_transform");

@@ -15,7 +15,7 @@
 
 namespace weft {
 
-/// What a primitive must know of its material.
+/// What a primitive needs of its material.
 struct GltfSurface {
     std::uint32_t material = 0;  ///< index into Scene::materials
     int medium = -1;  ///< index into Scene::media: an invisible boundary of it; -1: a surface

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double largest_coefficient = 1e30;
 constexpr double largest_emission = 1e30;
-// Below, a colour is taken to be this: black absorbs much, but not infinitely.
+// Least value of an attenuation colour: black absorbs much, but not infinitely.
 constexpr double least_colour = 1e-30;
 
 /// Coefficients per unit of length, by channel.

@@ -121,7 +121,7 @@ void read_attributes(GltfData& data, const JsonValue& attributes, const GltfSurf
     mesh.uvs.assign(vertices.size(), glm::vec2{0.0F});
 }
 
-/// What a mesh of these vertices is deformed from.
+/// Reads the shape that a mesh of these vertices is deformed from.
 MeshShape read_shape(GltfData& data, const JsonValue& primitive, std::size_t vertex_count,
                      const std::vector<std::uint32_t>& vertices, const GltfForms& forms,
                      const Mesh& mesh, WarningCollector& report, GltfCounts& read) {

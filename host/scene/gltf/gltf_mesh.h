@@ -17,16 +17,16 @@ namespace weft {
 /// A primitive of a glTF mesh.
 struct GltfPrimitive {
     Mesh mesh;
-    std::optional<MeshShape> shape{};  ///< what it is deformed from, where that was asked for
+    std::optional<MeshShape> shape{};  ///< what it is deformed from, where GltfForms requires it
 };
 
-/// Which deformations of a primitive are of interest.
+/// Which deformations of a primitive to read.
 struct GltfForms {
     bool skinned = false;
     bool morphed = false;
 };
 
-/// What has been read of a file, against its limits.
+/// How much has been read of a file, for comparison with limits.
 struct GltfCounts {
     std::size_t triangles = 0;
     std::size_t deltas = 0;      ///< displacements by morph targets

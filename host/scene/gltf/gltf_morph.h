@@ -24,7 +24,7 @@ namespace weft {
                                                                    std::size_t targets);
 
 /// The morph targets of a primitive, for the given ones of its `vertex_count` vertices; normals
-/// only where asked for. `deltas_read` counts displacements of the whole file against
+/// only where requested. `deltas_read` counts displacements of the whole file against
 /// `limits::max_morph_deltas`. Displacements that are not finite become 0, with a warning. Throws
 /// Error (exit code 2).
 [[nodiscard]] std::vector<MorphTarget> read_gltf_targets(GltfData& data, const JsonValue& primitive,

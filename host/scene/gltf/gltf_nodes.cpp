@@ -95,8 +95,8 @@ glm::dmat4 read_local_transform(const JsonValue& node) {
     return read_matrix(node);
 }
 
-/// What carries the children of a node that `parent` carries. An animated one is a moving node of
-/// its own.
+/// The attachment of the children of a node that is itself attached to `parent`. An animated node
+/// becomes a moving node of its own.
 Attachment attach(const JsonValue& node, const glm::dmat4& local, const Attachment& parent,
                   const GltfChannels& channels, Animation& animation) {
     if (!channels.move_node()) return {parent.node, parent.to_node * local};
@@ -128,7 +128,7 @@ std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
 
     struct Pending {
         std::size_t node;
-        std::size_t parent;  // among those that are done
+        std::size_t parent;  // index among the nodes that are done
         int depth;
     };
     std::vector<Pending> stack;

@@ -107,7 +107,7 @@ void GltfParts::count_deformed(const Mesh& mesh, const Form& form, const GltfNod
     const auto active = static_cast<std::size_t>(
         std::count_if(form.weights.begin(), form.weights.end(),
                       [&](double weight) { return form.track >= 0 || weight != 0.0; }));
-    // Weights are also kept, once for each mesh that is made: they count for their memory.
+    // Weights are kept for each mesh that is made, so their memory counts, too.
     const std::size_t work = vertices * std::max<std::size_t>(1, active) + 64 * form.weights.size();
     if (work > limits::max_deformation_work - deformation_work_)
         throw node.value.error("brings the file above the limit of " +

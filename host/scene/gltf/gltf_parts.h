@@ -25,7 +25,7 @@ namespace weft {
 struct GltfPart {
     std::uint32_t mesh = 0;
     std::uint32_t material = 0;
-    int medium = -1;        ///< where not -1, it is a boundary of that
+    int medium = -1;        ///< medium of which it is a boundary, or -1
     bool mirrored = false;  ///< by its joints: see deform
     bool deforms = false;   ///< over time
     int deformation = -1;   ///< index into Scene::deformations; -1 also for boundaries that deform
@@ -45,16 +45,16 @@ class GltfParts {
                                                   const GltfSkin* skin);
 
   private:
-    /// What is known of a mesh before its primitives are read.
+    /// The morph targets of a mesh, which are known before its primitives are read.
     struct Morphs {
         std::size_t targets = 0;
         std::vector<double> weights;  ///< without a node's own
-        bool morphed = false;         ///< by these
+        bool morphed = false;         ///< whether these weights morph it
     };
     /// A primitive before any deformation.
     struct Primitive {
         Mesh mesh;                               ///< empty where it has become `part` itself
-        std::shared_ptr<const MeshShape> shape;  ///< null there
+        std::shared_ptr<const MeshShape> shape;  ///< null where it has become `part` itself
         std::uint16_t joint = 0;                 ///< the largest that it refers to
         GltfPart part;
     };
@@ -72,7 +72,7 @@ class GltfParts {
                                               const Form& form);
     [[nodiscard]] GltfPart deformed(const Primitive& primitive, const Form& form,
                                     const GltfNode& node);
-    /// Holds what is made of meshes to the limits of a file.
+    /// Counts a deformed mesh against the limits of a file.
     void count_deformed(const Mesh& mesh, const Form& form, const GltfNode& node);
     [[nodiscard]] int index_of(const GltfSkin& skin);
 

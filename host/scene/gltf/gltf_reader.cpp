@@ -99,7 +99,8 @@ class GltfReader {
         return nullptr;
     }
 
-    /// A mesh that joints carry stands where its skeleton does, not where its node does.
+    /// Adds the instances of a node's mesh. A mesh that joints carry is placed by its skeleton, not
+    /// by its node.
     void add_mesh(const GltfNode& node, const JsonValue& reference) {
         const GltfSkin* const skin = skin_of(node, reference);
         const glm::dmat4& to_world = skin != nullptr ? skin->to_world : node.to_world;

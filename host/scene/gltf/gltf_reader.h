@@ -10,9 +10,9 @@
 
 namespace weft {
 
-/// Reads glTF 2.0, `.gltf` or `.glb`. Only what the rendered scene refers to is read. Photometric
-/// light units are taken for radiometric ones, number by number. Throws Error (exit code 2) with
-/// `file#/json/pointer` for anything broken.
+/// Reads glTF 2.0, `.gltf` or `.glb`. Only what the rendered scene refers to is read. Values in
+/// photometric units are taken as radiometric ones without conversion. Throws Error (exit code 2)
+/// with `file#/json/pointer` for anything broken.
 [[nodiscard]] Scene read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics);
 
 }  // namespace weft

@@ -23,10 +23,10 @@ struct GltfSkin {
     Skin skin;
 };
 
-/// The skins of a document, each read when it is first asked for.
+/// The skins of a document, each read at its first use.
 class GltfSkins {
   public:
-    /// `nodes` as read_gltf_nodes returns them; they may come later.
+    /// `nodes` as read_gltf_nodes returns them; they may be filled in later.
     GltfSkins(const GltfDocument& document, GltfData& data, const std::vector<GltfNode>& nodes);
 
     /// The skin whose index `reference` holds; it stays valid. Its frame is the nearest node above

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "base/srgb.h"
 #include "scene/texture/image_file.h"
 
 namespace weft {
@@ -47,10 +48,6 @@ Sampler read_sampler(const JsonValue& root, const JsonValue& texture) {
     return {wrap_mode(value, "wrapS"), wrap_mode(value, "wrapT"), code == 9728};
 }
 
-double linear_from_srgb(double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 glm::vec3 mean_linear(const Texture& texture) {
     std::array<std::array<std::size_t, 256>, 3> histogram{};
     for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
@@ -77,7 +74,7 @@ std::optional<std::size_t> GltfTextures::image_of(const JsonValue& texture) {
     const std::optional<JsonValue> source = texture.find("source");
     if (source) return source->as_index(root_.size_of("images"), "images");
     report_.once(texture.place(),
-                 "texture has no PNG or JPEG picture, it is rendered as plain white instead");
+                 "texture has no PNG or JPEG image, it is rendered as plain white instead");
     return std::nullopt;
 }
 
@@ -95,7 +92,7 @@ Texture GltfTextures::decode(std::size_t image) {
     }
     decoded_bytes_ += texture.rgba.size();
     if (decoded_bytes_ > limits::max_texture_bytes)
-        throw value.error("all pictures together exceed the limit of " +
+        throw value.error("all images together exceed the limit of " +
                           std::to_string(limits::max_texture_bytes) + " decoded bytes");
     texture.name = value.name_or("image " + std::to_string(image));
     return texture;

@@ -16,7 +16,7 @@
 
 namespace weft {
 
-/// Decodes the pictures that materials refer to, each once, within `limits::max_texture_bytes`
+/// Decodes the images that materials refer to, each once, within `limits::max_texture_bytes`
 /// for the whole file.
 class GltfTextures {
   public:
@@ -24,10 +24,10 @@ class GltfTextures {
                  std::vector<Texture>& textures);
 
     /// Index into the scene's textures for the glTF texture whose index `reference` holds; nothing
-    /// where the texture has no picture that Weft can read. Throws Error (exit code 2).
+    /// where the texture has no image that Weft can read. Throws Error (exit code 2).
     [[nodiscard]] std::optional<int> add(const JsonValue& reference);
 
-    /// Mean linear colour of that texture's picture, read as sRGB; white where it has none.
+    /// Mean linear colour of that texture's image, read as sRGB; white where it has none.
     [[nodiscard]] glm::vec3 mean_colour(const JsonValue& reference);
 
   private:

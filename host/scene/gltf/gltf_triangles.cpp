@@ -80,7 +80,7 @@ GltfTriangles read_gltf_triangles(GltfData& data, const JsonValue& primitive, st
 
 std::vector<std::uint32_t> compact_vertices(GltfTriangles& triangles, std::size_t vertex_count) {
     std::vector<std::uint32_t> used;
-    // A table over all vertices is quicker, but many small primitives may share one huge accessor.
+    // A table of all vertices is faster, but many small primitives may share one huge accessor.
     if (vertex_count / 8 <= triangles.size() + 128) {
         std::vector<std::uint32_t> renumbered(vertex_count, 0);
         for (const auto& triangle : triangles)

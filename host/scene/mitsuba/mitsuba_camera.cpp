@@ -64,7 +64,7 @@ void read_fov(Object& object, Camera& camera) {
     camera.fov = glm::radians(degrees);
 }
 
-/// Mitsuba's camera looks along +z and has +x on the left of the picture, Weft's looks along -z
+/// Mitsuba's camera looks along +z and has +x on the left of the image, Weft's looks along -z
 /// and has +x on the right: half a turn about y.
 void read_pose(Object& object, Camera& camera) {
     const glm::dmat4 file = object.transform("to_world");

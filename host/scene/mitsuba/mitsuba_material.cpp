@@ -45,9 +45,9 @@ bool is_two_sided_type(std::string_view type) {
 
 }  // namespace
 
-const Surface& MaterialReader::surface(const Element* bsdf) {
+const MitsubaSurface& MaterialReader::surface(const Element* bsdf) {
     if (const auto found = surfaces_.find(bsdf); found != surfaces_.end()) return found->second;
-    Surface surface;
+    MitsubaSurface surface;
     surface.name = "default";
     if (bsdf != nullptr) {
         if (std::find(open_.begin(), open_.end(), bsdf) != open_.end())
@@ -62,9 +62,9 @@ const Surface& MaterialReader::surface(const Element* bsdf) {
     return surfaces_.emplace(bsdf, std::move(surface)).first->second;
 }
 
-Surface MaterialReader::read_bsdf(const Element& element) {
+MitsubaSurface MaterialReader::read_bsdf(const Element& element) {
     Object object(element, context_);
-    Surface surface;
+    MitsubaSurface surface;
     if (object.type() == "diffuse") {
         if (const Element* const reflectance = object.find("reflectance"))
             read_reflectance(*reflectance, surface);
@@ -82,7 +82,7 @@ Surface MaterialReader::read_bsdf(const Element& element) {
     return surface;
 }
 
-void MaterialReader::read_twosided(Object& object, Surface& surface) {
+void MaterialReader::read_twosided(Object& object, MitsubaSurface& surface) {
     const std::vector<const Element*> sides = object.nested("bsdf");
     if (sides.empty() || sides.size() > 2)
         throw input_error(object.place(), fmt::format("twosided with {} nested bsdfs, expected 1 "
@@ -95,7 +95,7 @@ void MaterialReader::read_twosided(Object& object, Surface& surface) {
                                "twosided with two bsdfs: the first one is used on both sides");
 }
 
-void MaterialReader::read_unsupported(Object& object, Surface& surface) {
+void MaterialReader::read_unsupported(Object& object, MitsubaSurface& surface) {
     context_.warnings.once(object.element(), "bsdf " + quote(object.type()) +
                                                  " is not supported: rendered as diffuse");
     surface.two_sided = is_two_sided_type(object.type());
@@ -110,7 +110,7 @@ void MaterialReader::read_unsupported(Object& object, Surface& surface) {
     if (!inner.empty()) surface = this->surface(inner.front());
 }
 
-void MaterialReader::read_reflectance(const Element& element, Surface& surface) {
+void MaterialReader::read_reflectance(const Element& element, MitsubaSurface& surface) {
     if (is_colour(element)) {
         surface.albedo = parse_colour(element, ColourUse::reflectance, context_.warnings);
         return;
@@ -132,7 +132,7 @@ void MaterialReader::read_reflectance(const Element& element, Surface& surface) 
                              texture.colour("color1", use, glm::vec3(0.2F)));
 }
 
-void MaterialReader::read_bitmap(Object& object, Surface& surface) {
+void MaterialReader::read_bitmap(Object& object, MitsubaSurface& surface) {
     const std::filesystem::path path = object.file();
     const bool raw = object.boolean("raw", false);
     const bool nearest = read_nearest(object);
@@ -171,11 +171,12 @@ glm::vec3 MaterialReader::read_radiance(const Element& emitter) {
 std::uint32_t MaterialReader::material(const Element* bsdf, const Element* emitter) {
     const auto key = std::make_pair(bsdf, emitter);
     if (const auto found = materials_.find(key); found != materials_.end()) return found->second;
-    const Surface& look = surface(bsdf);
+    const MitsubaSurface& parsed = surface(bsdf);
     Material material;
-    material.name = look.name;
-    material.surface = DiffuseSurface{look.invisible ? glm::vec3(0.0F) : look.albedo, look.texture};
-    material.two_sided = look.two_sided;
+    material.name = parsed.name;
+    material.surface =
+        DiffuseSurface{parsed.invisible ? glm::vec3(0.0F) : parsed.albedo, parsed.texture};
+    material.two_sided = parsed.two_sided;
     if (emitter != nullptr) material.emission.radiance = read_radiance(*emitter);
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));

@@ -16,8 +16,8 @@
 
 namespace weft::mitsuba {
 
-/// A bsdf reduced to what Weft renders.
-struct Surface {
+/// The parameters of a bsdf that Weft renders.
+struct MitsubaSurface {
     std::string name;
     glm::vec3 albedo{0.5F};
     int texture = -1;        ///< index into Scene::textures, or -1
@@ -32,24 +32,24 @@ class MaterialReader {
     MaterialReader(Context& context, Scene& scene) : context_(context), scene_(scene) {}
 
     /// The surface of a bsdf; null stands for Mitsuba's default. Throws Error (exit code 2).
-    [[nodiscard]] const Surface& surface(const Element* bsdf);
+    [[nodiscard]] const MitsubaSurface& surface(const Element* bsdf);
 
     /// The material of a pair of bsdf and area emitter, either may be null. The same pair gives
     /// the same index into Scene::materials.
     [[nodiscard]] std::uint32_t material(const Element* bsdf, const Element* emitter);
 
   private:
-    [[nodiscard]] Surface read_bsdf(const Element& element);
-    void read_twosided(Object& object, Surface& surface);
-    void read_unsupported(Object& object, Surface& surface);
-    void read_reflectance(const Element& element, Surface& surface);
-    void read_bitmap(Object& object, Surface& surface);
+    [[nodiscard]] MitsubaSurface read_bsdf(const Element& element);
+    void read_twosided(Object& object, MitsubaSurface& surface);
+    void read_unsupported(Object& object, MitsubaSurface& surface);
+    void read_reflectance(const Element& element, MitsubaSurface& surface);
+    void read_bitmap(Object& object, MitsubaSurface& surface);
     [[nodiscard]] glm::vec3 read_radiance(const Element& emitter);
 
     Context& context_;
     Scene& scene_;
     std::vector<const Element*> open_;
-    std::map<const Element*, Surface> surfaces_;
+    std::map<const Element*, MitsubaSurface> surfaces_;
     std::map<std::pair<const Element*, const Element*>, std::uint32_t> materials_;
     std::map<std::string, int> textures_;
     std::size_t texture_bytes_ = 0;

@@ -35,7 +35,7 @@ class Object {
     /// The `type` attribute, which must be there.
     [[nodiscard]] const std::string& type() const { return element_.required("type"); }
 
-    /// The `id` attribute, or what stands in for it.
+    /// The `id` attribute, or `fallback` where there is none.
     [[nodiscard]] std::string id_or(const std::string& fallback) const;
 
     /// The property or nested object of this name, or null.
@@ -58,7 +58,7 @@ class Object {
     /// Marks properties that are known and have no effect here.
     void ignore(std::initializer_list<std::string_view> names);
 
-    /// Names once what no access used.
+    /// Warns once about everything that no access used.
     void report_unused();
 
   private:

@@ -18,8 +18,8 @@ namespace weft {
 
 namespace {
 
-/// What has no effect of its own at the top of a scene: hints for Mitsuba's integrators, and
-/// objects that only count where they are referred to.
+/// Whether an element at the top of a scene has no effect of its own: hints for Mitsuba's
+/// integrators, and objects that only count where they are referred to.
 bool is_passive(std::string_view tag) {
     static constexpr std::array<std::string_view, 13> tags = {
         "integrator", "sampler", "rfilter", "film",     "bsdf",  "texture",  "medium",

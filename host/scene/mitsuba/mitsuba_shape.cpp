@@ -34,7 +34,7 @@ bool is_mesh_file(std::string_view type) {
     return type == "ply" || type == "obj";
 }
 
-/// Refuses transforms without an inverse; returns whether the others change handedness.
+/// Refuses transforms without an inverse; returns whether the transform changes handedness.
 bool check_mirroring(Object& object, const glm::dmat4& to_world) {
     const glm::dmat3 linear(to_world);
     const double lengths = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
@@ -95,7 +95,7 @@ void ShapeReader::read(const Element& element) {
     boundary.exterior = media_.index(object.find("exterior"));
     const Element* const bsdf = single(object, "bsdf");
     const Element* const emitter = single(object, "emitter");
-    const Surface& surface = materials_.surface(bsdf);
+    const MitsubaSurface& surface = materials_.surface(bsdf);
     const std::uint32_t mesh = add_mesh(object, source, surface);
     count_triangles(object, mesh);
     if (!is_within_limits(scene_.meshes[mesh], source.to_world))
@@ -117,7 +117,7 @@ void ShapeReader::read(const Element& element) {
 }
 
 void ShapeReader::add_boundary(Object& object, const Source& source, std::uint32_t mesh,
-                               const Surface& surface, MediumBoundary boundary) {
+                               const MitsubaSurface& surface, MediumBoundary boundary) {
     if (!surface.invisible) {
         context_.warnings.once(object.element(), "a medium behind an opaque surface is ignored");
         return;
@@ -136,7 +136,8 @@ void ShapeReader::count_triangles(Object& object, std::uint32_t mesh) {
     triangles_ += count;
 }
 
-std::uint32_t ShapeReader::add_mesh(Object& object, const Source& source, const Surface& surface) {
+std::uint32_t ShapeReader::add_mesh(Object& object, const Source& source,
+                                    const MitsubaSurface& surface) {
     const std::string key =
         fmt::format("{}|{}|{}|{}|{}|{}", source.type, source.path, source.face_normals,
                     source.flip_v, source.mirrored, surface.texture >= 0);
@@ -161,7 +162,7 @@ Mesh ShapeReader::read_mesh_file(Object& object, const Source& source) {
         mesh = read_ply(source.path, object.place(), diagnostics);
         if (source.flip_v)
             for (glm::vec2& uv : mesh.uvs) uv.y = 1.0F - uv.y;
-        // Mitsuba's surfaces take colours from vertices only where a texture asks for it.
+        // Mitsuba's surfaces use vertex colours only where a texture refers to them.
         mesh.colours.clear();
     } else {
         mesh = read_obj_mesh(source.path, object.place(), source.flip_v, diagnostics);
@@ -198,7 +199,7 @@ Mesh ShapeReader::make_mesh(Object& object, const Source& source) {
     return mesh;
 }
 
-void ShapeReader::fit_texture(Object& object, const Surface& surface, Mesh& mesh) {
+void ShapeReader::fit_texture(Object& object, const MitsubaSurface& surface, Mesh& mesh) {
     if (surface.texture < 0) return;
     if (mesh.uvs.empty() && !add_barycentric_uvs(mesh))
         throw input_error(object.place(),

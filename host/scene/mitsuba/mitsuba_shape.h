@@ -29,7 +29,7 @@ class ShapeReader {
     void read(const Element& element);
 
   private:
-    /// What decides how the mesh of a shape looks.
+    /// The inputs that determine the mesh of a shape.
     struct Source {
         std::string type;
         std::string path;  ///< of the PLY or OBJ file
@@ -42,12 +42,12 @@ class ShapeReader {
 
     [[nodiscard]] Source read_source(Object& object);
     [[nodiscard]] std::uint32_t add_mesh(Object& object, const Source& source,
-                                         const Surface& surface);
+                                         const MitsubaSurface& surface);
     [[nodiscard]] Mesh read_mesh_file(Object& object, const Source& source);
     [[nodiscard]] Mesh make_mesh(Object& object, const Source& source);
-    void fit_texture(Object& object, const Surface& surface, Mesh& mesh);
+    void fit_texture(Object& object, const MitsubaSurface& surface, Mesh& mesh);
     void add_boundary(Object& object, const Source& source, std::uint32_t mesh,
-                      const Surface& surface, MediumBoundary boundary);
+                      const MitsubaSurface& surface, MediumBoundary boundary);
     void count_triangles(Object& object, std::uint32_t mesh);
 
     Context& context_;

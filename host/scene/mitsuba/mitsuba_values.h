@@ -13,7 +13,7 @@
 namespace weft::mitsuba {
 
 /// The number in an attribute; it must be finite as a float. Throws Error (exit code 2), as all
-/// functions here do for values that are not what they should be.
+/// functions here do for invalid values.
 [[nodiscard]] double parse_number(const Element& element, const std::string& text);
 
 /// Numbers separated by blanks or commas, at most `most` of them.
@@ -33,7 +33,7 @@ namespace weft::mitsuba {
 /// A `<transform>`: its children, the first one applied first. Affine, with finite entries.
 [[nodiscard]] glm::dmat4 parse_transform(const Element& element);
 
-/// What a colour stands for, which decides what a bare spectrum means.
+/// The use of a colour, which decides what a bare spectrum means.
 enum class ColourUse { reflectance, emission, medium };
 
 /// The colour of a `<rgb>`, `<spectrum>` or `<float>` in linear Rec.709. A reflectance lies in

@@ -29,7 +29,7 @@ struct TagRule {
     std::string_view attributes;  ///< those it may have, separated by blanks
 };
 
-/// Everything the format knows. Objects have `type`, `id` and `name`, values `name` and `value`.
+/// The tags of the format. Objects have `type`, `id` and `name`, values `name` and `value`.
 constexpr std::array<TagRule, 35> tag_rules = {{
     {"scene", "version"},
     {"default", "name value"},
@@ -140,7 +140,7 @@ class Loader {
         open_files_.pop_back();
     }
 
-    /// Finds the line ends, and refuses what would need far more memory as a tree than as text.
+    /// Finds the line ends, and refuses files that need far more memory as a tree than as text.
     void scan(const std::vector<std::byte>& bytes, SourceFile& file) {
         for (std::size_t i = 0; i < bytes.size(); ++i) {
             const char c = static_cast<char>(bytes[i]);

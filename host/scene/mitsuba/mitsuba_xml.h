@@ -34,7 +34,7 @@ struct Element {
     [[nodiscard]] const std::string& required(const std::string& name) const;
 };
 
-/// Warnings of one scene file: each text once, at its first place, and not without end.
+/// Warnings of one scene file: each text once, at its first place, up to limits::max_warnings.
 class Warnings {
   public:
     explicit Warnings(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -42,7 +42,7 @@ class Warnings {
     /// Reports `message` at the element's place unless the same message was reported before.
     void once(const Element& element, const std::string& message);
 
-    /// Where readers of other files report to.
+    /// The diagnostics to which readers of other files report.
     [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
 
   private:

@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
-#include "image/srgb.h"
+#include "base/srgb.h"
 #include "scene/obj/obj_text.h"
 
 namespace weft {
@@ -134,7 +134,7 @@ class ObjParser {
         data_.normals.push_back(usable ? glm::vec3(normal / length) : glm::vec3(0.0F));
     }
 
-    /// Turns an index of the file into one from 0; those that run ahead are checked at the end.
+    /// Turns an index of the file into one from 0. Those of later elements are checked at the end.
     [[nodiscard]] std::int32_t read_index(std::string_view digits, std::string_view word,
                                           const ObjStatement& statement, std::size_t count) const {
         std::int64_t index = 0;
@@ -204,7 +204,8 @@ class ObjParser {
         data_.uses.push_back({face, found->second});
     }
 
-    /// Some writers name texture coordinates or normals that they leave out altogether.
+    /// Clears indices into tables that the file lacks: some writers refer to texture coordinates or
+    /// normals that they leave out altogether.
     void forget_missing_tables() {
         const bool no_uvs = data_.uvs.empty();
         const bool no_normals = data_.normals.empty();

@@ -28,25 +28,25 @@ struct ObjFace {
     std::uint32_t line = 0;
 };
 
-/// From this face on, until the next use, a material holds.
+/// A material that is used from this face on, until the next use.
 struct ObjMaterialUse {
     std::uint32_t first_face = 0;
     std::uint32_t name = 0;  ///< index into ObjData::material_names
 };
 
-/// The files that an `mtllib` names, as it names them.
+/// The files that an `mtllib` names, in its words.
 struct ObjLibrary {
     std::string place;
     std::string names;
 };
 
-/// What an OBJ file says, with indices checked, before anything is made of it.
+/// The contents of an OBJ file, with indices checked, before meshes are made of it.
 struct ObjData {
     std::string file;
     std::vector<glm::vec3> positions;  ///< may be infinite or NaN
     std::vector<glm::vec3> colours;    ///< linear, in [0, 1]; empty, or as long as `positions`
     std::vector<glm::vec2> uvs;        ///< v upwards, finite
-    std::vector<glm::vec3> normals;    ///< unit length, or zero where of no use
+    std::vector<glm::vec3> normals;    ///< unit length, or zero where invalid
     std::vector<ObjCorner> corners;
     std::vector<ObjFace> faces;
     std::vector<ObjMaterialUse> uses;

@@ -14,7 +14,7 @@
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
-#include "image/srgb.h"
+#include "base/srgb.h"
 #include "scene/texture/image_file.h"
 
 namespace weft {
@@ -62,8 +62,8 @@ glm::vec3 mean_linear(const Texture& texture) {
 ObjMaterials::ObjMaterials(fs::path obj_file, WarningCollector& report, Scene& scene)
     : obj_file_(std::move(obj_file)), report_(report), scene_(scene) {}
 
-/// Writers on Windows separate folders by backslashes, and often give absolute paths, which are
-/// never followed: nothing then, with the reason in `why`.
+/// Finds the file of a reference. Writers on Windows separate folders by backslashes, and often
+/// give absolute paths, which are never followed: returns nothing then, with the reason in `why`.
 std::optional<fs::path> ObjMaterials::find_file(std::string_view reference,
                                                 std::string& why) const {
     std::string name(reference);
@@ -166,13 +166,14 @@ ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial
     return surface;
 }
 
-/// A picture that is missing, or of a kind that is not read, leaves the material its plain colour.
-std::optional<Texture> ObjMaterials::read_picture(const MtlMap& map) {
+/// Reads an image. One that is missing, or of a kind that is not read, leaves the material its
+/// plain colour.
+std::optional<Texture> ObjMaterials::read_map(const MtlMap& map) {
     std::string why;
     const std::optional<fs::path> path = find_file(map.file, why);
     Texture texture;
     try {
-        if (path) texture = read_image(*path, "picture " + quote(map.file));
+        if (path) texture = read_image(*path, "image " + quote(map.file));
     } catch (const Error& error) {
         why = error.what();
     }
@@ -183,7 +184,7 @@ std::optional<Texture> ObjMaterials::read_picture(const MtlMap& map) {
     decoded_bytes_ += texture.rgba.size();
     if (decoded_bytes_ > limits::max_texture_bytes)
         throw input_error(map.place,
-                          fmt::format("all pictures together exceed the limit of {} decoded bytes",
+                          fmt::format("all images together exceed the limit of {} decoded bytes",
                                       limits::max_texture_bytes));
     return texture;
 }
@@ -191,7 +192,7 @@ std::optional<Texture> ObjMaterials::read_picture(const MtlMap& map) {
 int ObjMaterials::add_texture(const MtlMap& map) {
     const auto [known, added] = textures_.try_emplace({map.file, map.clamp}, -1);
     if (!added) return known->second;
-    std::optional<Texture> texture = read_picture(map);
+    std::optional<Texture> texture = read_map(map);
     if (!texture) return -1;
     texture->wrap_u = texture->wrap_v = map.clamp ? Wrap::clamp : Wrap::repeat;
     known->second = static_cast<int>(scene_.textures.size());
@@ -200,7 +201,7 @@ int ObjMaterials::add_texture(const MtlMap& map) {
 }
 
 glm::vec3 ObjMaterials::mean_colour(const MtlMap& map) {
-    const std::optional<Texture> texture = read_picture(map);
+    const std::optional<Texture> texture = read_map(map);
     return texture ? mean_linear(*texture) : glm::vec3(1.0F);
 }
 

@@ -27,7 +27,7 @@ struct ObjSurface {
     glm::dvec2 uv_offset{0.0};
 };
 
-/// Makes materials of a scene from the MTL files of an OBJ file. Missing files and pictures are
+/// Makes materials of a scene from the MTL files of an OBJ file. Missing files and images are
 /// named in the report and replaced by a default. Surfaces reflect and emit on both sides.
 class ObjMaterials {
   public:
@@ -54,7 +54,7 @@ class ObjMaterials {
                                                                  std::string& why) const;
     bool read_file_named(std::string_view reference, const std::string& place, std::string& why);
     [[nodiscard]] ObjSurface make_surface(const std::string& name, const MtlMaterial& source);
-    [[nodiscard]] std::optional<Texture> read_picture(const MtlMap& map);
+    [[nodiscard]] std::optional<Texture> read_map(const MtlMap& map);
     [[nodiscard]] int add_texture(const MtlMap& map);
     [[nodiscard]] glm::vec3 mean_colour(const MtlMap& map);
 

@@ -94,7 +94,7 @@ Mesh ObjMeshMaker::make(std::span<const std::uint32_t> faces, const ObjMeshOptio
     const bool any_normals = wanted.normals && has_normals(faces);
     for (const std::uint32_t face : faces) add_face(data_.faces[face], wanted, any_normals);
     ObjMeshOptions options = wanted;
-    // A mesh without any texture coordinates is told from one that has them all at zero.
+    // A mesh without any texture coordinates differs from one that has them all at zero.
     options.uvs = wanted.uvs && std::any_of(keys_.begin(), keys_.end(),
                                             [](const Key& key) { return key.uv >= 0; });
     std::sort(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {

@@ -14,7 +14,7 @@
 
 namespace weft {
 
-/// What a mesh is to keep of its file.
+/// Which attributes a mesh keeps of its file.
 struct ObjMeshOptions {
     bool uvs = true;
     bool normals = true;
@@ -33,7 +33,7 @@ class ObjMeshMaker {
     [[nodiscard]] Mesh make(std::span<const std::uint32_t> faces, const ObjMeshOptions& options);
 
   private:
-    /// What makes a vertex, and where it is used.
+    /// The indices that identify a vertex, and where it is used.
     struct Key {
         std::int32_t position;
         std::int32_t uv;

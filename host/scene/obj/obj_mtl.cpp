@@ -61,13 +61,13 @@ constexpr std::array unsimulated = {
     Unsimulated{"decal", always, "decals are not simulated"},
 };
 
-/// Statements whose effect ends with the ones above, or that light simulation replaces.
+/// Statements that only modify the ones above, or whose effect light simulation replaces.
 constexpr std::array<std::string_view, 21> passive = {
     "ka",        "map_ka", "ambient",    "ns",      "map_ns", "ni",     "map_ni",
     "illum",     "tf",     "map_tf",     "pr",      "map_pr", "pcr",    "aniso",
     "map_aniso", "anisor", "map_anisor", "map_aat", "pbr",    "map_ao", "map_illum"};
 
-/// Options of a picture by the number of words that follow.
+/// Options of an image by the number of words that follow.
 struct MapOption {
     std::string_view name;
     std::size_t words;

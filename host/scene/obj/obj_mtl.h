@@ -13,7 +13,7 @@
 
 namespace weft {
 
-/// A picture that a material names, with its options. Texture coordinates uv of the file become
+/// An image that a material names, with its options. Texture coordinates uv of the file become
 /// uv * scale + offset.
 struct MtlMap {
     std::string file;  ///< as it is written
@@ -23,7 +23,7 @@ struct MtlMap {
     glm::dvec2 offset{0.0};
 };
 
-/// What a material of an MTL file says that Weft uses.
+/// The statements of an MTL material that Weft uses.
 struct MtlMaterial {
     std::string place;
     std::optional<glm::vec3> diffuse;  ///< Kd, linear, in [0, 1]

@@ -11,7 +11,7 @@ namespace weft {
 
 glm::dvec3 polygon_normal(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum(0.0);
-    // Relative to a corner, so that a polygon far from the origin does not lose its digits.
+    // Relative to a corner, so that a polygon far from the origin does not lose precision.
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
     return sum;
@@ -38,7 +38,7 @@ void PolygonCutter::fan(std::size_t count) {
     for (std::uint32_t i = 1; i + 1 < count; ++i) triangles_.push_back({0, i, i + 1});
 }
 
-/// Drops the axis along which the polygon is thinnest, which changes no sense of rotation within.
+/// Projects the polygon along its normal's largest axis, which keeps all senses of rotation.
 void PolygonCutter::project(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -89,7 +89,7 @@ void PolygonCutter::clip(std::uint32_t corner) {
     previous_[after] = before;
 }
 
-/// False where it would take too long.
+/// Clips ears until a triangle remains; false where it would take too long.
 bool PolygonCutter::clip_ears() {
     const auto count = static_cast<std::uint32_t>(points_.size());
     next_.resize(count);
@@ -112,7 +112,7 @@ bool PolygonCutter::clip_ears() {
             clip(corner);
             --left;
             since_ear = 0;
-            // Going on behind the neighbour keeps triangles from becoming a fan of slivers.
+            // Going on behind the next corner keeps triangles from becoming a fan of slivers.
             corner = next_[after];
         } else {
             ++since_ear;

@@ -59,7 +59,7 @@ std::map<std::uint32_t, Part> parts_of(const ObjData& data, ObjMaterials& materi
     return parts;
 }
 
-/// Picture coordinates run downwards in Weft, and upwards in the file.
+/// Image coordinates run downwards in Weft, and upwards in the file.
 void fit_uvs(const ObjSurface& surface, Mesh& mesh) {
     for (glm::vec2& uv : mesh.uvs) {
         const glm::dvec2 placed = glm::dvec2(uv) * surface.uv_scale + surface.uv_offset;
@@ -82,7 +82,7 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
         Mesh mesh = maker.make(part.faces, {part.surface.textured, true, true});
         if (mesh.triangles.empty()) continue;
         mesh.name = scene.materials[index].name;
-        // Colours of the vertices are the whole albedo where no material adds its own.
+        // Vertex colours are the whole albedo where no material adds its own.
         if (!mesh.colours.empty() && materials.is_default(index))
             set_diffuse_albedo(scene.materials[index], glm::vec3(1.0F));
         fit_uvs(part.surface, mesh);

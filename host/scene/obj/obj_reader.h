@@ -13,7 +13,7 @@ namespace weft {
 
 /// Reads a Wavefront OBJ file with its MTL files: one mesh and instance for each material. Polygons
 /// are cut into triangles, concave ones too. What Weft does not simulate, and materials and
-/// pictures that are missing, are named once in `diagnostics`. Throws Error (exit code 2) with
+/// images that are missing, are named once in `diagnostics`. Throws Error (exit code 2) with
 /// `file:line` for anything broken.
 [[nodiscard]] Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics);
 

@@ -25,7 +25,7 @@ std::string_view trim_blanks(std::string_view text) {
 }
 
 ObjLines::ObjLines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
-    // Some writers store the end mark of a C string too.
+    // Some writers also store the terminating NUL of a C string.
     text_ = text_.substr(0, text_.find_last_not_of('\0') + 1);
     const std::size_t nul = text_.find('\0');
     if (nul != std::string_view::npos) {
@@ -85,7 +85,7 @@ bool read_obj_number(std::string_view word, double& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const char* const end = word.data() + word.size();
     const auto [stop, code] = std::from_chars(word.data(), end, value);
-    // What Microsoft's runtime prints for numbers that are none: 1.#INF, -1.#IND00, 1.#QNAN.
+    // Microsoft's runtime prints infinity and NaN as 1.#INF, -1.#IND00 or 1.#QNAN.
     if (code == std::errc() && stop != end && *stop == '#') {
         value = std::numeric_limits<double>::quiet_NaN();
         return true;

@@ -37,7 +37,7 @@ struct PlyElement {
     std::string place;  ///< `file:line` of its declaration
 };
 
-/// What a PLY file says about itself before its data.
+/// The header of a PLY file.
 struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;
     std::vector<PlyElement> elements;

@@ -18,6 +18,7 @@
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "base/srgb.h"
 #include "scene/ply/ply_header.h"
 #include "scene/ply/ply_source.h"
 
@@ -79,10 +80,6 @@ VertexLayout make_layout(const PlyElement& element) {
     return layout;
 }
 
-float srgb_to_linear(float value) {
-    return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
-}
-
 bool is_finite(const glm::vec3& value) {
     return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
 }
@@ -111,7 +108,7 @@ class BodyReader {
     }
 
   private:
-    /// The face that is read, as error messages name it.
+    /// Place of the face that is being read, for error messages.
     [[nodiscard]] std::string item_place(const PlyElement& element, std::uint64_t index) const {
         const bool known = element.name == "vertex" || element.name == "face";
         return fmt::format("{}: {} {}", file_, known ? element.name : quote(element.name), index);
@@ -218,8 +215,7 @@ class BodyReader {
     void add_colour(const VertexLayout& layout, float r, float g, float b) {
         glm::vec3 colour(r * layout.colour_scale[0], g * layout.colour_scale[1],
                          b * layout.colour_scale[2]);
-        if (layout.srgb)
-            colour = {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
+        if (layout.srgb) colour = linear_from_srgb(colour);
         mesh_.colours.push_back(colour);
     }
 
@@ -294,7 +290,7 @@ class BodyReader {
         }
     }
 
-    /// Brings normals to unit length; those of no use become the mean of the triangles around.
+    /// Normalises normals; invalid ones become the mean of the normals of the triangles around.
     std::size_t repair_normals() {
         std::vector<std::uint32_t> broken;
         for (std::size_t i = 0; i < mesh_.normals.size(); ++i) {

@@ -13,7 +13,7 @@ struct DiffuseSurface {
     int albedo_texture = -1;  ///< index into Scene::textures, or -1
 };
 
-/// What of a surface is diffuse.
+/// The diffuse part of a surface.
 [[nodiscard]] inline DiffuseSurface& diffuse_part(DiffuseSurface& surface) {
     return surface;
 }
@@ -23,8 +23,8 @@ struct DiffuseSurface {
     return glm::vec4(0.0F);
 }
 
-/// What parameters of the lobe are out of their range, for errors ("has a roughness outside [0,
-/// 1]"), or null. The diffuse part is not asked about.
+/// Which parameters of the lobe are out of their range, for errors ("has a roughness outside [0,
+/// 1]"), or null. The diffuse part is checked elsewhere.
 [[nodiscard]] inline const char* lobe_problem(const DiffuseSurface&) {
     return nullptr;
 }

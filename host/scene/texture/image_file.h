@@ -12,8 +12,8 @@
 
 namespace weft {
 
-/// Decodes PNG, JPEG, BMP or TGA bytes into RGBA8, top row first. `place` names the picture in
-/// errors. Throws Error (exit code 2) when the bytes are not a picture or are larger than
+/// Decodes PNG, JPEG, BMP or TGA bytes into RGBA8, top row first. `place` names the image in
+/// errors. Throws Error (exit code 2) when the bytes are not an image or are larger than
 /// `limits::max_texture_edge`.
 [[nodiscard]] Texture decode_image(std::span<const std::byte> bytes, const std::string& place);
 

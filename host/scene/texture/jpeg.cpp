@@ -64,8 +64,8 @@ class Decoder {
     [[nodiscard]] const char* message() const { return message_; }
 
   private:
-    /// Four inks a pixel to red, green and blue, in place. Adobe's files hold ink inverted: 255 is
-    /// none.
+    /// Converts four inks a pixel to red, green and blue, in place. Adobe's files store ink
+    /// inverted: 255 is none.
     void inks_to_light(unsigned char* row) const {
         for (std::uint32_t x = 0; x < info_.output_width; ++x)
             for (std::uint32_t c = 0; c < 3; ++c) {
@@ -83,7 +83,7 @@ class Decoder {
         std::longjmp(self(info).escape_, 1);
     }
 
-    /// A picture that ends too early is an error; other oddities are what decoders put up with.
+    /// Takes a warning of libjpeg: an image that ends too early is an error, others are ignored.
     static void note(j_common_ptr info, int level) {
         if (level < 0 && info->err->msg_code == JWRN_JPEG_EOF) fail(info);
     }
@@ -103,8 +103,8 @@ class Decoder {
 };
 
 [[noreturn]] void throw_damaged(const std::string& place, const char* message) {
-    throw input_error(place, "picture is damaged (" + quote(message) +
-                                 "), expected a PNG, JPEG, BMP or TGA picture");
+    throw input_error(
+        place, "image is damaged (" + quote(message) + "), expected a PNG, JPEG, BMP or TGA image");
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace weft {
 
 /// Decodes a JPEG file into RGBA8, top row first. `check_size` is called with the dimensions before
 /// anything is allocated for them, and throws where they are too large. Throws Error (exit code 2)
-/// that begins with `place` for a damaged or cut file, or one with more scans than a sane encoder
-/// makes.
+/// that begins with `place` for a damaged or truncated file, or one with more scans than any usual
+/// encoder makes.
 [[nodiscard]] Texture decode_jpeg(std::span<const std::byte> bytes, const std::string& place,
                                   void (*check_size)(std::uint32_t width, std::uint32_t height,
                                                      const std::string& place));

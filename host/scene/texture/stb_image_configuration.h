@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// The largest block that stb_image may allocate in this thread, in bytes. It takes the sizes of
-/// chunks from the file before it has seen what is in them.
+/// The largest block that stb_image may allocate in this thread, in bytes. It allocates chunks by
+/// sizes in the file, before it has read their contents.
 extern thread_local std::size_t stbi_max_block;
 
 }  // namespace weft

@@ -64,7 +64,7 @@ class Source {
     const std::string& file_;
 };
 
-/// Where the packed bytes of a grid are, and what they say of themselves.
+/// The header of a grid: where its packed bytes are, and their sizes.
 struct Entry {
     std::string name;
     std::uint64_t size = 0;         ///< unpacked

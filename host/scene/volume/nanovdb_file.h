@@ -34,8 +34,8 @@ class NanovdbBuffer {
 [[nodiscard]] bool is_nanovdb(std::span<const std::byte> bytes);
 
 /// Unpacks one grid of a NanoVDB file (`.nvdb`, major version 32, uncompressed, ZIP or BLOSC): the
-/// one called `name`, or, where that is empty, the one called density, else the first. What the
-/// grid itself holds is not checked. `file` names the file in errors (exit code 2).
+/// one called `name`, or, where that is empty, the one called density, else the first. The contents
+/// of the grid are not checked. `file` names the file in errors (exit code 2).
 [[nodiscard]] NanovdbBuffer unpack_nanovdb(std::span<const std::byte> bytes,
                                            const std::string& name, const std::string& file);
 

@@ -42,8 +42,8 @@ Box cube_at(const std::array<std::int64_t, 3>& origin, std::int64_t edge) {
 }
 
 /// A tree of nodes in a buffer that is not trusted: every node is checked to lie inside before it
-/// is read. Where a node is in space follows from its parents, never from what it says itself, so
-/// that none is written twice however the nodes point at one another.
+/// is read. The place of a node in space follows from its parents, never from its own data, so that
+/// no voxel is written twice however the nodes refer to each other.
 template <typename Build>
 class TreeReader {
     using Root = typename nanovdb::NanoRoot<Build>::DataType;
@@ -64,10 +64,10 @@ class TreeReader {
         }
     }
 
-    /// What all voxels have that nothing else is said of.
+    /// The value of all voxels that have no value of their own.
     [[nodiscard]] float background() const { return static_cast<float>(root_->mBackground); }
 
-    /// The voxels that are read, one of the background about the active ones.
+    /// The box of voxels that are read: the active ones with a layer of background about them.
     [[nodiscard]] Box padded_box() const {
         Box box = box_;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -174,7 +174,7 @@ class TreeReader {
                 std::fill_n(voxel(wanted.low[0], y, z), wanted.high[0] - wanted.low[0] + 1, value);
     }
 
-    /// A voxel of the box, which one of the background is about.
+    /// A voxel of the grid, which has a layer of background about the box.
     [[nodiscard]] float* voxel(std::int64_t x, std::int64_t y, std::int64_t z) const {
         const auto i = static_cast<std::size_t>(x - box_.low[0] + 1);
         const auto j = static_cast<std::size_t>(y - box_.low[1] + 1);

@@ -17,9 +17,9 @@ namespace weft {
 [[nodiscard]] bool is_vol(std::span<const std::byte> bytes);
 
 /// Reads a Mitsuba grid volume (`.vol`, version 3, float32, one channel) into a valid grid, which
-/// its bounding box places. A bounding box that is none counts as the unit cube, with a warning,
-/// since it seldom matters. Bytes behind the voxels are ignored with a warning. `file` names the
-/// file in errors (exit code 2).
+/// its bounding box places. An invalid bounding box counts as the unit cube, with a warning, since
+/// it seldom matters. Bytes behind the voxels are ignored with a warning. `file` names the file in
+/// errors (exit code 2).
 [[nodiscard]] DensityGrid decode_vol(std::span<const std::byte> bytes, const std::string& file,
                                      Diagnostics& diagnostics);
 

@@ -27,10 +27,10 @@ using test::comes_true;
 using test::RunningProgram;
 using test::text_of_file;
 
-/// Pictures by the program, each compiling every kernel that it needs.
+/// Images by the program, each compiling every kernel that it needs.
 class CompileServerSlow : public testing::Test {
   protected:
-    struct Picture {
+    struct Run {
         int exit_code = -1;
         std::string messages;
         json stats;
@@ -49,7 +49,7 @@ class CompileServerSlow : public testing::Test {
     }
 
     /// With empty caches; `interfere` is called when workers are at it.
-    static Picture cold_picture(const Interference& interfere) {
+    static Run cold_image(const Interference& interfere) {
         const TemporaryFolder folder;
         const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
         fs::create_directory(at("pocl"));
@@ -60,31 +60,30 @@ class CompileServerSlow : public testing::Test {
              "48x40", "--stats", at("x.json"), "--backend", "opencl", "--progress", "none",
              "--algorithm", "igi", "--components", "direct"},
             settings);
-        Picture picture;
-        picture.had_workers = comes_true([&] {
-                                  for (const pid_t server : children_of(program.process()))
-                                      if (!children_of(server).empty()) {
-                                          interfere(program.process(), server);
-                                          return true;
-                                      }
-                                  return test::has_ended(program.process());
-                              }) &&
-                              !test::has_ended(program.process());
-        picture.exit_code = program.wait();
-        picture.messages = program.err();
-        picture.stats = json::parse(text_of_file(at("x.json")), nullptr, false);
-        if (fs::exists(at("x.exr"))) picture.image = read_exr(at("x.exr"));
-        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(at("weft")))
-            ++picture.entries;
-        return picture;
+        Run run;
+        run.had_workers = comes_true([&] {
+                              for (const pid_t server : children_of(program.process()))
+                                  if (!children_of(server).empty()) {
+                                      interfere(program.process(), server);
+                                      return true;
+                                  }
+                              return test::has_ended(program.process());
+                          }) &&
+                          !test::has_ended(program.process());
+        run.exit_code = program.wait();
+        run.messages = program.err();
+        run.stats = json::parse(text_of_file(at("x.json")), nullptr, false);
+        if (fs::exists(at("x.exr"))) run.image = read_exr(at("x.exr"));
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(at("weft"))) ++run.entries;
+        return run;
     }
 
-    static void expect_compiled(const Picture& picture) {
-        EXPECT_TRUE(picture.had_workers);
-        ASSERT_TRUE(picture.stats.is_object());
-        EXPECT_GT(picture.entries, 2u);
-        EXPECT_EQ(picture.stats.at("kernels").size(), picture.entries);
-        for (const json& kernel : picture.stats["kernels"]) {
+    static void expect_compiled(const Run& run) {
+        EXPECT_TRUE(run.had_workers);
+        ASSERT_TRUE(run.stats.is_object());
+        EXPECT_GT(run.entries, 2u);
+        EXPECT_EQ(run.stats.at("kernels").size(), run.entries);
+        for (const json& kernel : run.stats["kernels"]) {
             EXPECT_EQ(kernel.at("from_cache"), false) << kernel;
             EXPECT_GT(kernel.at("build_ms"), 0.0) << kernel;
         }
@@ -94,12 +93,12 @@ class CompileServerSlow : public testing::Test {
     static bool process_state_unknown() { return test::has_ended(::getpid()); }
 };
 
-TEST_F(CompileServerSlow, AKilledServerCostsNoPicture) {
-    const Picture undisturbed = cold_picture([](pid_t, pid_t) {});
+TEST_F(CompileServerSlow, AKilledServerCostsNoImage) {
+    const Run undisturbed = cold_image([](pid_t, pid_t) {});
     EXPECT_EQ(undisturbed.exit_code, 0);
     EXPECT_EQ(undisturbed.messages, "");
     expect_compiled(undisturbed);
-    const Picture killed = cold_picture([](pid_t, pid_t server) { ::kill(server, SIGKILL); });
+    const Run killed = cold_image([](pid_t, pid_t server) { ::kill(server, SIGKILL); });
     EXPECT_EQ(killed.exit_code, 0);
     EXPECT_EQ(killed.messages, "");
     expect_compiled(killed);
@@ -111,16 +110,16 @@ TEST_F(CompileServerSlow, AKilledServerCostsNoPicture) {
 
 TEST_F(CompileServerSlow, CtrlCEndsAsWithoutIt) {
     // A terminal sends it to the whole group of processes.
-    const Picture picture = cold_picture([](pid_t program, pid_t server) {
+    const Run run = cold_image([](pid_t program, pid_t server) {
         for (const pid_t worker : children_of(server)) ::kill(worker, SIGINT);
         ::kill(server, SIGINT);
         ::kill(program, SIGINT);
     });
-    EXPECT_TRUE(picture.had_workers);
-    EXPECT_EQ(picture.exit_code, 130);
-    EXPECT_NE(picture.messages.find("interrupted"), std::string::npos) << picture.messages;
-    EXPECT_FALSE(picture.image.layers.empty());
-    EXPECT_GT(picture.entries, 2u);  // what was being compiled was not lost
+    EXPECT_TRUE(run.had_workers);
+    EXPECT_EQ(run.exit_code, 130);
+    EXPECT_NE(run.messages.find("interrupted"), std::string::npos) << run.messages;
+    EXPECT_FALSE(run.image.layers.empty());
+    EXPECT_GT(run.entries, 2u);  // what was being compiled was not lost
 }
 
 }  // namespace

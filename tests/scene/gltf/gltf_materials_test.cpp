@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// 2 x 2 pixels: red, green above blue, white.
-constexpr const char* picture =
+constexpr const char* image =
     "data:image/png;base64,"
     "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4z8DwHwyBNAg0AABJSQl4nFEXkgAAAABJ"
     "RU5ErkJggg==";
@@ -29,7 +29,7 @@ GltfBuilder textured_triangle() {
     builder.primitive()["attributes"]["TEXCOORD_0"] = 1;
     builder.primitive()["attributes"]["TEXCOORD_1"] = 2;
     builder.primitive()["material"] = 0;
-    builder.json["images"] = {{{"uri", picture}, {"name", "tiles"}}};
+    builder.json["images"] = {{{"uri", image}, {"name", "tiles"}}};
     builder.json["textures"] = {{{"source", 0}}};
     builder.json["materials"] = {
         {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}}};
@@ -77,7 +77,7 @@ TEST(GltfMaterials, ReadsTheBaseColourTextureAndItsSampler) {
     EXPECT_EQ(scene.meshes.at(0).uvs[1], glm::vec2(1, 0));
 }
 
-TEST(GltfMaterials, StoresAPictureOnceForEachWayOfSampling) {
+TEST(GltfMaterials, StoresAnImageOnceForEachWayOfSampling) {
     GltfBuilder builder = textured_triangle();
     builder.json["samplers"] = {{{"wrapS", 33071}}};
     builder.json["textures"] = {{{"source", 0}}, {{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
@@ -94,7 +94,7 @@ TEST(GltfMaterials, StoresAPictureOnceForEachWayOfSampling) {
     EXPECT_EQ(albedo_texture(scene.materials.at(2)), 1);
 }
 
-TEST(GltfMaterials, ReadsPicturesFromBufferViews) {
+TEST(GltfMaterials, ReadsImagesFromBufferViews) {
     GltfBuilder builder = textured_triangle();
     const std::string tga = std::string("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0", 18) + "abc";
     builder.json["images"] = {
@@ -114,7 +114,7 @@ TEST(GltfMaterials, UsesTheSetOfCoordinatesThatTheTextureNames) {
 
 TEST(GltfMaterials, AppliesTextureTransforms) {
     GltfBuilder builder = textured_triangle();
-    // The lower left quadrant of the picture, turned: the example of the extension's document.
+    // The lower left quadrant of the image, turned: the example of the extension's document.
     pbr(builder)["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
         {"offset", {0, 1}}, {"rotation", std::numbers::pi / 2}, {"scale", {0.5, 0.5}}};
     builder.json["extensionsRequired"] = {"KHR_texture_transform"};
@@ -201,8 +201,8 @@ TEST(GltfMaterials, RefusesBrokenTexturesWithTheirPlace) {
     EXPECT_EQ(error_after("/images/0", Json::object()),
               "#/images/0: lacks both 'uri' and 'bufferView', expected one of them");
     EXPECT_EQ(error_after("/images/0/uri", "data:image/png;base64,AAAA"),
-              "#/images/0/uri: picture cannot be decoded, expected a PNG, JPEG, BMP or TGA "
-              "picture");
+              "#/images/0/uri: image cannot be decoded, expected a PNG, JPEG, BMP or TGA "
+              "image");
     EXPECT_EQ(error_after("/materials/0/alphaMode", "GLASS"),
               "#/materials/0/alphaMode: is 'GLASS', expected OPAQUE, MASK or BLEND");
     EXPECT_EQ(error_after("/materials/0/pbrMetallicRoughness/baseColorFactor", {1, 2}),
@@ -211,11 +211,11 @@ TEST(GltfMaterials, RefusesBrokenTexturesWithTheirPlace) {
               "#/images/0/uri: reference '../secret.png' leaves");
 }
 
-TEST(GltfMaterials, RendersTexturesWithoutAPictureWhite) {
+TEST(GltfMaterials, RendersTexturesWithoutAnImageWhite) {
     GltfBuilder builder = textured_triangle();
     builder.json["textures"][0].erase("source");
     EXPECT_EQ(albedo_texture(builder.read().materials.at(0)), -1);
-    EXPECT_TRUE(builder.warned("#/textures/0: texture has no PNG or JPEG picture"));
+    EXPECT_TRUE(builder.warned("#/textures/0: texture has no PNG or JPEG image"));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ Scene posed_at(const Scene& scene, double time) {
     return posed;
 }
 
-TEST(GltfMorph, TargetsWithoutWeightsAreNotLookedAt) {
+TEST(GltfMorph, TargetsWithoutWeightsAreNotRead) {
     GltfBuilder builder = face();
     builder.primitive()["targets"][1]["POSITION"] = 99;
     builder.json["meshes"][0]["weights"] = {0, 0};

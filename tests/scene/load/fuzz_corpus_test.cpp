@@ -22,7 +22,7 @@
 #include "scene/volume/vol_reader.h"
 #include "tests/fuzz/readers.h"
 #include "tests/testing/temporary_folder.h"
-#include "tradeoff/peer_pictures.h"
+#include "tradeoff/other_renderers.h"
 
 namespace weft {
 namespace {
@@ -95,7 +95,7 @@ void read_valid(const std::string& kind, const TemporaryFolder& folder, const fs
     else if (kind == "preset")
         static_cast<void>(read_preset(copy));
     else if (kind == "peers")
-        static_cast<void>(read_peer_pictures(copy, fuzz::pair_size));
+        static_cast<void>(read_other_renderers(copy, fuzz::pair_size));
     else
         static_cast<void>(load_scene(copy, ignored));
 }

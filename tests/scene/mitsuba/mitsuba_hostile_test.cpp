@@ -197,7 +197,7 @@ TEST(MitsubaHostile, FilesOutsideOfTheSceneFolderAreRefused) {
     expect_error(ply("http://x/a.ply"), "s.xml:3: reference 'http://x/a.ply' is a URI");
     expect_error(ply(""), "s.xml:3: reference '' is empty");
     expect_error(ply("none.ply"), "s.xml:2: file 'none.ply' cannot be opened");
-    expect_error(ply("picture.tga"), "picture.tga:1: ");
+    expect_error(ply("image.tga"), "image.tga:1: ");
     expect_error("<shape type=\"ply\"/>", "s.xml:2: shape 'ply' without 'filename'");
     expect_error("<include filename=\"../x.xml\"/>", "s.xml:2: reference '../x.xml' leaves");
     expect_error(rectangle("<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"bitmap\">"

@@ -15,7 +15,7 @@
 namespace weft {
 namespace {
 
-/// The direction of the ray through a point of the picture, (0,0) its upper left corner, as the
+/// The direction of the ray through a point of the image, (0,0) its upper left corner, as the
 /// description of Camera defines it.
 glm::dvec3 ray(const Scene& scene, double x, double y) {
     const Camera& camera = scene.cameras.at(0);

@@ -132,7 +132,7 @@ TEST(MitsubaReader, FollowsReferencesForwardsBackwardsAndThroughAliases) {
         rectangle("<ref id=\"other\"/>") +
         "<bsdf type=\"twosided\" id=\"late\"><ref id=\"inner\"/></bsdf>"
         "<bsdf type=\"diffuse\" id=\"inner\"><rgb name=\"reflectance\" value=\"0.1\"/></bsdf>"
-        "<texture type=\"bitmap\" id=\"tex\"><string name=\"filename\" value=\"picture.tga\"/>"
+        "<texture type=\"bitmap\" id=\"tex\"><string name=\"filename\" value=\"image.tga\"/>"
         "</texture><alias id=\"late\" as=\"other\"/>");
     ASSERT_EQ(scene.instances.size(), 3U);
     ASSERT_EQ(scene.materials.size(), 2U);
@@ -161,20 +161,20 @@ TEST(MitsubaReader, ReadsTexturesWithTheirSettings) {
     MitsubaFolder folder;
     const Scene scene = folder.read(rectangle(
         "<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"bitmap\">"
-        "<string name=\"filename\" value=\"picture.tga\"/>"
+        "<string name=\"filename\" value=\"image.tga\"/>"
         "<string name=\"filter_type\" value=\"nearest\"/>"
         "<string name=\"wrap_mode\" value=\"mirror\"/><boolean name=\"raw\" value=\"true\"/>"
         "</texture></bsdf>"));
     ASSERT_EQ(scene.textures.size(), 1U);
     const Texture& texture = scene.textures[0];
-    EXPECT_EQ(texture.name, "picture.tga");
+    EXPECT_EQ(texture.name, "image.tga");
     EXPECT_TRUE(texture.nearest);
     EXPECT_FALSE(texture.srgb);
     EXPECT_EQ(texture.wrap_u, Wrap::mirror);
     EXPECT_EQ(texture.wrap_v, Wrap::mirror);
     EXPECT_EQ(diffuse_albedo(only_material(scene)), glm::vec3(1.0F));
     // In Mitsuba (u,v) = (0.25, 0.25) shows the red pixel of the top row, and on a rectangle that
-    // is the corner at (-1,-1); v = 0 is the top of the picture for Weft as well.
+    // is the corner at (-1,-1); v = 0 is the top of the image for Weft as well.
     ASSERT_GE(texture.rgba.size(), 4U);
     EXPECT_EQ(texture.rgba[0], 255);
     EXPECT_EQ(texture.rgba[1], 0);
@@ -196,7 +196,7 @@ glm::vec2 transformed_uv(const std::string& transform) {
     MitsubaFolder folder;
     const Scene scene = folder.read(
         rectangle("<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"bitmap\">"
-                  "<string name=\"filename\" value=\"picture.tga\"/><transform name=\"to_uv\">" +
+                  "<string name=\"filename\" value=\"image.tga\"/><transform name=\"to_uv\">" +
                   transform + "</transform></texture></bsdf>"));
     const std::vector<glm::vec2>& uvs = scene.meshes.at(0).uvs;
     return uvs.at(0) + 0.25F * (uvs.at(1) - uvs.at(0)) + 0.25F * (uvs.at(3) - uvs.at(0));
@@ -220,7 +220,7 @@ TEST(MitsubaReader, TextureTransformsDoNotLeakIntoOtherShapes) {
     MitsubaFolder folder;
     const std::string textured =
         "<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"bitmap\">"
-        "<string name=\"filename\" value=\"picture.tga\"/>";
+        "<string name=\"filename\" value=\"image.tga\"/>";
     const std::string end = "</texture></bsdf>";
     const Scene scene = folder.read(
         rectangle(textured + end) +
@@ -238,7 +238,7 @@ TEST(MitsubaReader, TexturedMeshWithoutTextureCoordinatesGetsBarycentricOnes) {
     const Scene scene = folder.read(
         "<shape type=\"ply\"><string name=\"filename\" value=\"bare.ply\"/>"
         "<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"bitmap\">"
-        "<string name=\"filename\" value=\"picture.tga\"/></texture></bsdf></shape>"
+        "<string name=\"filename\" value=\"image.tga\"/></texture></bsdf></shape>"
         "<shape type=\"ply\"><string name=\"filename\" value=\"bare.ply\"/></shape>");
     const Mesh& mesh = scene.meshes.at(0);
     EXPECT_EQ(mesh.uvs, (std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}}));

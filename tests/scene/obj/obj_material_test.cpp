@@ -15,7 +15,7 @@
 namespace weft {
 namespace {
 
-/// A TGA picture of 1 x 2 pixels: red above blue.
+/// A TGA image of 1 x 2 pixels: red above blue.
 std::string red_above_blue() {
     std::string tga(18, '\0');
     tga[2] = 2;
@@ -70,7 +70,7 @@ std::string error_of(const std::string& mtl) {
 }
 
 TEST(ObjMaterial, ReadsColours) {
-    const Material material = material_of("  Kd 0.1 0.2 0.3\r\n\tKe 5 6 7 # lamp\n");
+    const Material material = material_of("  Kd 0.1 0.2 0.3\r\n\tKe 5 6 7 # area light\n");
     EXPECT_EQ(material.name, "a");
     EXPECT_EQ(diffuse_albedo(material), glm::vec3(0.1F, 0.2F, 0.3F));
     EXPECT_EQ(material.emission.radiance, glm::vec3(5, 6, 7));
@@ -102,10 +102,9 @@ TEST(ObjMaterial, SaysOnceWhatIsNotSimulated) {
                   "m.mtl:17: statement 'what' is not known and ignored"}));
 }
 
-TEST(ObjMaterial, PutsTheTopOfThePictureAtVOne) {
-    const Reading reading =
-        read({{"m.mtl", "newmtl a\nKd 0.5 0.5 0.5\nmap_Kd tex\\my picture.tga\n"},
-              {"tex/my picture.tga", red_above_blue()}});
+TEST(ObjMaterial, PutsTheTopOfTheImageAtVOne) {
+    const Reading reading = read({{"m.mtl", "newmtl a\nKd 0.5 0.5 0.5\nmap_Kd tex\\my image.tga\n"},
+                                  {"tex/my image.tga", red_above_blue()}});
     EXPECT_TRUE(reading.warnings.empty());
     const Texture& texture = reading.scene.textures.at(0);
     EXPECT_EQ(texture.rgba[0], 255);
@@ -120,9 +119,9 @@ TEST(ObjMaterial, PutsTheTopOfThePictureAtVOne) {
     }
 }
 
-TEST(ObjMaterial, AppliesTheOptionsOfAPicture) {
-    const std::map<std::string, std::string> picture{{"p.tga", red_above_blue()}};
-    auto files = picture;
+TEST(ObjMaterial, AppliesTheOptionsOfAnImage) {
+    const std::map<std::string, std::string> image{{"p.tga", red_above_blue()}};
+    auto files = image;
     files["m.mtl"] = "newmtl a\nmap_Kd -blendu on -s 2 4 -o 0.5 0.25 0 -clamp on -bm 2 p.tga";
     const Reading reading = read(files);
     EXPECT_TRUE(reading.warnings.empty());
@@ -151,12 +150,12 @@ TEST(ObjMaterial, BlackUnderATextureCountsAsWhite) {
     EXPECT_EQ(diffuse_albedo(material_of("Kd 0 0 0")), glm::vec3(0.0F));
 }
 
-TEST(ObjMaterial, LivesWithoutItsPictures) {
+TEST(ObjMaterial, LivesWithoutItsImages) {
     for (const char* name :
          {"none.png", "../up.png", "/etc/passwd", "C:\\a\\b.png", "broken.png"}) {
         const Reading reading =
             read({{"m.mtl", "newmtl a\nKd 0.3 0.3 0.3\nmap_Kd " + std::string(name)},
-                  {"broken.png", "no picture"}});
+                  {"broken.png", "no image"}});
         EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(0.3F));
         EXPECT_TRUE(reading.scene.textures.empty());
         ASSERT_EQ(reading.warnings.size(), 1U) << name;
@@ -165,14 +164,14 @@ TEST(ObjMaterial, LivesWithoutItsPictures) {
     }
 }
 
-TEST(ObjMaterial, ReadsAPictureOnce) {
+TEST(ObjMaterial, ReadsAnImageOnce) {
     const Reading reading = read(
         {{"m.mtl", "newmtl a\nmap_Kd p.tga\nnewmtl b\nmap_Kd p.tga\nnewmtl c\nmap_Kd none.png\n"},
          {"p.tga", red_above_blue()}},
         "mtllib m.mtl\nv 5 5 5\nv 6 5 5\nv 6 6 5\nusemtl b\nf 1 2 3\nusemtl a\n");
     EXPECT_EQ(reading.scene.textures.size(), 1U);
     EXPECT_EQ(reading.scene.materials.size(), 2U);
-    // The material that no face uses is not made, so its picture is not missed.
+    // The material that no face uses is not made, so its image is not missed.
     EXPECT_TRUE(reading.warnings.empty());
 }
 

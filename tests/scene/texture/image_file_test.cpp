@@ -92,8 +92,8 @@ TEST(ImageFile, ReadsFilesAndNamesThem) {
     EXPECT_THROW((void)read_image(folder.path() / "none.png", "scene.xml:3"), Error);
 }
 
-TEST(ImageFile, RefusesWhatIsNoPicture) {
-    const std::string expected = "scene.gltf#/images/0: picture cannot be decoded, ";
+TEST(ImageFile, RefusesWhatIsNoImage) {
+    const std::string expected = "scene.gltf#/images/0: image cannot be decoded, ";
     EXPECT_EQ(message_of({}).rfind(expected, 0), 0U);
     EXPECT_EQ(message_of(bytes_of(std::string("hello"))).rfind(expected, 0), 0U);
     // Formats whose decoders are left out.
@@ -112,7 +112,7 @@ TEST(ImageFile, RefusesEveryTruncatedPng) {
 
 TEST(ImageFile, RefusesHugeEdgesBeforeDecoding) {
     EXPECT_EQ(message_of(bytes_of(tga(16385, 1, ""))),
-              "scene.gltf#/images/0: picture of 16385 x 1 pixels, expected at most 16384 along "
+              "scene.gltf#/images/0: image of 16385 x 1 pixels, expected at most 16384 along "
               "each edge");
     std::vector<std::byte> png = bytes_of(small_png);
     png[16] = std::byte{0x7F};  // highest byte of the width
@@ -124,7 +124,7 @@ TEST(ImageFile, RefusesJpegsWithEndlessScans) {
     std::string jpeg("\xFF\xD8\xFF\xC2\x00\x0B\x08\x00\x08\x00\x08\x01\x01\x11\x00", 15);
     for (int i = 0; i < 100; ++i)
         jpeg += std::string("\xFF\xDA\x00\x08\x01\x01\x00\x00\x00\x00", 10);
-    EXPECT_TRUE(message_of(bytes_of(jpeg)).starts_with("scene.gltf#/images/0: picture is damaged"))
+    EXPECT_TRUE(message_of(bytes_of(jpeg)).starts_with("scene.gltf#/images/0: image is damaged"))
         << message_of(bytes_of(jpeg));
 }
 

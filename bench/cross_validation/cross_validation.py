@@ -1,0 +1,333 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""An independent check of Weft's path tracer: Mitsuba 3 renders the same Mitsuba XML files.
+
+For every scene the two renderers' images are compared pixel by pixel with a z-test that uses both
+estimated variances, and by the ratio of their means. With --slope the relative mean squared error
+against a long Mitsuba rendering of a small image is fitted over growing sample counts: unbiased
+estimates fall as 1 / N. What the reference's own noise adds to that error is subtracted, as the
+reference estimates it.
+
+Needs Python packages mitsuba and numpy, for example in an environment of its own:
+    python3 -m venv cross-validation && cross-validation/bin/pip install mitsuba numpy
+    ./weft bench cross_validation --python cross-validation/bin/python --scenes DIR
+"""
+
+import argparse
+import hashlib
+import json
+import math
+import os
+import pathlib
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
+
+import media_scenes  # noqa: E402
+from mitsuba_scene import import_or_exit, load_scene  # noqa: E402
+from processor import processor  # noqa: E402
+
+mi, np, dr = import_or_exit("bench cross_validation", "mitsuba", "numpy", "drjit")
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+ALPHA = 0.01  # of the whole image; Sidak-corrected over its pixels
+ACCEPTED_SHARE = 0.9975
+EVERY_SCENE = ("cornell-box", "sibenik", "conference", "office", "desk")
+FOG = "-fog"  # DIR/NAME/NAME-fog.xml
+EVERY_MEDIUM = ("cornell-box-fog", "office-fog", "sibenik-fog", *media_scenes.SCENES)
+EXIT_OUTPUT = 5  # as Weft's other programs say
+REFERENCE_PASSES = 32
+LEAST_COUNT = 256
+
+
+def normal_quantile(p):
+    return statistics.NormalDist().inv_cdf(p)
+
+
+def layers(path):
+    """The layers of an image by name, the image itself as ''."""
+    threads = dr.thread_count()
+    dr.set_thread_count(max(threads, 2))  # Mitsuba's EXR reader waits forever with one
+    bitmap = mi.Bitmap(str(path))
+    dr.set_thread_count(threads)
+    values = np.array(bitmap, dtype=np.float64)
+    found = {}
+    for index, field in enumerate(bitmap.struct_()):
+        name, _, _ = field.name.rpartition(".")
+        found.setdefault(name, []).append(values[..., index])
+    return {name: np.stack(planes, axis=-1) for name, planes in found.items()}
+
+
+def render_weft(args, scene, samples, size, seed=0):
+    """The layers of an image by Weft."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "ours.exr")
+        command = [args.weft, "render", scene, "-o", output, "--algorithm", "path", "--seed", seed,
+                   "--spp", samples, "--size", f"{size}x{size}", "--backend", args.backend,
+                   "--progress", "none"]
+        if args.threads:
+            command += ["--threads", args.threads]
+        done = subprocess.run([str(word) for word in command], stderr=subprocess.PIPE, check=False)
+        if done.returncode != 0:
+            sys.stderr.buffer.write(done.stderr)
+            sys.exit(done.returncode)
+        return layers(output)
+
+
+class Mitsuba:
+    """A scene in Mitsuba."""
+
+    def __init__(self, path, size):
+        self.scene = load_scene(mi, path, size)
+        self.seed = 1
+
+    def render(self, samples):
+        image = np.array(mi.render(self.scene, spp=samples, seed=self.seed), dtype=np.float64)
+        self.seed += 1
+        return image[..., :3]
+
+    def estimate(self, samples, passes):
+        """Mean of `passes` images of `samples` samples each, and its variance."""
+        total = squares = 0.0
+        for _ in range(passes):
+            image = self.render(samples)
+            total = total + image
+            squares = squares + image * image
+        mean = total / passes
+        variance = (squares / passes - mean * mean) / (passes - 1)
+        return mean, np.maximum(variance, 0.0)
+
+
+def z_test(ours, our_variance, theirs, their_variance):
+    """Share of pixels that agree in every channel, at the corrected level."""
+    variance = our_variance + their_variance
+    # Emitters seen directly have no variance; float rounding is what is left.
+    tolerance = 1e-5 * np.maximum(np.abs(ours), np.abs(theirs)) + 1e-30
+    difference = np.maximum(np.abs(ours - theirs) - tolerance, 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        z = np.where(difference > 0.0, difference / np.sqrt(variance), 0.0)
+    level = 1.0 - (1.0 - ALPHA) ** (1.0 / z.size)
+    limit = normal_quantile(1.0 - level / 2.0)
+    return float((z <= limit).all(axis=-1).mean()), float(limit), z
+
+
+def mean_test(ours, our_variance, theirs, their_variance):
+    """Bias of our mean against theirs, and its standard error, both relative."""
+    scale = theirs.mean()
+    bias = ours.mean() / scale - 1.0
+    # Channels of a pixel come from the same paths: their errors add up, not their variances.
+    deviation = np.sqrt(our_variance + their_variance).sum(axis=-1)
+    error = math.sqrt((deviation * deviation).sum()) / ours.size / scale
+    return float(bias), float(error)
+
+
+def compare(args, name, path):
+    theirs, their_variance = Mitsuba(path, args.size).estimate(args.spp // args.passes, args.passes)
+    found = render_weft(args, path, args.spp, args.size)
+    images = [found[""], found["variance"], theirs, their_variance]
+    share, limit, z = z_test(*images)
+    bias, error = mean_test(*images)
+    result = {"scene": name, "size": args.size, "spp": args.spp, "share": share, "z_limit": limit,
+              "accepted": share >= ACCEPTED_SHARE, "bias": bias, "bias_error": error,
+              "z_root_mean_square": float(np.sqrt((z * z).mean()))}
+    dark = found["emission"].sum(axis=-1) == 0.0
+    if dark.any() and not dark.all():
+        bias, error = mean_test(*[image[dark] for image in images])
+        result.update({"lampless_share": float(dark.mean()), "lampless_bias": bias,
+                       "lampless_bias_error": error})
+    return result
+
+
+def reference(args, name, path):
+    """The long rendering and its variance; kept in --cache, whatever it depends on in its name."""
+    file = None
+    if args.cache:
+        digest = hashlib.sha256(path.read_bytes()).hexdigest()[:12]
+        file = pathlib.Path(args.cache) / (f"{name}-{digest}-{args.slope_size}-"
+                                           f"{args.slope_reference}-{mi.variant()}-"
+                                           f"{mi.__version__}.npz")
+        if file.is_file():
+            with np.load(file) as kept:
+                return kept["mean"], kept["variance"]
+    mean, variance = Mitsuba(path, args.slope_size).estimate(
+        args.slope_reference // REFERENCE_PASSES, REFERENCE_PASSES)
+    if file:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        part = file.with_suffix(".part.npz")
+        np.savez(part, mean=mean, variance=variance)
+        os.replace(part, file)
+    return mean, variance
+
+
+def line_fit(x, y, error):
+    """Slope of the weighted line through points, and its standard error. Where the points scatter
+    more than their errors say, the error is as much larger."""
+    weight = 1.0 / np.square(error)
+    centre = (weight * x).sum() / weight.sum()
+    spread = (weight * np.square(x - centre)).sum()
+    slope = (weight * (x - centre) * y).sum() / spread
+    rest = y - slope * (x - centre) - (weight * y).sum() / weight.sum()
+    scatter = (weight * rest * rest).sum() / max(len(x) - 2, 1)
+    return float(slope), math.sqrt(max(scatter, 1.0) / spread)
+
+
+def slope(args, name, path):
+    """Exponent of relMSE over the sample count; -1 for an unbiased estimate."""
+    mean, variance = reference(args, name, path)
+    scale = np.square(mean) + 1e-2 * mean.mean() ** 2
+    counts = [LEAST_COUNT]
+    while 4 * counts[-1] <= args.slope:
+        counts.append(4 * counts[-1])
+    values, errors = [], []
+    for count in counts:
+        # Every count gets as many samples in all: where few were made, rare bright paths would be
+        # missing, and with them most of the error.
+        repeats = args.slope // count
+        pixels = 0.0
+        for repeat in range(repeats):
+            ours = render_weft(args, path, count, args.slope_size, seed=100 * count + repeat)[""]
+            pixels = pixels + ((np.square(ours - mean) - variance) / scale).mean(axis=-1) / repeats
+        values.append(float(pixels.mean()))
+        errors.append(float(pixels.std(ddof=1) / math.sqrt(pixels.size)))
+    values, errors = np.array(values), np.array(errors)
+    result = {"scene": name, "size": args.slope_size, "reference_spp": args.slope_reference,
+              "reference_relmse": float((variance / scale).mean()), "counts": counts,
+              "relmse": values.tolist(), "relmse_error": errors.tolist()}
+    if (values > 0.0).all():
+        result["slope"], result["slope_error"] = line_fit(np.log(counts), np.log(values),
+                                                          errors / values)
+    return result
+
+
+def summary(results):
+    """The numbers that matter, over the scenes."""
+    tests = [r["test"] for r in results if "test" in r]
+    slopes = [r["slope"] for r in results if "slope" in r]
+    found = {}
+    if tests:
+        found["share_min"] = min(t["share"] for t in tests)
+        found["bias_max"] = max(abs(t["bias"]) for t in tests)
+        found["bias_error_max"] = max(t["bias_error"] for t in tests)
+    if slopes:
+        fitted = [s for s in slopes if "slope" in s]
+        complete = len(fitted) == len(slopes)
+        found["slope_max"] = max(s["slope"] for s in fitted) if complete else None
+        found["slope_min"] = min(s["slope"] for s in fitted) if complete else None
+    return found
+
+
+class Parser(argparse.ArgumentParser):
+    """Fails as Weft's other programs do."""
+
+    def error(self, message):
+        self.exit(1, f"{self.prog}: {message}\n")
+
+
+def parse():
+    parser = Parser(prog="bench cross_validation", description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true", help="small images and few samples")
+    parser.add_argument("--scenes", default=str(ROOT.parent / "shared" / "data" / "scenes"),
+                        help="folder of scenes, each DIR/NAME/NAME.xml")
+    parser.add_argument("--only", nargs="+", help="names of scenes")
+    parser.add_argument("--media", action="store_true",
+                        help="scenes with participating media instead of those without")
+    parser.add_argument("--json", help="write machine, versions, all figures and a summary")
+    parser.add_argument("--weft", default=str(ROOT / "build" / "release" / "weft"),
+                        help="the program")
+    parser.add_argument("--backend", default="opencl", help="of Weft")
+    parser.add_argument("--threads", type=int, default=0, help="of both; 0: all")
+    parser.add_argument("--variant", default="scalar_rgb", help="of Mitsuba")
+    parser.add_argument("--size", type=int, help="of the image, default 128")
+    parser.add_argument("--spp", type=int, help="samples per pixel, default 1024")
+    parser.add_argument("--passes", type=int, default=32, help="of Mitsuba, for its variance")
+    parser.add_argument("--slope", type=int, default=0, metavar="N",
+                        help="instead of testing, fit the error up to N samples, 1024 to 65536")
+    parser.add_argument("--slope-size", type=int, help="of the image, default 24")
+    parser.add_argument("--slope-reference", type=int, help="samples per pixel, default 65536")
+    parser.add_argument("--cache", metavar="DIR", help="keep references here, and use them again")
+    args = parser.parse_args()
+    ordinary = {"size": 128, "spp": 1024, "slope_size": 24, "slope_reference": 65536}
+    quick = {"size": 32, "spp": 256, "slope_size": 16, "slope_reference": 8192}
+    for key, value in (quick if args.quick else ordinary).items():
+        if getattr(args, key) is None:
+            setattr(args, key, value)
+    if args.quick and args.slope:
+        args.slope = min(args.slope, 4 * LEAST_COUNT)
+    if args.slope and not 4 * LEAST_COUNT <= args.slope <= 65536:
+        parser.error("--slope is out of range, expected 1024 to 65536")
+    if args.passes < 2 or args.spp < args.passes or args.slope_reference < REFERENCE_PASSES:
+        parser.error("expected at least 2 passes and a sample for each")
+    return args
+
+
+def scene_file(args, name, folder):
+    """Where a scene is; one of its own is written into the folder."""
+    if name in media_scenes.SCENES:
+        return media_scenes.write_scene(name, folder)
+    return pathlib.Path(args.scenes) / name.removesuffix(FOG) / f"{name}.xml"
+
+
+def measure(args, folder):
+    """The results of all scenes that are there."""
+    results = []
+    for name in args.only or (EVERY_MEDIUM if args.media else EVERY_SCENE):
+        path = scene_file(args, name, folder)
+        if not path.is_file():
+            continue
+        result = ({"slope": slope(args, name, path)} if args.slope
+                  else {"test": compare(args, name, path)})
+        print(json.dumps(result), flush=True)
+        results.append(result)
+    return results
+
+
+def main():
+    args = parse()
+    if args.variant not in mi.variants():
+        print(f"bench cross_validation: Mitsuba has no variant '{args.variant}', expected one of: "
+              + " ".join(mi.variants()), file=sys.stderr)
+        return 1
+    if args.threads > 0:
+        dr.set_thread_count(args.threads)
+    mi.set_variant(args.variant)
+    with tempfile.TemporaryDirectory() as folder:
+        results = measure(args, pathlib.Path(folder))
+    if not results:
+        print(f"bench cross_validation: no scene in {args.scenes}, expected DIR/NAME/NAME.xml",
+              file=sys.stderr)
+        return 1
+    print(json.dumps(summary(results)))
+    if args.json and not write_report(args, results):
+        return EXIT_OUTPUT
+    failed = [r for r in results if not r.get("test", {"accepted": True})["accepted"]]
+    return 1 if failed else 0
+
+
+def write_report(args, results):
+    """Writes --json; whether that worked."""
+    machine = {"processor": processor(), "hardware_threads": os.cpu_count(),
+               "threads": args.threads}
+    versions = {"mitsuba": mi.__version__, "variant": mi.variant(), "numpy": np.__version__,
+                "python": platform.python_version(), "weft": weft_version(args)}
+    report = {"benchmark": "witness", "quick": args.quick, "machine": machine,
+              "versions": versions, "results": results, "summary": summary(results)}
+    try:
+        pathlib.Path(args.json).write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+    except OSError as error:
+        print(f"bench cross_validation: {args.json}: {error.strerror}", file=sys.stderr)
+        return False
+    return True
+
+
+def weft_version(args):
+    shown = subprocess.run([args.weft, "--version"], capture_output=True, text=True, check=False)
+    return shown.stdout.strip()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

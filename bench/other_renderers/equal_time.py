@@ -1,0 +1,192 @@
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""What every renderer's program does: sets up, warms up, and renders for each budget.
+
+    NAME_peer.py --probe --variant VARIANT
+    NAME_peer.py --variant VARIANT --scene FOLDER --threads N --budgets SECONDS... -o FOLDER
+                 [--check SECONDS]
+
+Writes one JSON line for the renderer and one for each image; where something fails, a line with
+`problem`, and where the renderer has no like of something in the scene, with `not_expressible`. The
+caller ends a program that takes too long and keeps the lines it has.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import time
+
+PROBE_SECONDS = 0.1  # a first image this long tells the speed
+MOST_SAMPLES = 1 << 20
+TRIES = 4  # at a number of samples that fits
+
+
+class Renderer:
+    """A renderer with a scene, ready to render. Subclasses say how."""
+
+    name = ""  # as tables show it
+    denoised = False
+    version = ""
+    notes = ()
+
+    def render(self, samples, seed):
+        """An image, height by width by 3, linear, top row first, and the seconds it took, without
+        what is only done once for that number of samples."""
+        raise NotImplementedError
+
+    def close(self):
+        """Removes what the renderer has left."""
+
+    # Of renderers that go on until they are stopped instead: `render_for(seconds)` returns the
+    # same and the samples per pixel.
+    render_for = None
+
+
+class Costs:
+    """Seconds by number of samples, as a line through what was measured last."""
+
+    def __init__(self):
+        self.measured = {}
+
+    def add(self, samples, seconds):
+        self.measured[samples] = seconds
+
+    def samples_for(self, budget):
+        nearest = sorted(self.measured, key=lambda n: abs(self.measured[n] - budget))[:2]
+        first = nearest[0]
+        slope = self.measured[first] / first
+        fixed = 0.0
+        if len(nearest) > 1:
+            other = nearest[1]
+            between = (self.measured[other] - self.measured[first]) / (other - first)
+            if between > 0.0 and self.measured[first] - between * first >= 0.0:
+                slope, fixed = between, self.measured[first] - between * first
+        # A little less than fits: whoever is late by chance must not look better for it.
+        return max(1, min(MOST_SAMPLES, int(0.98 * (budget - fixed) / max(slope, 1e-9))))
+
+
+def render(renderer, costs, samples, seed):
+    image, seconds = renderer.render(samples, seed)
+    costs.add(samples, seconds)
+    return image, seconds
+
+
+def warm_up(renderer, costs):
+    """Renders untimed images until the speed is known."""
+    renderer.render(1, 1)
+    samples = 1
+    while True:
+        _, seconds = render(renderer, costs, samples, 1)
+        slow = seconds >= PROBE_SECONDS
+        # Two numbers of samples tell what costs the same for any number.
+        if (slow and len(costs.measured) > 1) or 4 * samples > MOST_SAMPLES:
+            return
+        samples *= 2 if slow else 4
+
+
+def within(renderer, costs, budget, seed):
+    """The image of the most samples found that take no longer than the budget."""
+    best, most = None, MOST_SAMPLES
+    for attempt in range(TRIES):
+        samples = min(most, costs.samples_for(budget))
+        if best is not None and samples == best[1]:
+            break
+        image, seconds = render(renderer, costs, samples, seed + attempt)
+        fits = seconds <= 1.05 * budget
+        if not fits:  # whatever earlier images promised
+            most = max(1, int(samples * budget / seconds))
+        if best is None or (fits, samples if fits else -seconds) > best[3]:
+            best = (image, samples, seconds, (fits, samples if fits else -seconds))
+        if (fits and seconds >= 0.85 * budget) or (samples == 1 and not fits):
+            break
+    return best[:3]
+
+
+def once(renderer, costs, budget, seed):
+    """An image of about as many samples as the budget holds."""
+    samples = costs.samples_for(budget)
+    image, seconds = render(renderer, costs, samples, seed)
+    return image, samples, seconds
+
+
+def answer(answers, **fields):
+    answers.write(json.dumps(fields) + "\n")
+    answers.flush()
+
+
+def serve(renderer, args, answers):
+    from exr_file import write_exr
+    costs = Costs()
+    if renderer.render_for:
+        renderer.render_for(2.0 * PROBE_SECONDS)
+    else:
+        warm_up(renderer, costs)
+    answer(answers, version=renderer.version, notes=list(renderer.notes))
+    # That of --check need not fill its time: it shows what the mean is, and nothing else.
+    parts = [(budget, within, {}) for budget in args.budgets]
+    parts += [(args.check, once, {"check": True})] if args.check else []
+    for number, (budget, fit, fields) in enumerate(parts):
+        if renderer.render_for:
+            image, seconds, samples = renderer.render_for(budget)
+        else:
+            image, samples, seconds = fit(renderer, costs, budget, 100 * (number + 1))
+        if args.mirror:
+            image = image[:, ::-1]
+        file = f"{renderer.name}-{budget:g}.exr".lower().replace(", ", "-").replace(" ", "-")
+        write_exr(pathlib.Path(args.output) / file, image)
+        answer(answers, name=renderer.name, budget_s=budget, seconds=seconds, samples=samples,
+               denoised=renderer.denoised, picture=file, **fields)
+
+
+def parse():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--probe", action="store_true")
+    parser.add_argument("--variant", default="")
+    parser.add_argument("--scene")
+    parser.add_argument("--threads", type=int, default=0)
+    parser.add_argument("--budgets", type=float, nargs="+", default=[])
+    parser.add_argument("--check", type=float, default=0.0)
+    parser.add_argument("-o", "--output")
+    args = parser.parse_args()
+    args.threads = args.threads or len(os.sched_getaffinity(0))
+    return args
+
+
+def main(probe, make_renderer):
+    """Runs a renderer's program: `probe(variant)` returns its version or raises, and
+    `make_renderer(variant, scene, threads)` a Renderer."""
+    # Whatever libraries print goes elsewhere: standard output belongs to the other program.
+    answers = os.fdopen(os.dup(1), "w", buffering=1)
+    os.dup2(2, 1)
+    args = parse()
+    try:
+        if args.probe:
+            answer(answers, version=probe(args.variant))
+            return
+        from exported_scene import ExportedScene
+        from expressible import NotExpressible
+        scene = ExportedScene(args.scene)
+        args.mirror = scene.camera["mirror_x"]
+        try:
+            renderer = make_renderer(args.variant, scene, args.threads)
+        except NotExpressible as reason:
+            answer(answers, not_expressible=str(reason))
+            return
+        try:
+            serve(renderer, args, answers)
+        finally:
+            renderer.close()
+    except Exception as error:  # whatever it is, the others go on without this one
+        text = " ".join(str(error).split())[:300]
+        answer(answers, problem=f"{type(error).__name__}: {text}")
+    finally:
+        answers.flush()
+        # Some libraries crash where their threads end after them.
+        os._exit(0)
+
+
+def stopwatch():
+    """Returns a function that tells the seconds since this call."""
+    begin = time.perf_counter()
+    return lambda: time.perf_counter() - begin

@@ -1,0 +1,65 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tradeoff/measured_image.h"
+
+#include <memory>
+#include <string>
+
+#include "plan/algorithm.h"
+#include "render/path_renderer.h"
+#include "render/renderer.h"
+
+namespace weft {
+namespace {
+
+std::unique_ptr<FrameRenderer> renderer_of(const ImageSubject& subject, const Preset& preset,
+                                           std::uint32_t seed) {
+    if (preset.algorithm == Algorithm::path) {
+        PathSettings settings;
+        settings.width = subject.size.width;
+        settings.height = subject.size.height;
+        settings.seed = seed;
+        settings.samples = {0, preset.samples};
+        return std::make_unique<PathRenderer>(subject.executor, subject.scene, subject.camera,
+                                              settings, FilmSums{});
+    }
+    RenderSettings settings;
+    settings.algorithm = preset.algorithm;
+    settings.sampling = preset.sampling;
+    settings.width = subject.size.width;
+    settings.height = subject.size.height;
+    settings.seed = seed;
+    settings.samples = preset.samples;
+    return std::make_unique<Renderer>(subject.executor, subject.scene, subject.camera, settings);
+}
+
+/// The beauty layer, which is compared; the others would only take memory.
+Image beauty_of(const Image& image) {
+    Image beauty{.width = image.width, .height = image.height, .layers = {}, .metadata = {}};
+    if (const Layer* const layer = image.find("")) beauty.layers.push_back(*layer);
+    return beauty;
+}
+
+}  // namespace
+
+MeasuredImage measure_image(const ImageSubject& subject, const Preset& preset, std::uint32_t seed,
+                            bool first_alone) {
+    const std::unique_ptr<FrameRenderer> renderer = renderer_of(subject, preset, seed);
+    const auto keeps_going = [&] { return !subject.keep_going || subject.keep_going(); };
+    const KeepGoing keep_going = [&](Stage, double) { return keeps_going(); };
+    // A frame of path tracing may hold many samples.
+    while (renderer->samples() < preset.samples) {
+        (void)renderer->render_frame(keep_going);
+        if (first_alone || !keeps_going()) break;
+    }
+    MeasuredImage made;
+    made.image = beauty_of(renderer->image());
+    made.frames = static_cast<std::uint32_t>(renderer->samples());
+    for (const FrameStats& frame : renderer->stats()) {
+        made.ms += frame.ms;
+        made.rays += frame.rays;
+    }
+    return made;
+}
+
+}  // namespace weft
