@@ -209,7 +209,7 @@ Scene perpendicular_squares(float receiver, float radiance) {
 
 const Camera above_receiver = test::look_at({0.5, 0.5, 0.5}, {0.5, 0.5, 0.0}, pi / 2.0);
 
-TEST(VplResidual, BesideAAreaLightItIsWhatLambertsFormulaHasBeyondTheBound) {
+TEST(VplResidual, BesideAnAreaLightItIsWhatLambertsFormulaHasBeyondTheBound) {
     constexpr double bound = 6.0;
     const FlatScene flat = flatten(perpendicular_squares(1.0F, 1.0F));
     RenderSettings settings = test::small_settings(Algorithm::ir, columns, columns);

@@ -69,8 +69,8 @@ inline const std::vector<TestBackend>& backends() {
 
 /// The backends of tests that compare many samples with light that is known: the native kernels
 /// alone, since those of OpenCL compute the same bits and Embree meets the same triangles, which
-/// other tests prove (tests/device/backend_agreement_test.cpp names them). All of the machine's
-/// where the environment variable WEFT_TEST_BACKENDS is `all`.
+/// tests/device/backend_agreement_test.cpp and tests of single components prove. All backends of
+/// the machine where the environment variable WEFT_TEST_BACKENDS is `all`.
 inline const std::vector<TestBackend>& light_backends() {
     static const std::vector<TestBackend> chosen = [] {
         const char* const wanted = std::getenv("WEFT_TEST_BACKENDS");
