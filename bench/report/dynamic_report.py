@@ -4,23 +4,23 @@
 """Makes one HTML page of what `./weft bench dynamic --report FOLDER` left in a folder.
 
 The page holds everything, plots and images included, and needs nothing else to be seen. Needs
-only Python's standard library:
+Matplotlib (Debian package python3-matplotlib):
     python3 bench/report/dynamic_report.py FOLDER
 """
 
-import argparse
 import base64
 import html
-import json
+import itertools
+import math
 import pathlib
 import sys
 
-import svg_plot
+import plots
+from report_file import EXIT_INPUT, EXIT_OUTPUT, BadInput, Parser, read_report, write_whole
 
-EXIT_INPUT, EXIT_OUTPUT = 2, 5  # as Weft's other programs say
-PALETTE = {"igi": "#e69f00", "irradiance-cache": "#888888", "ic": "#56b4e9", "tic": "#009e73",
-           "tic, no masks": "#cc79a7", "ais": "#d55e00", "ais, tic": "#0072b2"}
-SPARE = ("#6a3d9a", "#b15928", "#33a02c", "#e31a1c")
+# A method looks the same in every sequence.
+METHODS = ("ais, tic", "ais", "tic", "tic, no masks", "igi", "ic", "irradiance-cache")
+COLUMNS_OF_PLOTS = 3
 STYLE = """
 body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 1340px; padding: 0 1em;
        color: #222; background: #fff; }
@@ -28,12 +28,7 @@ h2 { border-top: 1px solid #ccc; margin-top: 2em; padding-top: 1em; }
 table { border-collapse: collapse; margin: 1em 0; }
 th, td { padding: .15em .7em; text-align: right; border-bottom: 1px solid #e4e4e4; }
 th:first-child, td:first-child { text-align: left; }
-svg { margin: .3em .5em .3em 0; }
-svg .title { font: bold 12px sans-serif; } svg .tick { font: 10px sans-serif; fill: #555; }
-svg .grid { stroke: #ddd; } svg polyline { fill: none; stroke-width: 1.6; }
-.key span { margin-right: 1.4em; white-space: nowrap; }
-.key i { display: inline-block; width: 1.6em; height: .25em; margin-right: .4em;
-         vertical-align: middle; }
+.plots { max-width: 100%; }
 .sheet img { width: 192px; display: block; } .sheet td { border: 0; padding: 2px 4px; }
 """
 # Title, path within a frame, whether the axis is logarithmic.
@@ -60,10 +55,6 @@ COLUMNS = (("ms", ("ms",), 1), ("update, ms", ("update_ms",), 1), ("rays", ("ray
            ("unsteady %", ("flicker", "unsteady"), 2), ("seen %", ("flicker", "seen"), 2))
 
 
-class BadInput(Exception):
-    """The folder does not hold what a page is made of."""
-
-
 def at(value, path):
     """What lies at a path of keys, or None."""
     for key in path:
@@ -82,15 +73,11 @@ def table(headings, rows):
                       "</table>"])
 
 
-def colours_of(names):
-    spare = iter(SPARE * len(names))
-    return {name: PALETTE.get(name) or next(spare) for name in names}
-
-
-def key(colours):
-    return ('<p class="key">' + "".join(f'<span><i style="background:{colour}"></i>'
-                                        f"{html.escape(name)}</span>"
-                                        for name, colour in colours.items()) + "</p>")
+def looks_of(names):
+    """A colour and a marker for every method."""
+    looks = dict(zip(METHODS, plots.LOOKS))
+    spare = itertools.cycle(plots.LOOKS[len(METHODS):])
+    return {name: looks.get(name) or next(spare) for name in names}
 
 
 def method_table(methods):
@@ -111,13 +98,54 @@ def class_table(methods):
                   for method in methods])
 
 
-def plots(methods, colours):
+def shown(value, logarithmic):
+    """Not a number where there is none that the axis can show; lines are apart there."""
+    return value if value is not None and (value > 0.0 or not logarithmic) else math.nan
+
+
+def draw(axes, title, series, looks, logarithmic):
+    """Lines over frames, by method."""
+    for name, values in series.items():
+        # Dots on an axis stay whole; the layout would give a line without any dot a place.
+        axes.plot(values, label=name, gid=plots.identifier(title, name), clip_on=False,
+                  in_layout=False, **looks[name])
+    axes.set(title=title, xlabel="frame", xlim=(0, max(1, max(map(len, series.values())) - 1)))
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    if logarithmic:
+        axes.set_yscale("log")
+    else:
+        known = [v for values in series.values() for v in values if not math.isnan(v)]
+        if min(known) >= 0.0:
+            axes.set_ylim(0.0, 1.05 * max(known) or 1.0)
+    plots.label_ticks(axes.yaxis)
+
+
+def plots_part(heading, methods):
+    """All plots of a sequence as one SVG within an HTML element, with one key for all."""
+    looks = looks_of([method["method"] for method in methods])
     drawn = []
     for title, path, logarithmic in PLOTS:
-        series = {method["method"]: [at(frame, path) for frame in method["frames"]]
-                  for method in methods}
-        drawn.append(svg_plot.line_plot(title, series, colours, logarithmic))
-    return "\n".join(plot for plot in drawn if plot)
+        series = {method["method"]: [shown(at(frame, path), logarithmic)
+                                     for frame in method["frames"]] for method in methods}
+        if not all(math.isnan(value) for values in series.values() for value in values):
+            drawn.append((title, series, looks, logarithmic))
+    if not drawn:
+        return ""
+    rows = math.ceil(len(drawn) / COLUMNS_OF_PLOTS)
+    figure = plots.figure(4.4 * COLUMNS_OF_PLOTS, 2.5 * rows + 0.5)
+    # The key has a row of its own, which the layout makes as high as it needs.
+    grid = figure.add_gridspec(rows + 1, COLUMNS_OF_PLOTS, height_ratios=[0.01] + [1.0] * rows)
+    for i, plot in enumerate(drawn):
+        row, column = divmod(i, COLUMNS_OF_PLOTS)
+        draw(figure.add_subplot(grid[1 + row, column]), *plot)
+    key = figure.add_subplot(grid[0, :])
+    key.axis("off")
+    key.legend(handles=figure.axes[0].lines, loc="upper left", ncols=len(METHODS),
+               borderaxespad=0.0)
+    title = f"{heading}, over frames"
+    data = base64.b64encode(plots.svg(figure, title).encode("utf-8")).decode("ascii")
+    return (f'<p><img class="plots" alt="{html.escape(title)}" '
+            f'src="data:image/svg+xml;base64,{data}"></p>')
 
 
 def image(folder, entry):
@@ -144,13 +172,12 @@ def contact_sheet(folder, sequence):
 
 def sequence_part(folder, sequence):
     methods = sequence["methods"]
-    colours = colours_of([method["method"] for method in methods])
     heading = f'{sequence["scene"]}: {sequence["happening"]}'
     return "\n".join([f"<h2>{html.escape(heading)}</h2>",
                       f'<p>{sequence["triangles"]} triangles, {sequence["moving_triangles"]} of '
                       "which may move.</p>",
-                      method_table(methods), class_table(methods), key(colours),
-                      plots(methods, colours), contact_sheet(folder, sequence)])
+                      method_table(methods), class_table(methods),
+                      plots_part(heading, methods), contact_sheet(folder, sequence)])
 
 
 def validation_part(sequences):
@@ -207,26 +234,6 @@ def page(folder, report):
     return "\n".join([*parts, "</body></html>", ""])
 
 
-def read_report(file):
-    try:
-        report = json.loads(file.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise BadInput(f"{file}: {error.strerror}, expected what bench dynamic --report "
-                       "writes") from error
-    except ValueError as error:
-        raise BadInput(f"{file}: is no JSON ({error})") from error
-    if not isinstance(report, dict) or report.get("benchmark") != "dynamic":
-        raise BadInput(f"{file}: is no report of bench dynamic")
-    return report
-
-
-class Parser(argparse.ArgumentParser):
-    """Fails as Weft's other programs do."""
-
-    def error(self, message):
-        self.exit(1, f"{self.prog}: {message}\n")
-
-
 def main():
     parser = Parser(prog="dynamic_report.py", description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path, help="of --report")
@@ -235,7 +242,8 @@ def main():
     args = parser.parse_args()
     output = args.output or args.folder / "dynamic.html"
     try:
-        text = page(args.folder, read_report(args.folder / "dynamic.json"))
+        report = read_report(args.folder / "dynamic.json", "dynamic", option="--report")
+        text = page(args.folder, report)
     except BadInput as error:
         print(f"dynamic_report.py: {error}", file=sys.stderr)
         return EXIT_INPUT
@@ -244,7 +252,7 @@ def main():
               "this version of bench dynamic writes", file=sys.stderr)
         return EXIT_INPUT
     try:
-        output.write_text(text, encoding="utf-8")
+        write_whole(output, text)
     except OSError as error:
         print(f"dynamic_report.py: {output}: {error.strerror}", file=sys.stderr)
         return EXIT_OUTPUT

@@ -11,6 +11,7 @@ import sys
 import markdown_table
 
 EXIT_INPUT, EXIT_OUTPUT = 2, 5  # as Weft's other programs say
+EXIT_MISSING = 69  # as ./weft says where a package is missing
 
 
 class BadInput(Exception):
@@ -24,13 +25,14 @@ class Parser(argparse.ArgumentParser):
         self.exit(1, f"{self.prog}: {message}\n")
 
 
-def read_report(file, benchmark, key=None):
-    """The JSON that `./weft bench BENCHMARK --json` wrote, in which it is called `key`, if given."""
+def read_report(file, benchmark, key=None, option="--json"):
+    """The JSON that `./weft bench BENCHMARK --json`, or another option, wrote, in which it is
+    called `key`, if given."""
     try:
         report = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
         raise BadInput(f"{file}: {error.strerror}, expected what bench {benchmark} "
-                       "--json writes") from error
+                       f"{option} writes") from error
     except ValueError as error:
         raise BadInput(f"{file}: is no JSON ({error})") from error
     if not isinstance(report, dict) or report.get("benchmark") != (key or benchmark):

@@ -3,18 +3,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes a page of what `./weft bench scaling --json FILE` wrote, with plots beside it.
 
-Needs only Python's standard library:
+Needs Matplotlib (Debian package python3-matplotlib):
     python3 bench/report/scaling_report.py docs/results/scaling.json
 """
 
+import itertools
 import sys
 
 from markdown_table import number
+import plots
 import report_file
-import svg_curves
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00")
-BUILD_COLOUR = "#888888"
+LOOKS, BUILD = plots.LOOKS[:6], plots.LOOKS[6]
 TITLES = {"triangles": "Triangles", "resolution": "Resolution", "vpls": "Virtual lights",
           "lights": "Lights", "threads": "Threads", "depth": "Optical depth"}
 EXPECTED = {
@@ -85,31 +85,55 @@ def axis_table(axis):
     return report_file.table(headings, zip(x, *columns))
 
 
-def with_law(name, colour, points, law):
+def line(axes, name, points, **look):
+    """Points (x, y) joined by a line, without those that logarithmic axes cannot show."""
+    shown = [(x, y) for x, y in points
+             if x is not None and y is not None and x > 0.0 and y > 0.0]
+    if shown:
+        axes.plot(*zip(*shown), label=name, gid=plots.identifier(name), **look)
+
+
+def line_with_law(axes, name, points, law, look):
     """What was measured, and the law beside it."""
-    x = [point["x"] for point in points]
-    return [svg_curves.Curve(name, colour, [(point["x"], point["ms"]) for point in points]),
-            svg_curves.Curve(f"{name}, expected", colour,
-                             zip(x, expected_of(law, len(points))), dashed=True)]
+    line(axes, name, [(point["x"], point["ms"]) for point in points], **look)
+    line(axes, f"{name}, expected",
+         zip((point["x"] for point in points), expected_of(law, len(points))),
+         color=look["color"], linestyle="--")
 
 
-def time_plot(axis):
-    curves = []
-    for method, colour in zip(axis["methods"], COLOURS * len(axis["methods"])):
-        curves += with_law(method["method"], colour, method["points"], method["law"])
-    if axis["build"] is not None:
-        curves += with_law("build", BUILD_COLOUR, axis["build"]["points"], axis["build"]["law"])
-    return svg_curves.curve_plot("milliseconds", axis["unit"], curves)
+def plot(title, x_label, y_label, draw):
+    """An SVG of what `draw` draws on logarithmic axes; empty where that is nothing."""
+    figure = plots.figure(7.2, 3.4)
+    axes = figure.add_subplot(title=title, xlabel=x_label, ylabel=y_label)
+    draw(axes)
+    if not axes.lines:
+        return ""
+    axes.set(xscale="log", yscale="log")
+    for axis in (axes.xaxis, axes.yaxis):
+        plots.label_ticks(axis)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))  # beside the lines, never over them
+    return plots.svg(figure, title)
 
 
-def error_plot(axis):
-    curves = []
-    for method, colour in zip(axis["methods"], COLOURS * len(axis["methods"])):
-        for name, label, dashed in (("relmse", "relMSE", False), ("hdrflip", "HDR-FLIP", True)):
-            curves.append(svg_curves.Curve(
-                f'{method["method"]}, {label}', colour,
-                [(point["x"], error_of(point, name)) for point in method["points"]], dashed))
-    return svg_curves.curve_plot("error", axis["unit"], curves)
+def time_plot(title, axis):
+    def draw(axes):
+        for method, look in zip(axis["methods"], itertools.cycle(LOOKS)):
+            line_with_law(axes, method["method"], method["points"], method["law"], look)
+        if axis["build"] is not None:
+            line_with_law(axes, "build", axis["build"]["points"], axis["build"]["law"], BUILD)
+    return plot(title, axis["unit"], "milliseconds", draw)
+
+
+def error_plot(title, axis):
+    def draw(axes):
+        for method, look in zip(axis["methods"], itertools.cycle(LOOKS)):
+            for name, label, style in (("relmse", "relMSE", {}),
+                                       ("hdrflip", "HDR-FLIP",
+                                        {"linestyle": ":", "markerfacecolor": "white"})):
+                line(axes, f'{method["method"]}, {label}',
+                     [(point["x"], error_of(point, name)) for point in method["points"]],
+                     **look, **style)
+    return plot(title, axis["unit"], "error", draw)
 
 
 def axis_part(axis, output, files):
@@ -117,11 +141,11 @@ def axis_part(axis, output, files):
     name = axis["axis"]
     title = TITLES.get(name, name)
     parts = [f"## {title}", "", f'Setting: {axis["setting"]}. {EXPECTED.get(name, "")}', ""]
-    plots = (("", "time", time_plot(axis)), ("-error", "error", error_plot(axis)))
-    for suffix, what, plot in plots:
-        if plot:
+    for suffix, what, draw in (("", "time", time_plot), ("-error", "error", error_plot)):
+        drawn = draw(f"{title}: {what}", axis)
+        if drawn:
             file = output.with_name(f"{output.stem}-{name}{suffix}.svg")
-            files[file] = plot
+            files[file] = drawn
             parts.append(f"![{title}: {what}]({file.name})")
     parts += ["", axis_table(axis)]
     parts += [law_text(method["method"], method["law"]) for method in axis["methods"]]

@@ -16,3 +16,30 @@ fail() {
     echo "$1" >&2
     exit 1
 }
+
+# Of checks of plots: sets `python` to one that has Matplotlib. Debian's package is for Debian's
+# Python, which need not be the first one.
+need_matplotlib() {
+    for python in python3 /usr/bin/python3; do
+        if "$python" -c 'import matplotlib' >/dev/null 2>&1; then
+            return 0
+        fi
+    done
+    echo "skipped: Matplotlib is not installed (Debian: python3-matplotlib)"
+    exit 77
+}
+
+# refuse_without_matplotlib PROGRAM ARGUMENT...: without it, says so in one line and writes nothing.
+refuse_without_matplotlib() {
+    mkdir "$work/without"
+    echo 'raise ImportError("it is missing")' >"$work/without/matplotlib.py"
+    before=$(ls -lR "$work")
+    code=0
+    error=$(PYTHONPATH=$work/without python3 -B "$@" 2>&1) || code=$?
+    case $code,$(printf '%s\n' "$error" | wc -l),$error in
+    69,1,*"it is missing"*python3-matplotlib*) ;;
+    *) fail "without Matplotlib: exit code $code, expected 69 and one line: $error" ;;
+    esac
+    [ "$(ls -lR "$work")" = "$before" ] || fail "without Matplotlib something was written"
+    rm -r "$work/without"
+}
