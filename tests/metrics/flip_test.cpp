@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace weft {
+namespace weft::flip_test {
 namespace {
 
 struct TestImage {
@@ -173,6 +173,198 @@ TEST(Flip, AgreesWithTheDefinition) {
     }
 }
 
+// Stimuli for NVIDIA's program, tests/metrics/original_answers.py: all values are floats exactly.
+constexpr int stimulus_width = 63;
+constexpr int stimulus_height = 47;
+
+using Formula = float(int x, int y, int c);
+
+TestImage image_of(Formula* formula) {
+    TestImage image{{}, stimulus_width, stimulus_height};
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < stimulus_height; ++y)
+            for (int x = 0; x < stimulus_width; ++x) image.values.push_back(formula(x, y, c));
+    return image;
+}
+
+float divided(int value, int divisor) {
+    return static_cast<float>(value) / static_cast<float>(divisor);
+}
+
+float ramp(int x, int y, int c) {
+    return divided(x * (c + 1) + y, 256);
+}
+
+float ramp_with_patch(int x, int y, int c) {
+    const bool patch = x >= 24 && x < 40 && y >= 16 && y < 28;
+    return ramp(x, y, c) + (patch ? divided(c + 1, 32) : 0.0F);
+}
+
+float checker(int x, int y, int c) {
+    return divided(1 + (x / 8 * 7 + y / 8 * 3) * (2 * c + 1) % 14, 16);
+}
+
+float noisy_checker(int x, int y, int c) {
+    return checker(x, y, c) + divided((7 * x * x + 5 * x * y + 13 * y + 29 * c) % 17 - 8, 256);
+}
+
+float edge(int x, int y, int c) {
+    return 2 * x + y < 88 ? divided(c + 1, 32) : divided(7 - c, 8);
+}
+
+float shifted_edge(int x, int y, int c) {
+    return edge(x - 1, y, c);
+}
+
+/// From 2^-10 to 1920.
+float high_range(int x, int y, int c) {
+    return std::ldexp(divided(8 + (5 * x + 3 * y + 7 * c) % 8, 8), 20 * x / 62 - 10);
+}
+
+float striped_range(int x, int y, int c) {
+    return high_range(x, y, c) * divided(16 + (3 * x + 5 * y + c) % 4, 16);
+}
+
+float lamp_at(int centre, int x, int y, int c) {
+    const bool disc = (x - centre) * (x - centre) + (y - 24) * (y - 24) < 36;
+    return disc ? static_cast<float>(512 - 128 * c) : divided(1 + (x / 8 + y / 8 + c) % 3, 32);
+}
+
+float lamp(int x, int y, int c) {
+    return lamp_at(32, x, y, c);
+}
+
+float shifted_lamp(int x, int y, int c) {
+    return lamp_at(33, x, y, c);
+}
+
+/// What NVIDIA's program answers: the mean, and the map at `original_pixels`.
+struct OriginalAnswer {
+    double mean;
+    std::array<float, 7> map;
+};
+
+constexpr std::array<std::array<int, 2>, 7> original_pixels = {
+    {{0, 0}, {24, 16}, {30, 20}, {33, 23}, {38, 25}, {45, 40}, {62, 46}}};
+
+// The original rounds every step to float. Where features are about equal, the square root of their
+// difference makes more of that: 8e-5 at a few pixels, but less than 3e-6 at these. Means differ by
+// less than 6e-7.
+constexpr double map_tolerance = 1e-5;
+constexpr double mean_tolerance = 2e-6;
+
+void expect_original(const FlipResult& result, const OriginalAnswer& original) {
+    EXPECT_NEAR(result.mean, original.mean, mean_tolerance);
+    for (std::size_t i = 0; i < original_pixels.size(); ++i) {
+        const auto [x, y] = original_pixels[i];
+        EXPECT_NEAR(result.map[static_cast<std::size_t>(y * stimulus_width + x)], original.map[i],
+                    map_tolerance)
+            << x << " " << y;
+    }
+}
+
+// Answers of NVIDIA's flip-evaluator 1.7 from PyPI with inputsRGB=False, that is for linear values.
+TEST(Flip, AgreesWithTheOriginal) {
+    struct Case {
+        Formula *reference, *test;
+        double ppd;
+        OriginalAnswer answer;
+    };
+    const Case cases[] = {
+        {ramp,
+         ramp_with_patch,
+         flip_default_ppd,
+         {0.02285080,
+          {0.0000000F, 0.1951952F, 0.2641599F, 0.2556322F, 0.2426854F, 0.0000000F, 0.0000000F}}},
+        {checker,
+         noisy_checker,
+         flip_default_ppd,
+         {0.05239433,
+          {0.0847086F, 0.0285745F, 0.0320260F, 0.0373394F, 0.0841555F, 0.0290979F, 0.0702125F}}},
+        {edge,
+         shifted_edge,
+         flip_default_ppd,
+         {0.05403431,
+          {0.0000000F, 0.0006286F, 0.1312559F, 0.5051612F, 0.0468202F, 0.0000000F, 0.0000000F}}},
+        {checker,
+         noisy_checker,
+         20.0,
+         {0.12982938,
+          {0.2175526F, 0.1467518F, 0.1414357F, 0.1854147F, 0.1469953F, 0.0580704F, 0.1003858F}}},
+    };
+    for (const auto& [reference, test, ppd, answer] : cases) {
+        expect_original(ldr_flip(image_of(reference).view(), image_of(test).view(), ppd), answer);
+    }
+}
+
+// With given exposures and the original's default tone mapper, ACES.
+TEST(Flip, OfHighRangesAgreesWithTheOriginal) {
+    struct Case {
+        Formula *reference, *test;
+        FlipExposures exposures;
+        OriginalAnswer answer;
+    };
+    const Case cases[] = {
+        {high_range,
+         striped_range,
+         {-8, 4, 5},
+         {0.11661595,
+          {0.0493826F, 0.1177834F, 0.1392413F, 0.1283547F, 0.1441179F, 0.1287566F, 0.0361240F}}},
+        {lamp,
+         shifted_lamp,
+         {-9, 3, 4},
+         {0.03349627,
+          {0.0000000F, 0.0259902F, 0.2283214F, 0.0373058F, 0.5912650F, 0.0000000F, 0.0000000F}}},
+    };
+    for (const auto& [reference, test, exposures, answer] : cases) {
+        expect_original(hdr_flip(image_of(reference).view(), image_of(test).view(), exposures),
+                        answer);
+    }
+}
+
+// Here the original chooses the exposures. Images have an odd number of pixels, since of an even
+// one its median is the larger of the two luminances in the middle, and ours their mean.
+TEST(Flip, ExposuresAgreeWithTheOriginal) {
+    struct Case {
+        Formula *reference, *test;
+        FlipExposures exposures;
+        OriginalAnswer answer;
+    };
+    const Case cases[] = {
+        {high_range,
+         striped_range,
+         {-9.738454, 0.9592999, 11},
+         {0.11005563,
+          {0.0054183F, 0.1376216F, 0.1398582F, 0.1394924F, 0.1422790F, 0.1396823F, 0.0748499F}}},
+        {lamp,
+         shifted_lamp,
+         {-7.567651, 5.188305, 13},
+         {0.03321811,
+          {0.0000000F, 0.0227774F, 0.2365629F, 0.0297415F, 0.5899829F, 0.0000000F, 0.0000000F}}},
+        {ramp,
+         ramp_with_patch,
+         {1.749738, 2.749738, 2},
+         {0.01223940,
+          {0.0000000F, 0.1393895F, 0.1575810F, 0.1379558F, 0.1281299F, 0.0000000F, 0.0000000F}}},
+        {edge,
+         shifted_edge,
+         {1.464965, 5.188305, 4},
+         {0.04906575,
+          {0.0000000F, 0.0005272F, 0.1027854F, 0.4915750F, 0.0423839F, 0.0000000F, 0.0000000F}}},
+    };
+    for (const auto& [reference, test, original, answer] : cases) {
+        // The original has four digits of the luminance weights of Rec.709, we have six. This
+        // changes a saturated red by 3.8e-4 stops, and these images by less than 6e-5.
+        constexpr double stops = 1e-4;
+        const TestImage image = image_of(reference);
+        const FlipExposures exposures = flip_exposures(image.view());
+        EXPECT_NEAR(exposures.start, original.start, stops);
+        EXPECT_NEAR(exposures.stop, original.stop, stops);
+        EXPECT_EQ(exposures.count, original.count);
+        expect_original(hdr_flip(image.view(), image_of(test).view(), exposures), answer);
+    }
+}
+
 TEST(Flip, OfConstantsIsTheirColourDifference) {
     const std::array<float, 3> grey = {0.2F, 0.2F, 0.2F};
     const std::array<float, 3> red = {0.6F, 0.1F, 0.05F};
@@ -275,4 +467,4 @@ TEST(Flip, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::flip_test

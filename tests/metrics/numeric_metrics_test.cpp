@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,7 +14,7 @@
 
 #include "metrics/numeric.h"
 
-namespace weft {
+namespace weft::numeric_metrics_test {
 namespace {
 
 using Values = std::vector<float>;
@@ -177,6 +178,116 @@ TEST(NumericMetrics, SsimAgreesWithItsDefinition) {
     }
 }
 
+// Stimuli for other programs, tests/metrics/original_answers.py: all values are floats exactly.
+constexpr int stimulus_width = 63;
+constexpr int stimulus_height = 47;
+
+using Formula = int(int x, int y);
+
+int ramp(int x, int y) {
+    return 2 * x + y;
+}
+
+int ramp_with_patch(int x, int y) {
+    return ramp(x, y) + (x >= 24 && x < 40 && y >= 16 && y < 28 ? 16 : 0);
+}
+
+int checker(int x, int y) {
+    return 16 * (1 + (x / 8 * 7 + y / 8 * 3) * 3 % 14);
+}
+
+int noisy_checker(int x, int y) {
+    return checker(x, y) + (7 * x * x + 5 * x * y + 13 * y + 29) % 17 - 8;
+}
+
+int edge(int x, int y) {
+    return 2 * x + y < 88 ? 16 : 192;
+}
+
+int shifted_edge(int x, int y) {
+    return edge(x - 1, y);
+}
+
+/// From 2^-10 to 1920 times 2^17.
+int high_range(int x, int y) {
+    return (8 + (5 * x + 3 * y + 7) % 8) << (20 * x / 62 + 4);
+}
+
+int striped_range(int x, int y) {
+    return high_range(x, y) / 16 * (16 + (3 * x + 5 * y + 1) % 4);
+}
+
+/// `width` columns and `height` rows from the column `left` and the row `top`, divided by `unit`.
+Values part_of(Formula* formula, float unit, int left, int top, int width, int height) {
+    Values values;
+    for (int y = top; y < top + height; ++y)
+        for (int x = left; x < left + width; ++x)
+            values.push_back(static_cast<float>(formula(x, y)) / unit);
+    return values;
+}
+
+// Answers of structural_similarity of scikit-image 0.26.0, set up as its documentation says to be
+// that of the authors of SSIM: gaussian_weights=True, sigma=1.5, use_sample_covariance=False.
+TEST(NumericMetrics, SsimAgreesWithScikitImage) {
+    struct Case {
+        Formula *reference, *test;
+        float unit;
+        double range, mean;
+        std::array<double, 5> map;  // at `pixels`
+    };
+    constexpr std::array<std::array<int, 2>, 5> pixels = {
+        {{24, 16}, {30, 20}, {33, 23}, {38, 25}, {45, 40}}};
+    // Both compute in double precision, and the answers have 13 digits.
+    constexpr double tolerance = 1e-12;
+    const Case cases[] = {
+        {ramp,
+         ramp_with_patch,
+         256.0F,
+         1.0,
+         0.9515777614625,
+         {0.6513738768949, 0.9804830395425, 0.9833350885008, 0.5784171884826, 1.0000000000000}},
+        {checker,
+         noisy_checker,
+         256.0F,
+         1.0,
+         0.9919990401190,
+         {0.9962335564106, 0.9926453526817, 0.9976747957892, 0.9966504488619, 0.9981755835241}},
+        {edge,
+         shifted_edge,
+         256.0F,
+         1.0,
+         0.8829699685276,
+         {1.0000000000000, 0.3764102872715, 0.5799475079484, 0.8993872672428, 1.0000000000000}},
+        {ramp,
+         noisy_checker,
+         256.0F,
+         1.0,
+         0.0289106290083,
+         {0.0406495206353, -0.0445032122518, 0.0278873236409, 0.0057272023260, 0.0401564155710}},
+        {high_range,
+         striped_range,
+         0x1p17F,
+         256.0,
+         0.9935143701189,
+         {0.9999156673785, 0.9989394452968, 0.9978634521500, 0.9933927846614, 0.9829447434907}},
+    };
+    for (const auto& [reference, test, unit, range, mean, map] : cases) {
+        const auto similarity = [&, a = reference, b = test, u = unit, r = range](
+                                    int left, int top, int width, int height) {
+            return ssim(part_of(a, u, left, top, width, height),
+                        part_of(b, u, left, top, width, height), static_cast<std::uint32_t>(width),
+                        static_cast<std::uint32_t>(height), r)
+                .value();
+        };
+        EXPECT_NEAR(similarity(0, 0, stimulus_width, stimulus_height), mean, tolerance);
+        // An image as large as the window is one pixel of the map.
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const auto [x, y] = pixels[i];
+            EXPECT_NEAR(similarity(x - 5, y - 5, 11, 11), map[i], tolerance) << x << " " << y;
+        }
+    }
+}
+
 TEST(NumericMetrics, SsimOfConstantsIsTheirLuminanceTerm) {
     const Values a = constant(400, 0.25F);
     const Values b = constant(400, 0.75F);
@@ -189,12 +300,17 @@ TEST(NumericMetrics, SsimOfConstantsIsTheirLuminanceTerm) {
 }
 
 TEST(NumericMetrics, Pu21) {
-    // Values of the authors' function, banding and glare.
-    const std::vector<std::pair<double, double>> known = {{0.1, 5.71707},    {1.0, 36.54391},
-                                                          {10.0, 123.64748}, {100.0, 256.38390},
-                                                          {1e3, 420.09692},  {1e4, 595.39392}};
+    // Answers of cvvdp 0.5.7 from PyPI, by an author of PU21: class PU, banding and glare. They
+    // have ten decimals.
+    constexpr std::pair<double, double> known[] = {
+        {0x1p-7, 0.2125674424},   {0x1p-5, 1.7919435233},    {0x1p-3, 7.0052517846},
+        {0x1p-1, 22.2086836130},  {0x1p1, 56.5354894784},    {0x1p3, 112.8344330258},
+        {0x1p5, 186.2830002217},  {0x1p7, 272.5936519332},   {0x1p9, 369.8261245624},
+        {0x1p11, 475.5020962981}, {0x1p13, 581.2205899298},  {0.005, 0.0000000005},
+        {100.0, 256.3838973127},  {10000.0, 595.3939200201},
+    };
     for (const auto& [luminance, units] : known)
-        EXPECT_NEAR(pu21_encode(luminance), units, 1e-4) << luminance;
+        EXPECT_NEAR(pu21_encode(luminance), units, 1e-9) << luminance;
     EXPECT_EQ(pu21_encode(0.0), pu21_encode(0.005));
     EXPECT_EQ(pu21_encode(-1.0), pu21_encode(0.005));
     EXPECT_EQ(pu21_encode(1e30), pu21_encode(1e4));
@@ -212,10 +328,10 @@ TEST(NumericMetrics, SrgbEncoding) {
 
 TEST(NumericMetrics, LuminanceOfEqualChannelsIsTheirValue) {
     const Values values = {1.0F, 0.0F, 1.0F, 0.0F, 1.0F, 1.0F};
-    const Values y = luminance({values, 2, 1});
+    const Values y = luminance(RgbView{values, 2, 1});
     EXPECT_FLOAT_EQ(y[0], 1.0F);
     EXPECT_FLOAT_EQ(y[1], 0.072186F);
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::numeric_metrics_test
