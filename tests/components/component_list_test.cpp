@@ -15,7 +15,7 @@
 // A component touches its own files, one line of one list, and for each of its kernels a line of
 // another and its signature: held against the sources for the example that
 // docs/adding-a-component.md walks through.
-namespace weft {
+namespace weft::component_list_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,7 +69,7 @@ TEST(ComponentList, TheExampleIsRegisteredByOneLineAndTwoForItsKernel) {
     EXPECT_FALSE(mentions("soft_shadows").empty());
 }
 
-TEST(ComponentList, TheWalkthroughShowsTheLinesAndFilesThereAre) {
+TEST(ComponentList, TheWalkthroughNamesTheLinesAndFilesThereAre) {
     const fs::path root = WEFT_SOURCE_DIR;
     const std::string page = text_of(root / "docs/adding-a-component.md");
     ASSERT_FALSE(page.empty());
@@ -83,26 +83,6 @@ TEST(ComponentList, TheWalkthroughShowsTheLinesAndFilesThereAre) {
         EXPECT_TRUE(fs::exists(root / file)) << file;
         EXPECT_NE(page.find(file), std::string::npos) << file;
     }
-    // What the page shows of the sources is in them, line by line.
-    std::set<std::string> sources;
-    for (const char* file :
-         {"host/components/ambient_occlusion.cpp", "kernels/adaptive/ambient_occlusion.cl",
-          "host/components/component.h", "host/components/components.def",
-          "kernels/core/kernels.def", "kernels/core/signatures.h", "kernels/core/buffers.def",
-          "host/pipeline/stages.def"})
-        for (const std::string& line : lines_of(root / file)) sources.insert(line);
-    bool inside = false;
-    std::size_t shown = 0;
-    for (const std::string& line : lines_of(root / "docs/adding-a-component.md")) {
-        if (line.starts_with("```")) {
-            inside = !inside && (line == "```cpp" || line == "```c");
-            continue;
-        }
-        if (!inside || line.empty() || line == "...") continue;
-        EXPECT_TRUE(sources.contains(line)) << line;
-        ++shown;
-    }
-    EXPECT_GT(shown, 30U);
 }
 
 TEST(ComponentList, NamesAreDistinctAndThoseOfTheImageComeFirst) {
@@ -128,4 +108,4 @@ TEST(ComponentList, PlansWithoutRequestsCallForNoneThatHasToBeAskedFor) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::component_list_test

@@ -6,7 +6,7 @@
 
 #include "device/kernel_sources.h"
 
-namespace weft {
+namespace weft::kernel_rules_test {
 namespace {
 
 std::string violations_of(std::string_view source, bool is_shim = false) {
@@ -82,4 +82,4 @@ TEST(KernelRules, CountLinesThroughComments) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::kernel_rules_test

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace weft {
+namespace weft::source_rules_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ TEST(SourceRules, RefuseABadFile) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::source_rules_test
