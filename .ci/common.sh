@@ -18,13 +18,17 @@ fail() {
 }
 
 install_tools() {
-    local wanted=(clang clang-format-14 oclgrind ccache shellcheck) missing=() tool package sudo=()
+    local wanted=(clang clang-format-14 clang-tidy-14 oclgrind ccache shellcheck)
+    local missing=() tool package sudo=()
+    # libFuzzer, and the plots of reports; unlike tools, libraries are not to be found by a command.
+    local libraries=(libclang-rt-dev python3-matplotlib)
     for tool in "${wanted[@]}"; do
         command -v "$tool" >/dev/null || missing+=("$tool")
     done
-    # libFuzzer; unlike a tool, its library is not to be found by a command.
-    dpkg-query -W -f='${db:Status-Status}\n' libclang-rt-dev 2>/dev/null | grep -qx installed ||
-        missing+=(libclang-rt-dev)
+    for package in "${libraries[@]}"; do
+        dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+            missing+=("$package")
+    done
     ((${#missing[@]} == 0)) && return 0
     ((EUID != 0)) && sudo=(sudo)
     "${sudo[@]}" apt-get -q update

@@ -11,11 +11,16 @@ target_compile_options(
             -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=
             -Wall
             -Wextra
-            -Wshadow
             -Wconversion
             -Wno-sign-conversion
             -Wnon-virtual-dtor
             -Woverloaded-virtual)
+# Files that are compiled as one would shadow each other's names.
+if(NOT WEFT_QUICK_BUILD)
+  target_compile_options(weft_options INTERFACE -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(weft_options INTERFACE -Wshadow=local)
+endif()
 if(WEFT_WERROR)
   target_compile_options(weft_options INTERFACE -Werror)
 endif()

@@ -5,12 +5,12 @@
 # header of a folder that its own does not name ends the build with that line, before any compiler
 # runs (CheckFolder.cmake). What is declared here is also what docs/architecture.md draws.
 
-# weft_folder(<folder> [LEFT_OUT] [USES <folder...>] [EXCEPT <file...>]): the library of
-# host/<folder>, a path such as scene/gltf, which is called weft_scene_gltf. Folders that it uses
+# weft_folder(<folder> [LEFT_OUT] [ONE_BY_ONE] [USES <folder...>] [EXCEPT <file...>]): the library
+# of host/<folder>, a path such as scene/gltf, which is called weft_scene_gltf. Folders that it uses
 # have to be declared before it, so that there are no circles. EXCEPT names sources that are no part
-# of it; with LEFT_OUT none are.
+# of it; with LEFT_OUT none are. ONE_BY_ONE is for files that give the same name to like things.
 function(weft_folder folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "LEFT_OUT" "" "USES;EXCEPT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LEFT_OUT;ONE_BY_ONE" "" "USES;EXCEPT")
   weft_folder_target("${folder}" target)
   set(sources "")
   if(NOT arg_LEFT_OUT)
@@ -22,9 +22,15 @@ function(weft_folder folder)
   weft_check_includes(${target}_includes host "${folder}" "${arg_USES}")
   if(sources)
     add_library(${target} STATIC ${sources})
+    if(WEFT_CLANG_TIDY)
+      set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "${WEFT_CLANG_TIDY};--quiet")
+    endif()
     target_compile_options(${target} PRIVATE -Wpedantic) # not for kernels: they use vector extensions
     set(scope PUBLIC)
     weft_precompile_once(${target} host)
+    if(NOT arg_ONE_BY_ONE)
+      weft_compile_together(${target} 8)
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

@@ -40,7 +40,7 @@ std::string format_seconds(double seconds) {
     if (!(seconds > 0.0)) seconds = 0.0;
     if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
     if (seconds < 59.5) return fmt::format("{:.0f} s", seconds);
-    const auto whole = static_cast<long long>(std::min(seconds, 1e15) + 0.5);
+    const auto whole = std::llround(std::min(seconds, 1e15));
     if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
     return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }

@@ -11,7 +11,7 @@ std::filesystem::path default_cache_folder() {
         const char* const value = std::getenv(name);
         return std::filesystem::path(value == nullptr ? "" : value);
     };
-    if (const auto folder = variable("WEFT_CACHE_DIR"); !folder.empty()) return folder;
+    if (auto folder = variable("WEFT_CACHE_DIR"); !folder.empty()) return folder;
     if (const auto folder = variable("XDG_CACHE_HOME"); folder.is_absolute())
         return folder / "weft";
     if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "weft";

@@ -9,7 +9,7 @@
 namespace weft {
 namespace {
 
-constexpr std::uint64_t nothing = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t no_square = std::numeric_limits<std::uint64_t>::max();
 
 /// Orders the pixels of a square: by distance from its centre, then by index.
 std::uint64_t rank(std::uint32_t x, std::uint32_t y, std::uint32_t edge, std::uint32_t pixel) {
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> pick_missing(const TileGrid& grid, std::span<const Ti
                                         std::uint32_t edge) {
     const std::uint32_t columns = (grid.width + edge - 1) / edge;
     const std::uint32_t rows = (grid.height + edge - 1) / edge;
-    std::vector<std::uint64_t> best(std::size_t{columns} * rows, nothing);
+    std::vector<std::uint64_t> best(std::size_t{columns} * rows, no_square);
     for (std::uint32_t tile = 0; tile < missing.size(); ++tile) {
         for (TileMask left = missing[tile]; left != 0; left &= left - 1) {
             const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> pick_missing(const TileGrid& grid, std::span<const Ti
     }
     std::vector<std::uint32_t> picks;
     for (const std::uint64_t square : best)
-        if (square != nothing) picks.push_back(static_cast<std::uint32_t>(square));
+        if (square != no_square) picks.push_back(static_cast<std::uint32_t>(square));
     return picks;
 }
 

@@ -21,8 +21,9 @@ struct Box {
     double radius;
 };
 
-constexpr double far = std::numeric_limits<double>::infinity();
-constexpr Box nothing{{far, far, far}, {-far, -far, -far}, far};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Box empty_box{
+    {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, infinity};
 
 Box box_of(const shared::float4& place) {
     const Point p{double{place.x}, double{place.y}, double{place.z}};
@@ -56,7 +57,7 @@ std::vector<std::vector<Box>> levels_of(std::span<const shared::float4> places) 
     for (const shared::float4& place : places) levels[0].push_back(box_of(place));
     while (levels.back().size() > 1) {
         const std::vector<Box>& below = levels.back();
-        std::vector<Box> boxes((below.size() + group - 1) / group, nothing);
+        std::vector<Box> boxes((below.size() + group - 1) / group, empty_box);
         for (std::size_t i = 0; i < below.size(); ++i) grow(boxes[i / group], below[i]);
         levels.push_back(std::move(boxes));
     }

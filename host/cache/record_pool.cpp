@@ -15,7 +15,7 @@
 namespace weft {
 namespace {
 
-constexpr std::uint32_t least_room = 4096;
+constexpr std::uint32_t least_slots = 4096;
 
 std::uint32_t whole_blocks(std::size_t slots) {
     return static_cast<std::uint32_t>((slots + PACKET_BLOCK - 1) / PACKET_BLOCK * PACKET_BLOCK);
@@ -41,7 +41,7 @@ RecordPool::RecordPool(Executor& executor, const Settings& settings)
       lanes_(executor.lanes()),
       receiver_planes_(static_cast<std::uint32_t>(receiver_planes(settings.features))),
       words_((settings.mask_vpls + 32 / lanes_ - 1) / (32 / lanes_)) {
-    allocate(least_room);
+    allocate(least_slots);
 }
 
 std::uint32_t RecordPool::packets(std::uint32_t slots) const {

@@ -23,7 +23,7 @@ namespace weft {
 namespace {
 
 // Most decoded bytes that a byte of the file can encode: deflate's bound is 1032.
-constexpr std::size_t max_expansion = 1100;
+constexpr std::size_t max_inflation = 1100;
 
 /// libpng's state. Its errors leave by longjmp, past which no destructor runs: all that the decoder
 /// allocates belongs to this object, outside of the jumps.
@@ -45,7 +45,7 @@ class PngDecoder {
         if (!read_header()) throw damaged(place);
         const std::size_t pixels = std::size_t{width_} * height_;
         // A pixel may be a single bit.
-        if (pixels > limits::max_film_pixels || pixels / 8 / max_expansion > bytes_.size())
+        if (pixels > limits::max_film_pixels || pixels / 8 / max_inflation > bytes_.size())
             throw input_error(place, "claims " + std::to_string(width_) + " x " +
                                          std::to_string(height_) +
                                          " pixels, more than the file can hold or the limit of " +

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/limits.h"
 #include "scene/mesh_edit.h"
 #include "scene/scene_edits.h"

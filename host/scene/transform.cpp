@@ -6,13 +6,6 @@
 
 namespace weft {
 
-bool is_finite(const glm::dmat4& transform) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(transform[column][row])) return false;
-    return true;
-}
-
 bool is_singular(const glm::dmat4& transform) {
     constexpr double flat = 1e-14;
     const glm::dmat3 linear(transform);

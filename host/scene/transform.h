@@ -7,9 +7,6 @@
 
 namespace weft {
 
-/// Whether all numbers of a transform are finite.
-[[nodiscard]] bool is_finite(const glm::dmat4& transform);
-
 /// Whether a finite transform flattens what it is applied to: by its determinant, compared with the
 /// volume that its columns would span at right angles, so that the size of a scene does not matter.
 [[nodiscard]] bool is_singular(const glm::dmat4& transform);

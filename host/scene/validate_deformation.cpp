@@ -10,17 +10,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/quote.h"
 #include "scene/transform.h"
 
 namespace weft {
 namespace {
-
-bool all_finite(const std::vector<glm::vec3>& vectors) {
-    return std::all_of(vectors.begin(), vectors.end(), [](const glm::vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    });
-}
 
 /// Whether `index` is -1 or below `count`.
 bool is_none_or_below(int index, std::size_t count) {
@@ -54,8 +49,7 @@ class DeformationValidator {
                 "has the wrong number of matrices");
         check(skin.frame);
         for (const Attachment& joint : skin.joints) check(joint);
-        require(std::all_of(skin.inverse_bind.begin(), skin.inverse_bind.end(), is_finite), "skin",
-                "has a matrix that is not finite");
+        require(all_finite(skin.inverse_bind), "skin", "has a matrix that is not finite");
     }
 
     void check(const Deformation& deformation) {

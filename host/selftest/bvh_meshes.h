@@ -3,8 +3,11 @@
 #ifndef WEFT_SELFTEST_BVH_MESHES_H
 #define WEFT_SELFTEST_BVH_MESHES_H
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <random>
 #include <vector>
 
@@ -36,6 +39,19 @@ class Uniform {
   private:
     std::mt19937 engine_;
 };
+
+/// A point whose coordinates are uniform between both bounds.
+inline glm::vec3 random_point(Uniform& uniform, float low, float high) {
+    const float x = uniform(low, high);
+    const float y = uniform(low, high);
+    return {x, y, uniform(low, high)};
+}
+
+/// One of 0 to count - 1, which is at least 1, each as likely as another.
+inline std::size_t random_index(Uniform& uniform, std::size_t count) {
+    return std::min(count - 1,
+                    static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
+}
 
 /// Triangles of about `size` in the unit cube.
 inline BvhMesh random_soup(std::size_t count, float size, std::uint32_t seed) {

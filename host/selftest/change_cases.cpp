@@ -56,7 +56,7 @@ struct Edit {
     void (*make)(MovingRoom& room, const Scene& start);
 };
 
-void turn(glm::dmat4& to_world, double angle) {
+void turn_about_y(glm::dmat4& to_world, double angle) {
     glm::dmat4 by(1.0);
     by[0] = {std::cos(angle), 0.0, -std::sin(angle), 0.0};
     by[2] = {std::sin(angle), 0.0, std::cos(angle), 0.0};
@@ -73,7 +73,8 @@ constexpr std::array one_of_each{
          [](MovingRoom& room, const Scene&) {
              room.move(0, {0.2, 0.1, -0.1});
          }},
-    Edit{"rotate", [](MovingRoom& room, const Scene&) { turn(thing_of(room).to_world, 0.7); }},
+    Edit{"rotate",
+         [](MovingRoom& room, const Scene&) { turn_about_y(thing_of(room).to_world, 0.7); }},
     Edit{"scale",
          [](MovingRoom& room, const Scene&) {
              for (int column = 0; column < 3; ++column) thing_of(room).to_world[column] *= 1.3;

@@ -13,17 +13,6 @@
 namespace weft::selftest {
 namespace {
 
-glm::vec3 random_point(Uniform& uniform, float low, float high) {
-    const float x = uniform(low, high);
-    const float y = uniform(low, high);
-    return {x, y, uniform(low, high)};
-}
-
-std::size_t random_index(Uniform& uniform, std::size_t count) {
-    return std::min(count - 1,
-                    static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
-}
-
 /// Adds rays from around the unit cube; every second one ends at a random distance.
 void add_random(RayBatch& rays, std::size_t count, std::uint32_t seed) {
     Uniform uniform(seed);

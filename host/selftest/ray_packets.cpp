@@ -17,11 +17,6 @@ glm::vec3 direction_of(const RayBatch& rays, std::size_t i) {
     return {rays.directions[i].x, rays.directions[i].y, rays.directions[i].z};
 }
 
-std::size_t random_index(Uniform& uniform, std::size_t count) {
-    return std::min(count - 1,
-                    static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
-}
-
 /// A random point in the unit ball.
 glm::dvec3 random_place(Uniform& uniform) {
     for (;;) {

@@ -12,14 +12,10 @@
 namespace weft {
 namespace {
 
-const Interval& error_of(const TradeoffPoint& point, ErrorMeasure measure) {
-    return point.errors.at(static_cast<std::size_t>(measure));
-}
-
 /// Chooses among points by their time and one kind of error.
-class Choice {
+class PointChoice {
   public:
-    Choice(std::span<const TradeoffPoint> points, ErrorMeasure measure)
+    PointChoice(std::span<const TradeoffPoint> points, ErrorMeasure measure)
         : points_(points), measure_(measure) {}
 
     /// The index of the fastest point for which `keeps` is true; of equally fast ones, that of
@@ -68,7 +64,7 @@ std::string nothing_text(const std::string& question, ErrorMeasure measure) {
 }
 
 std::string error_text(const TradeoffPoint& point, ErrorMeasure measure) {
-    const Interval& error = error_of(point, measure);
+    const Interval error = error_of(point, measure);
     return fmt::format("with {} {:.3g} (95 %: {:.3g} to {:.3g})", label(measure), error.median,
                        error.low, error.high);
 }
@@ -108,7 +104,7 @@ std::string preset_file_for_error(double error) {
 
 TradeoffAdvice advice_for_budget(std::span<const TradeoffPoint> points, ErrorMeasure measure,
                                  double budget_ms) {
-    const Choice choice(points, measure);
+    const PointChoice choice(points, measure);
     TradeoffAdvice advice;
     advice.budget_ms = budget_ms;
     advice.point = choice.nearest([&](const TradeoffPoint& point) {
@@ -138,7 +134,7 @@ TradeoffAdvice advice_for_budget(std::span<const TradeoffPoint> points, ErrorMea
 
 TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points, ErrorMeasure measure,
                                 double error) {
-    const Choice choice(points, measure);
+    const PointChoice choice(points, measure);
     TradeoffAdvice advice;
     advice.error = error;
     advice.point = choice.fastest(

@@ -40,7 +40,7 @@ nlohmann::json number(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? nlohmann::json(*value) : nlohmann::json();
 }
 
-nlohmann::json shares(const std::optional<VisibleShares>& value) {
+nlohmann::json shares_json(const std::optional<VisibleShares>& value) {
     if (!value) return {};
     return {{"p75", value->p75}, {"p95", value->p95}};
 }
@@ -48,8 +48,8 @@ nlohmann::json shares(const std::optional<VisibleShares>& value) {
 }  // namespace
 
 nlohmann::json ImageErrors::json() const {
-    return {{"hdrvdp_published", shares(published)},
-            {"hdrvdp_display", shares(display)},
+    return {{"hdrvdp_published", shares_json(published)},
+            {"hdrvdp_display", shares_json(display)},
             {"hdrflip", number(hdrflip)},
             {"relmse", number(relmse)},
             {"relmse_trimmed", number(relmse_trimmed)},

@@ -2,42 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tradeoff/page_values.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <utility>
 
-#include "tradeoff/advice.h"
 #include "tradeoff/html_text.h"
 
 namespace weft {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool in_percent(ErrorMeasure measure) {
     return measure == ErrorMeasure::vdp75 || measure == ErrorMeasure::vdp95 ||
            measure == ErrorMeasure::vdp75_display || measure == ErrorMeasure::vdp95_display;
 }
 
-bool has_range(const Interval& interval) {
-    return std::isfinite(interval.low) && std::isfinite(interval.high) &&
-           interval.low != interval.high;
+std::string range_text(const Interval& interval, double scale) {
+    if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return {};
+    if (interval.low == interval.high) return {};
+    return figure_text(scale * interval.low) + " to " + figure_text(scale * interval.high);
 }
 
-/// "low to high", without a unit.
-std::string ends_text(double low, double high) {
-    return figure_text(low) + " to " + figure_text(high);
-}
-
-/// Seconds where the median is written in seconds.
-std::string time_ends(const Interval& ms) {
-    const double scale = ms.median >= 1000.0 ? 1e-3 : 1.0;
-    return ends_text(scale * ms.low, scale * ms.high);
-}
-
-std::string cell(const std::string& value, bool range, const std::string& ends) {
-    return value + (range ? "<small>" + ends + "</small>" : "");
+nlohmann::json error_cell(ErrorMeasure measure, const Interval& error, ErrorMeasure chosen) {
+    return {{"error", error_figure(measure, error.median)},
+            {"range", error_range(error)},
+            {"chosen", measure == chosen}};
 }
 
 }  // namespace
@@ -52,32 +40,11 @@ const char* unit_of(ErrorMeasure measure) {
     return in_percent(measure) ? "% of pixels" : "";
 }
 
-Interval error_of(const TradeoffPoint& point, ErrorMeasure measure) {
-    const auto index = static_cast<std::size_t>(measure);
-    return index < point.errors.size() ? point.errors[index] : Interval{none, none, none};
-}
-
-double error_of(std::span<const double> errors, ErrorMeasure measure) {
-    const auto index = static_cast<std::size_t>(measure);
-    return index < errors.size() ? errors[index] : none;
-}
-
 std::vector<const TradeoffPoint*> front_of(const TradeoffResult& result) {
     std::vector<const TradeoffPoint*> front;
     for (const TradeoffPoint& point : result.points)
         if (point.on_front) front.push_back(&point);
     return front;
-}
-
-const TradeoffPoint* best_within(const TradeoffResult& result, double ms) {
-    const TradeoffPoint* best = nullptr;
-    for (const TradeoffPoint* point : front_of(result)) {
-        const double error = error_of(*point, result.measure).median;
-        if (!(point->ms.median <= ms) || !(point->ms.high <= most_over_budget * ms)) continue;
-        if (!std::isfinite(error)) continue;
-        if (best == nullptr || error < error_of(*best, result.measure).median) best = point;
-    }
-    return best;
 }
 
 std::string duration_text(double ms) {
@@ -90,22 +57,33 @@ std::string error_figure(ErrorMeasure measure, double value) {
     return figure_text(value) + (percent ? " %" : "");
 }
 
-std::string time_range_text(const Interval& ms) {
-    return duration_text(ms.median) + (has_range(ms) ? " (" + time_ends(ms) + ")" : "");
+std::string time_range(const Interval& ms) {
+    return range_text(ms, ms.median >= 1000.0 ? 1e-3 : 1.0);
 }
 
-std::string error_range_text(ErrorMeasure measure, const Interval& error) {
-    return error_figure(measure, error.median) +
-           (has_range(error) ? " (" + ends_text(error.low, error.high) + ")" : "");
+std::string error_range(const Interval& error) {
+    return range_text(error, 1.0);
 }
 
-std::string time_cell(const Interval& ms) {
-    return cell(duration_text(ms.median), has_range(ms), time_ends(ms));
+nlohmann::json error_cells(const TradeoffPoint& point, ErrorMeasure chosen) {
+    auto cells = nlohmann::json::array();
+    for (const ErrorMeasure measure : all_measures())
+        cells.push_back(error_cell(measure, error_of(point, measure), chosen));
+    return cells;
 }
 
-std::string error_cell(ErrorMeasure measure, const Interval& error) {
-    return cell(error_figure(measure, error.median), has_range(error),
-                ends_text(error.low, error.high));
+nlohmann::json error_cells(std::span<const double> errors, ErrorMeasure chosen) {
+    auto cells = nlohmann::json::array();
+    for (const ErrorMeasure measure : all_measures()) {
+        const double error = error_of(errors, measure);
+        cells.push_back(error_cell(measure, {error, error, error}, chosen));
+    }
+    return cells;
+}
+
+nlohmann::json unless_empty(nlohmann::json list) {
+    if (list.empty()) return false;
+    return {{"all", std::move(list)}};
 }
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 #define WEFT_TRADEOFF_PAGE_VALUES_H
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,19 +19,8 @@ namespace weft {
 /// Unit of a measure, for the axis of a plot; empty for plain numbers.
 [[nodiscard]] const char* unit_of(ErrorMeasure measure);
 
-/// The error of a point by that measure; its numbers are not finite where there is none.
-[[nodiscard]] Interval error_of(const TradeoffPoint& point, ErrorMeasure measure);
-
-/// The error by that measure in a list by ErrorMeasure; not finite where there is none.
-[[nodiscard]] double error_of(std::span<const double> errors, ErrorMeasure measure);
-
 /// The points of the front by rising time.
 [[nodiscard]] std::vector<const TradeoffPoint*> front_of(const TradeoffResult& result);
-
-/// The point of the front with the lowest error by the chosen measure among those whose median
-/// time is at most `ms`, and the end of its interval at most most_over_budget times that; nullptr
-/// where there is none.
-[[nodiscard]] const TradeoffPoint* best_within(const TradeoffResult& result, double ms);
 
 /// Milliseconds with their unit, seconds from 1000 on.
 [[nodiscard]] std::string duration_text(double ms);
@@ -38,13 +28,17 @@ namespace weft {
 /// An error as text, with a percent sign where the measure counts percent.
 [[nodiscard]] std::string error_figure(ErrorMeasure measure, double value);
 
-/// Median and interval in words, plain text.
-[[nodiscard]] std::string time_range_text(const Interval& ms);
-[[nodiscard]] std::string error_range_text(ErrorMeasure measure, const Interval& error);
+/// "low to high" of an interval, a time in the unit of its duration_text; empty where an end is not
+/// finite or both are the same.
+[[nodiscard]] std::string time_range(const Interval& ms);
+[[nodiscard]] std::string error_range(const Interval& error);
 
-/// The same as markup for a cell of a table, the interval in a line of its own.
-[[nodiscard]] std::string time_cell(const Interval& ms);
-[[nodiscard]] std::string error_cell(ErrorMeasure measure, const Interval& error);
+/// Cells of a table's row, one for each measure: `error`, `range`, and whether it is the `chosen`.
+[[nodiscard]] nlohmann::json error_cells(const TradeoffPoint& point, ErrorMeasure chosen);
+[[nodiscard]] nlohmann::json error_cells(std::span<const double> errors, ErrorMeasure chosen);
+
+/// A list for a part of a template that is left out where the list is empty: `all` within it.
+[[nodiscard]] nlohmann::json unless_empty(nlohmann::json list);
 
 }  // namespace weft
 

@@ -3,6 +3,7 @@
 #include "tradeoff/tradeoff_result.h"
 
 #include <array>
+#include <limits>
 
 namespace weft {
 namespace {
@@ -23,7 +24,19 @@ constexpr std::array<Names, error_measures> names = {{
     {"bias", "bias"},
 }};
 
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
 }  // namespace
+
+Interval error_of(const TradeoffPoint& point, ErrorMeasure measure) {
+    const auto index = static_cast<std::size_t>(measure);
+    return index < point.errors.size() ? point.errors[index] : Interval{none, none, none};
+}
+
+double error_of(std::span<const double> errors, ErrorMeasure measure) {
+    const auto index = static_cast<std::size_t>(measure);
+    return index < errors.size() ? errors[index] : none;
+}
 
 const char* to_string(ErrorMeasure measure) {
     return names.at(static_cast<std::size_t>(measure)).key;

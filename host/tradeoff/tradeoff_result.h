@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -124,6 +125,12 @@ struct TradeoffResult {
     std::vector<std::string> skipped;  ///< names of settings that were too slow to measure
     std::optional<FrontCheck> check;   ///< where --verify was given
 };
+
+/// The error of a point by that measure; its numbers are not finite where there is none.
+[[nodiscard]] Interval error_of(const TradeoffPoint& point, ErrorMeasure measure);
+
+/// The error by that measure in a list by ErrorMeasure; not finite where there is none.
+[[nodiscard]] double error_of(std::span<const double> errors, ErrorMeasure measure);
 
 /// Name in JSON and CSV, such as "hdrflip" or "vdp75_display".
 [[nodiscard]] const char* to_string(ErrorMeasure measure);

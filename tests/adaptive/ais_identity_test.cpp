@@ -15,7 +15,7 @@
 
 // What adaptive interleaved sampling must equal: plain interleaved sampling where it samples every
 // pixel, the union of all sample sets where light is constant, and itself however it is run.
-namespace weft {
+namespace weft::ais_identity_test {
 namespace {
 
 using test::Rendering;
@@ -365,4 +365,4 @@ TEST(AisIdentity, ThreadsAndRepetitionDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::ais_identity_test

@@ -18,7 +18,7 @@
 
 // The residual where ais undersamples: every pixel has a path of its own, so what it adds is what
 // it adds to amax, speck by speck, and means are those of path tracing.
-namespace weft {
+namespace weft::filter_residual_test {
 namespace {
 
 using test::Estimate;
@@ -218,4 +218,4 @@ TEST(FilterResidual, IsThereWhereItIsAskedForAndSamplesAreFew) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::filter_residual_test

@@ -13,7 +13,7 @@
 #include "tests/testing/made_up_frames.h"
 
 // The scheduler with levels that earlier images hold, and the verdicts that it gives to them.
-namespace weft {
+namespace weft::held_levels_test {
 namespace {
 
 using test::Frame;
@@ -21,11 +21,11 @@ using test::MadeUpImage;
 using test::plain;
 using test::random_image;
 using test::random_signal;
+using test::RandomBits;
 using test::run_frame;
 using test::Signal;
-using test::Uniform;
 
-std::vector<Level> random_levels(const TileGrid& grid, Uniform& random) {
+std::vector<Level> random_levels(const TileGrid& grid, RandomBits& random) {
     std::vector<Level> levels;
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
         levels.push_back(static_cast<Level>(random.below(3)));
@@ -33,7 +33,7 @@ std::vector<Level> random_levels(const TileGrid& grid, Uniform& random) {
 }
 
 TEST(HeldLevels, NothingHeldChangesNothing) {
-    Uniform random(1);
+    RandomBits random(1);
     for (const TileGrid& grid : test::small_images()) {
         const MadeUpImage image = random_image(grid, random);
         const Signal signal = random_signal(random);
@@ -47,7 +47,7 @@ TEST(HeldLevels, NothingHeldChangesNothing) {
 
 TEST(HeldLevels, AreLeastLevelsThatDoNotSpeakForThemselves) {
     // With all signals at hand a tile is judged as without a memory.
-    Uniform random(2);
+    RandomBits random(2);
     for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.03, 0.3, 3.0}) {
             const MadeUpImage image = random_image(grid, random);
@@ -63,7 +63,7 @@ TEST(HeldLevels, AreLeastLevelsThatDoNotSpeakForThemselves) {
 }
 
 TEST(HeldLevels, VerdictsAreThoseOfTwoThresholds) {
-    Uniform random(3);
+    RandomBits random(3);
     std::size_t between = 0;
     for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.03, 0.3, 3.0}) {
@@ -83,7 +83,7 @@ TEST(HeldLevels, VerdictsAreThoseOfTwoThresholds) {
 
 TEST(HeldLevels, WhatOnlyGeometryOrShadowsAskForIsNoVerdict) {
     // Even light: nothing errs, whatever level the tiles are sampled at.
-    Uniform random(4);
+    RandomBits random(4);
     for (const TileGrid& grid : test::small_images()) {
         const MadeUpImage image = random_image(grid, random);
         const Frame frame = run_frame(
@@ -107,7 +107,7 @@ TEST(HeldLevels, WhatIsNotFiniteAsksForFull) {
 
 TEST(HeldLevels, AStillImageKeepsItsRounds) {
     // Signals only where there are samples: what is held must not let others be judged otherwise.
-    Uniform random(5);
+    RandomBits random(5);
     for (const TileGrid& grid : test::small_images()) {
         const MadeUpImage image = random_image(grid, random);
         const Signal signal = random_signal(random);
@@ -126,4 +126,4 @@ TEST(HeldLevels, AStillImageKeepsItsRounds) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::held_levels_test

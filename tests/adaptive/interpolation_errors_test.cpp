@@ -9,7 +9,7 @@
 #include "adaptive/level_scheduler.h"
 
 // The error that the scheduler expects of interpolation, against what is known of simple signals.
-namespace weft {
+namespace weft::interpolation_errors_test {
 namespace {
 
 constexpr std::uint32_t columns = 13;
@@ -167,4 +167,4 @@ TEST(InterpolationErrors, WhatIsNotFiniteIsNoNumberOrInfinite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::interpolation_errors_test

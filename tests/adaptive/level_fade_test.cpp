@@ -16,17 +16,17 @@
 
 // Tiles that fade to a coarser level: their heights against a closed form, the samples that they
 // need, and what images show of them.
-namespace weft {
+namespace weft::level_fade_test {
 namespace {
 
 using test::Frame;
 using test::MadeUpImage;
+using test::RandomBits;
 using test::room_with_ball;
 using test::TestBackend;
-using test::Uniform;
 
 TEST(LevelFade, HeightsRiseAtOnceAndFallBySteps) {
-    Uniform random(1);
+    RandomBits random(1);
     for (int run = 0; run < 100; ++run) {
         std::vector<Level> wanted;
         float height = 0.0F;
@@ -69,7 +69,7 @@ TEST(LevelFade, GoesOnFromTheLastWholeImage) {
     EXPECT_TRUE(fade.earlier().empty());
 }
 
-std::vector<float> random_heights(const TileGrid& grid, Uniform& random) {
+std::vector<float> random_heights(const TileGrid& grid, RandomBits& random) {
     std::vector<float> heights;
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile)
         heights.push_back(fade_step * static_cast<float>(random.below(33)));
@@ -77,7 +77,7 @@ std::vector<float> random_heights(const TileGrid& grid, Uniform& random) {
 }
 
 TEST(LevelFade, SamplesServeBothLevelsAndNothingIsJudgedOtherwise) {
-    Uniform random(2);
+    RandomBits random(2);
     std::size_t between = 0;
     for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.03, 0.3, 3.0}) {
@@ -164,4 +164,4 @@ TEST(LevelFade, ImagesChangeEvenlyAndThenNoMore) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::level_fade_test

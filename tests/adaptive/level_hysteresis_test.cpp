@@ -9,10 +9,10 @@
 
 #include "tests/testing/image_masks.h"
 
-namespace weft {
+namespace weft::level_hysteresis_test {
 namespace {
 
-using test::Uniform;
+using test::RandomBits;
 
 constexpr Level coarse = Level::coarse;
 constexpr Level middle = Level::middle;
@@ -53,7 +53,7 @@ Level held_by_definition(const std::vector<Said>& history) {
 }
 
 TEST(LevelHysteresis, HoldsWhatTheDefinitionSays) {
-    Uniform random(1);
+    RandomBits random(1);
     std::uint32_t held_tiles = 0;
     for (std::uint32_t length = 1; length <= 24; ++length)
         for (std::uint32_t run = 0; run < 200; ++run) {
@@ -144,7 +144,7 @@ TEST(LevelHysteresis, ASequenceBeginsWithoutMemory) {
 }
 
 TEST(LevelHysteresis, TilesAreOnTheirOwn) {
-    Uniform random(2);
+    RandomBits random(2);
     constexpr std::size_t tiles = 37;
     LevelHysteresis together(tiles);
     std::vector<LevelHysteresis> alone(tiles, LevelHysteresis(1));
@@ -165,4 +165,4 @@ TEST(LevelHysteresis, TilesAreOnTheirOwn) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::level_hysteresis_test

@@ -11,7 +11,7 @@
 #include "tests/testing/room_scenes.h"
 
 // Image sequences of ais: what an image takes over from those before it, and what it does not.
-namespace weft {
+namespace weft::level_memory_test {
 namespace {
 
 using test::room_with_ball;
@@ -140,4 +140,4 @@ TEST(LevelMemory, LevelsFallLessOften) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::level_memory_test

@@ -24,7 +24,7 @@
 #include "tests/testing/run_program.h"
 
 // Images of the scheduler's decisions: the layers, what overlays make of them, and the files.
-namespace weft {
+namespace weft::level_overlay_test {
 namespace {
 
 using test::run_program;
@@ -233,4 +233,4 @@ TEST_F(LevelOverlayFiles, ThatCannotBeWrittenAreAnOutputFailure) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::level_overlay_test

@@ -10,11 +10,11 @@
 
 #include "tests/testing/made_up_frames.h"
 
-namespace weft {
+namespace weft::level_scheduler_test {
 namespace {
 
 using test::in_mask;
-using test::Uniform;
+using test::RandomBits;
 
 using test::Frame;
 using test::MadeUpImage;
@@ -31,7 +31,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float bad = std::numeric_limits<float>::quiet_NaN();
 
 TEST(LevelScheduler, RoundsHoldEverySampledPixelOnceAndOnlyLitOnes) {
-    Uniform random(1);
+    RandomBits random(1);
     for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.0, 1e-3, 0.3, 3.0, infinity}) {
             SCOPED_TRACE(text_of(grid) + ", threshold " + std::to_string(threshold));
@@ -55,7 +55,7 @@ TEST(LevelScheduler, RoundsHoldEverySampledPixelOnceAndOnlyLitOnes) {
 }
 
 TEST(LevelScheduler, TheFirstRoundHoldsTheCoarseLatticeAndWhatTheGeometryWants) {
-    Uniform random(2);
+    RandomBits random(2);
     for (const TileGrid& grid : test::small_images()) {
         const MadeUpImage image = random_image(grid, random);
         LevelScheduler scheduler(grid, settings_of(infinity), image.records);
@@ -76,7 +76,7 @@ TEST(LevelScheduler, TheFirstRoundHoldsTheCoarseLatticeAndWhatTheGeometryWants) 
 
 TEST(LevelScheduler, SamplesOfEverythingThatReconstructionReads) {
     // As reconstruct_tiles.cl chooses the stride of a pixel.
-    Uniform random(3);
+    RandomBits random(3);
     for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.3, 3.0, infinity}) {
             const MadeUpImage image = random_image(grid, random);
@@ -103,7 +103,7 @@ TEST(LevelScheduler, SamplesOfEverythingThatReconstructionReads) {
 }
 
 TEST(LevelScheduler, ThresholdZeroSamplesEveryLitPixelAtOnce) {
-    Uniform random(4);
+    RandomBits random(4);
     for (const TileGrid& grid : test::small_images())
         for (const double threshold : {0.0, -1.0, static_cast<double>(bad)}) {
             const MadeUpImage image = random_image(grid, random);
@@ -114,7 +114,7 @@ TEST(LevelScheduler, ThresholdZeroSamplesEveryLitPixelAtOnce) {
 }
 
 TEST(LevelScheduler, CountsItsTilesAndSamples) {
-    Uniform random(8);
+    RandomBits random(8);
     for (const TileGrid& grid : test::small_images()) {
         const MadeUpImage image = random_image(grid, random);
         LevelScheduler scheduler(grid, settings_of(1.0), image.records);
@@ -134,7 +134,7 @@ TEST(LevelScheduler, CountsItsTilesAndSamples) {
 }
 
 TEST(LevelScheduler, LevelsFallWithTheThreshold) {
-    Uniform random(5);
+    RandomBits random(5);
     for (const TileGrid& grid : test::small_images()) {
         const MadeUpImage image = random_image(grid, random);
         const Signal signal = random_signal(random);
@@ -152,7 +152,7 @@ TEST(LevelScheduler, LevelsFallWithTheThreshold) {
 }
 
 TEST(LevelScheduler, RequiredLevelsAreLeastLevels) {
-    Uniform random(6);
+    RandomBits random(6);
     const TileGrid grid{61, 43};
     const MadeUpImage image = random_image(grid, random);
     const Signal signal = random_signal(random);
@@ -171,7 +171,7 @@ TEST(LevelScheduler, RequiredLevelsAreLeastLevels) {
 }
 
 TEST(LevelScheduler, EqualInputsGiveEqualLists) {
-    Uniform random(7);
+    RandomBits random(7);
     const TileGrid grid{134, 140};
     const MadeUpImage image = random_image(grid, random);
     const Signal signal = random_signal(random);
@@ -244,4 +244,4 @@ TEST(LevelScheduler, WhatIsNotFiniteIsSampledFully) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::level_scheduler_test

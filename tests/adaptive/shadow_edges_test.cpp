@@ -21,7 +21,7 @@
 // Where probes at lights differ (shadow_edges.cl) against a search of every footprint, on every
 // backend and at every width of packets; and how densely lights are sampled there, against a search
 // of every pixel.
-namespace weft {
+namespace weft::shadow_edges_test {
 namespace {
 
 using test::TestBackend;
@@ -106,7 +106,7 @@ class Probes {
 /// probe and single pixels that did not; the last light is seen by all, the one before by none.
 Probes random_probes(int width, int height, std::uint32_t words) {
     Probes probes(width, height, words);
-    test::Uniform random(static_cast<std::uint32_t>(1000 * width) + words);
+    test::RandomBits random(static_cast<std::uint32_t>(1000 * width) + words);
     const auto some = [&](int edge) {
         return static_cast<int>(random.below(static_cast<std::uint32_t>(edge)));
     };
@@ -275,4 +275,4 @@ TEST(ShadowEdges, NothingToSampleAgainWhereAllSawTheSame) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::shadow_edges_test

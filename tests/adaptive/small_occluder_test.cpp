@@ -14,7 +14,7 @@
 //
 // The floor is looked at from straight above, so that pixels are squares of known size, and most
 // occluders float above the camera: nothing in the image but the shadow betrays them.
-namespace weft {
+namespace weft::small_occluder_test {
 namespace {
 
 using test::Rendering;
@@ -299,4 +299,4 @@ TEST(SmallOccluder, AtTheBorderOfImagesThatEndWithinATile) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::small_occluder_test

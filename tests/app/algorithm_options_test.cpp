@@ -12,7 +12,7 @@
 #include "plan/algorithm.h"
 #include "tests/testing/parse_options.h"
 
-namespace weft {
+namespace weft::algorithm_options_test {
 namespace {
 
 using test::render;
@@ -146,4 +146,4 @@ TEST(AlgorithmOptions, CompensationIsForVirtualLights) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::algorithm_options_test

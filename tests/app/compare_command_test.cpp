@@ -21,7 +21,7 @@
 #include "tests/testing/run_program.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::compare_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -353,4 +353,4 @@ TEST_F(CompareCommand, HdrVdpOfAPublishedPair) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::compare_command_test

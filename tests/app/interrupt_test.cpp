@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <thread>
 
-namespace weft {
+namespace weft::interrupt_test {
 namespace {
 
 TEST(Interrupt, SignalsSetTheFlag) {
@@ -51,4 +51,4 @@ TEST(InterruptDeathTest, RepeatedTerminationRequestsDoNotEnd) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::interrupt_test

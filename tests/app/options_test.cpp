@@ -10,7 +10,7 @@
 
 #include "tests/testing/parse_options.h"
 
-namespace weft {
+namespace weft::options_test {
 namespace {
 
 using test::parse;
@@ -322,4 +322,4 @@ TEST(Options, JsonHoldsEveryOption) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::options_test

@@ -15,7 +15,7 @@
 #include "tests/testing/program_backends.h"
 #include "tests/testing/run_program.h"
 
-namespace weft {
+namespace weft::program_frames_test {
 namespace {
 
 using nlohmann::json;
@@ -283,4 +283,4 @@ TEST_F(ProgramFrames, ImpossibleOptionsAreUsageErrors) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::program_frames_test

@@ -13,7 +13,7 @@
 #include "tests/testing/program_backends.h"
 #include "tests/testing/run_program.h"
 
-namespace weft {
+namespace weft::program_render_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -317,4 +317,4 @@ TEST_F(ProgramRender, RelativePathsAreOfTheWorkingFolder) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::program_render_test

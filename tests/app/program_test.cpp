@@ -13,7 +13,7 @@
 #include "tests/testing/run_program.h"
 #include "tests/testing/vol_bytes.h"
 
-namespace weft {
+namespace weft::program_test {
 namespace {
 
 using nlohmann::json;
@@ -270,4 +270,4 @@ TEST(Program, HelpAndDocumentationListTheSameOptions) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::program_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-namespace weft {
+namespace weft::progress_test {
 namespace {
 
 /// What a test run writes to a stream that is no terminal.
@@ -169,4 +169,4 @@ TEST(Progress, BarOnATerminalIsRedrawnTenTimesASecondAndCleared) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::progress_test

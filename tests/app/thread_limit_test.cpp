@@ -15,7 +15,7 @@
 #include "base/limits.h"
 #include "tests/testing/run_program.h"
 
-namespace weft {
+namespace weft::thread_limit_test {
 namespace {
 
 using test::RunningProgram;
@@ -79,4 +79,4 @@ TEST(ThreadLimit, IsInForceInRenderings) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::thread_limit_test

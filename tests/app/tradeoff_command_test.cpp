@@ -16,7 +16,7 @@
 #include "tests/testing/run_program.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::tradeoff_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ TEST_F(TradeoffCommand, AnInterruptedReferenceIsKept) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::tradeoff_command_test

@@ -10,7 +10,7 @@
 #include "tests/testing/parse_options.h"
 #include "tradeoff/tradeoff_result.h"
 
-namespace weft {
+namespace weft::tradeoff_options_test {
 namespace {
 
 using test::parse;
@@ -134,4 +134,4 @@ TEST(TradeoffOptions, TheCommandLineMeasuresTheSameAgain) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::tradeoff_options_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace weft {
+namespace weft::base64_test {
 namespace {
 
 std::string encoded(const std::string& text) {
@@ -44,4 +44,4 @@ TEST(Base64, GivesEveryByteBack) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::base64_test

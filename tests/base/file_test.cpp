@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ TEST(FileWrite, WritesThroughSymbolicLinks) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::file_test

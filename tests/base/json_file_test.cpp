@@ -14,7 +14,7 @@
 #include "base/limits.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::json_file_test {
 namespace {
 
 using nlohmann::json;
@@ -171,4 +171,4 @@ TEST_F(JsonFile, NumbersSurvive) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::json_file_test

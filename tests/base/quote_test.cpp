@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace weft {
+namespace weft::quote_test {
 namespace {
 
 TEST(Quote, OneLineHasNoControlCharacters) {
@@ -27,4 +27,4 @@ TEST(Quote, QuotesAndCuts) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::quote_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace weft {
+namespace weft::shell_word_test {
 namespace {
 
 TEST(ShellWord, QuotesWhatAShellWouldTakeApart) {
@@ -23,4 +23,4 @@ TEST(ShellWord, FilesAreNoOptions) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::shell_word_test

@@ -12,7 +12,7 @@
 
 #include "bench/common/compact_json.h"
 
-namespace weft::bench {
+namespace weft::bench::column_means_test {
 namespace {
 
 /// Null where the file is not at hand.
@@ -78,4 +78,4 @@ TEST(ColumnMeans, ReportsSayTheSameOnFewerLines) {
 }
 
 }  // namespace
-}  // namespace weft::bench
+}  // namespace weft::bench::column_means_test

@@ -13,7 +13,7 @@
 #include "tests/testing/render_fixture.h"
 #include "tests/testing/smoky_room.h"
 
-namespace weft::bench {
+namespace weft::bench::kernel_meter_test {
 namespace {
 
 using test::TestBackend;
@@ -223,4 +223,4 @@ TEST(KernelMeter, BackendsTakeTurns) {
 }
 
 }  // namespace
-}  // namespace weft::bench
+}  // namespace weft::bench::kernel_meter_test

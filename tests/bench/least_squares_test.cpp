@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "bench/scaling/scaling_laws.h"
 
-namespace weft::bench {
+namespace weft::bench::least_squares_test {
 namespace {
 
 /// Sum of squared relative errors, which a line is to make as small as can be.
@@ -116,4 +116,4 @@ TEST(LeastSquares, LawsExpectWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace weft::bench
+}  // namespace weft::bench::least_squares_test

@@ -15,7 +15,7 @@
 #include "scene/flat_scene.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft::bench {
+namespace weft::bench::scaling_axes_test {
 namespace {
 
 const ScalingAxis& axis_of(const std::vector<ScalingAxis>& axes, const std::string& name) {
@@ -118,4 +118,4 @@ TEST(ScalingAxes, FreeMemoryIsKnownOnLinux) {
 }
 
 }  // namespace
-}  // namespace weft::bench
+}  // namespace weft::bench::scaling_axes_test

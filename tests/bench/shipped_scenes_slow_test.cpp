@@ -15,7 +15,7 @@
 #include "selftest/placed_scene.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::shipped_scenes_slow_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(ShippedScenesSlow, AreTheSameImageAnywhere) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::shipped_scenes_slow_test

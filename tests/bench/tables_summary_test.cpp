@@ -9,7 +9,7 @@
 #include "bench/tables/shipped_scenes.h"
 #include "bench/tables/tables_report.h"
 
-namespace weft::bench {
+namespace weft::bench::tables_summary_test {
 namespace {
 
 /// A scene with two columns of the table of speed-ups.
@@ -111,4 +111,4 @@ TEST(TablesSummary, RowsFollowFromTimes) {
 }
 
 }  // namespace
-}  // namespace weft::bench
+}  // namespace weft::bench::tables_summary_test

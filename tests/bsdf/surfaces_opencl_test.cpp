@@ -108,7 +108,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
 )
 // clang-format on
 
-namespace weft {
+namespace weft::surfaces_opencl_test {
 namespace {
 
 // The kinds of light that surfaces choose from come first, with four fifths of the probability.
@@ -167,12 +167,12 @@ std::vector<float> run_native(const Inputs& inputs) {
 
 std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     std::set<std::string> done;
-    std::string source = expand("bsdf/bsdf.h", done);
-    source += expand("light/light.h", done);
+    std::string source = test::expand("bsdf/bsdf.h", done);
+    source += test::expand("light/light.h", done);
     source += kernel_text;
     const cl::Context context(device);
     const cl::Program program =
-        build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
+        test::build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
     const cl::CommandQueue queue(context, device);
     const std::size_t count = inputs.numbers.size() / 6;
     std::vector<float> results(count * RESULTS);
@@ -191,19 +191,19 @@ std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     kernel.setArg(5, out);
     kernel.setArg(6, static_cast<cl_uint>(count));
     kernel.setArg(7, static_cast<cl_uint>(kinds));
-    run_items(queue, kernel, count);
+    test::run_items(queue, kernel, count);
     queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
     return results;
 }
 
 TEST(SurfacesOpencl, DevicesScatterAndShineAsTheNativeBuildDoes) {
     bool tried = false;
-    for (const cl::Device& device : all_devices()) {
-        if (!rounds_correctly(device)) continue;
+    for (const cl::Device& device : test::all_devices()) {
+        if (!test::rounds_correctly(device)) continue;
         tried = true;
         const std::string name = device.getInfo<CL_DEVICE_NAME>();
         SCOPED_TRACE(name);
-        const Inputs inputs = make_inputs(is_interpreter(device) ? 2'000 : 100'000);
+        const Inputs inputs = make_inputs(test::is_interpreter(device) ? 2'000 : 100'000);
         const std::vector<float> expected = run_native(inputs);
         const std::vector<float> got = run_device(device, inputs);
         ASSERT_EQ(got.size(), expected.size());
@@ -224,6 +224,6 @@ TEST(SurfacesOpencl, DevicesScatterAndShineAsTheNativeBuildDoes) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::surfaces_opencl_test
 
 #endif

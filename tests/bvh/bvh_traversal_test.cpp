@@ -13,7 +13,7 @@
 #include "tests/testing/bvh_meshes.h"
 
 // A plain traversal in double precision against testing every triangle.
-namespace weft {
+namespace weft::bvh_traversal_test {
 namespace {
 
 using test::BvhMesh;
@@ -172,4 +172,4 @@ TEST(BvhTraversal, FindsTheNearestHitsOfAGridOfSharedEdges) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::bvh_traversal_test

@@ -13,7 +13,7 @@
 #include "bvh/wide_bvh.h"
 #include "tests/testing/bvh_meshes.h"
 
-namespace weft {
+namespace weft::check_bvh_test {
 namespace {
 
 void append_one(LargeVector<float>& leaves, const LeafTriangle& triangle) {
@@ -223,4 +223,4 @@ TEST(CheckBvhStack, RefusesMoreThanTheKernelsHold) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::check_bvh_test

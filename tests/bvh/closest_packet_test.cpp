@@ -10,7 +10,7 @@
 
 // Closest hits in packets are those of single rays, bit for bit, whatever the width, the company
 // and the backend.
-namespace weft {
+namespace weft::closest_packet_test {
 namespace {
 
 using test::Fan;
@@ -77,4 +77,4 @@ TEST(ClosestPacket, TheSmallestOfCoincidentTrianglesWins) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::closest_packet_test

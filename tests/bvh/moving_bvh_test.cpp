@@ -18,7 +18,7 @@
 
 // A BVH of a resting and a moving part holds every invariant of one built at once, and is the same
 // wherever the moving triangles have been before.
-namespace weft {
+namespace weft::moving_bvh_test {
 namespace {
 
 using test::BvhMesh;
@@ -168,4 +168,4 @@ TEST(MovingBvh, AFailedUpdateChangesNothing) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::moving_bvh_test

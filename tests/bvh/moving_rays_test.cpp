@@ -13,7 +13,7 @@
 #include "tests/testing/ray_fans.h"
 
 // In a scene that is brought up to date rays meet what they meet in one that is made anew.
-namespace weft {
+namespace weft::moving_rays_test {
 namespace {
 
 using test::Fan;
@@ -198,4 +198,4 @@ TEST(MovingRays, OtherGeometryIsRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::moving_rays_test

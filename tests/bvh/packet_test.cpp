@@ -19,7 +19,7 @@
 
 // Shadow rays in packets: the answer of a ray is its own, however wide packets are and whichever
 // rays share them, and it is that of a single ray but for rounding.
-namespace weft {
+namespace weft::packet_test {
 namespace {
 
 using test::Fan;
@@ -326,4 +326,4 @@ TEST(Packet, ASegmentThatEndsInASurfaceIsNotBlockedByIt) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::packet_test

@@ -18,7 +18,7 @@
 // The tree must not change what rays meet: every answer has the bits that testing all triangles
 // one by one gives, by a second writing of the same arithmetic. Whether that is right, a double
 // precision oracle says.
-namespace weft {
+namespace weft::ray_query_test {
 namespace {
 
 using test::all_rays;
@@ -199,4 +199,4 @@ TEST(RayQuery, TrianglesWithoutAreaAreNeverMet) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::ray_query_test

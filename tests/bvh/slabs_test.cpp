@@ -8,7 +8,7 @@
 
 #include "tests/testing/bvh_meshes.h"
 
-namespace weft {
+namespace weft::slabs_test {
 namespace {
 
 TEST(Slabs, OrderedPlanesPartEveryValue) {
@@ -47,4 +47,4 @@ TEST(Slabs, ThereIsOneWherePlanesWouldCoincide) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::slabs_test

@@ -10,7 +10,7 @@
 #include "bvh/flatten.h"
 #include "tests/testing/bvh_meshes.h"
 
-namespace weft {
+namespace weft::spatial_tree_test {
 namespace {
 
 using test::BvhMesh;
@@ -81,4 +81,4 @@ TEST(SpatialTree, HostileMeshesKeepEveryInvariant) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::spatial_tree_test

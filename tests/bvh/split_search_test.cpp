@@ -12,7 +12,7 @@
 #include "bvh/split_triangle.h"
 #include "tests/testing/bvh_meshes.h"
 
-namespace weft {
+namespace weft::split_search_test {
 namespace {
 
 using test::BvhMesh;
@@ -122,4 +122,4 @@ TEST(SplitSearch, NothingIsCutWithoutRoom) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::split_search_test

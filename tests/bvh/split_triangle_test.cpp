@@ -8,7 +8,7 @@
 #include "bvh/pieces.h"
 #include "tests/testing/bvh_meshes.h"
 
-namespace weft {
+namespace weft::split_triangle_test {
 namespace {
 
 Corners corners(const test::BvhMesh& mesh, std::size_t index) {
@@ -105,4 +105,4 @@ TEST(SplitTriangle, CoverageSeesGapsAndOverlooksNone) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::split_triangle_test

@@ -16,7 +16,7 @@
 #include "bvh/flatten.h"
 #include "tests/testing/bvh_meshes.h"
 
-namespace weft {
+namespace weft::wide_bvh_test {
 namespace {
 
 using test::BvhMesh;
@@ -249,4 +249,4 @@ TEST(WideBvh, OutOfMemoryIsAnError) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::wide_bvh_test

@@ -12,7 +12,7 @@
 
 // The weights that records have for pixels, against their formulas in double precision. What is off
 // is the rounding of 1 - n.n', at most 1e-7, which is 1e-5 of its least value here.
-namespace weft {
+namespace weft::cache_lookup_test {
 namespace {
 
 constexpr int pixels = NODE_WIDTH;
@@ -160,4 +160,4 @@ TEST(CacheLookup, PlacesBeyondTheClearanceOfTheirSectorNeedARay) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::cache_lookup_test

@@ -9,12 +9,12 @@
 
 #include "tests/testing/image_masks.h"
 
-namespace weft {
+namespace weft::cache_picks_test {
 namespace {
 
 /// Random masks with about a `share` of bits set, also of pixels beyond the image.
 std::vector<TileMask> random_masks(const TileGrid& grid, std::uint32_t seed, int sparseness) {
-    test::Uniform random(seed);
+    test::RandomBits random(seed);
     std::vector<TileMask> masks(grid.tiles());
     for (TileMask& mask : masks) {
         mask = ~TileMask{0};
@@ -67,4 +67,4 @@ TEST(CachePicks, TheLastRoundTakesAllThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::cache_picks_test

@@ -14,7 +14,7 @@
 // in double precision. Their own error is of the order of (h / d)^2 of the derivative; the step h
 // is 1e-4 of the distance d, so 1e-4 of the derivatives' sizes, f / d and f / d^2, leaves room for
 // the rounding of the kernel's floats alone.
-namespace weft {
+namespace weft::cache_records_test {
 namespace {
 
 constexpr double tolerance = 1e-4;
@@ -188,4 +188,4 @@ TEST(CacheRecords, RadiiFollowTheErrorAndTheShareOfLightThatIsSeen) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::cache_records_test

@@ -17,7 +17,7 @@
 // middles of cells, so that nothing is left to chance: what remains is the error of the midpoint
 // rule, which falls with the number of cells; the tolerances are two to three times that of the
 // 4068 cells used here, found by quadrature in double precision.
-namespace weft {
+namespace weft::hemisphere_records_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -234,4 +234,4 @@ TEST(HemisphereRecords, ReachIsThatOfDistanceOrSlope) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::hemisphere_records_test

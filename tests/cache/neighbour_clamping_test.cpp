@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace weft {
+namespace weft::neighbour_clamping_test {
 namespace {
 
 using Places = std::vector<shared::float4>;
@@ -104,4 +104,4 @@ TEST(NeighbourClamping, FindsWhatOthersHaveMet) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::neighbour_clamping_test

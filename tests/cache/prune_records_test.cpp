@@ -12,7 +12,7 @@
 
 #include "kernels/cache/cache.h"
 
-namespace weft {
+namespace weft::prune_records_test {
 namespace {
 
 constexpr double error = 0.1;
@@ -108,4 +108,4 @@ TEST(PruneRecords, TheSmallOnesGoFirst) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::prune_records_test

@@ -10,11 +10,11 @@
 #include "kernels/cache/cache.h"
 #include "tests/testing/image_masks.h"
 
-namespace weft {
+namespace weft::record_store_test {
 namespace {
 
 std::vector<shared::CacheRecord> random_records(std::size_t count) {
-    test::Uniform random(static_cast<std::uint32_t>(count) + 5);
+    test::RandomBits random(static_cast<std::uint32_t>(count) + 5);
     std::vector<shared::CacheRecord> records(count);
     for (shared::CacheRecord& record : records)
         record.position = {random.unit() - 0.5F, 4.0F * random.unit(), -random.unit(),
@@ -50,4 +50,4 @@ TEST(RecordStore, BoxesHoldWhatTheRecordsOfTheirGroupsServe) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::record_store_test

@@ -14,7 +14,7 @@
 #include "tests/testing/moving_room.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::temporal_cache_test {
 namespace {
 
 using test::MovingRoom;
@@ -283,4 +283,4 @@ TEST(TemporalCache, AnEarlyEndLeavesNothingHalfDone) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::temporal_cache_test

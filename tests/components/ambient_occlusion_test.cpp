@@ -15,7 +15,7 @@
 #include "tests/testing/render_fixture.h"
 
 // Ambient occlusion: closed forms, a brute force of its own, and what must not change its bits.
-namespace weft {
+namespace weft::ambient_occlusion_test {
 namespace {
 
 using test::Rendering;
@@ -363,4 +363,4 @@ TEST(AmbientOcclusion, LayerIsTheMeanOfItsImagesFrames) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::ambient_occlusion_test

@@ -9,7 +9,7 @@
 
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::instant_cache_test {
 namespace {
 
 using test::Rendering;
@@ -238,4 +238,4 @@ TEST(InstantCache, AFrameThatEndsEarlyIsDefined) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::instant_cache_test

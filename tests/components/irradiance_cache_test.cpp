@@ -15,7 +15,7 @@
 #include "tests/testing/render_fixture.h"
 #include "tests/testing/room_scenes.h"
 
-namespace weft {
+namespace weft::irradiance_cache_test {
 namespace {
 
 using test::Rendering;
@@ -300,4 +300,4 @@ TEST(IrradianceCache, AFrameThatEndsEarlyIsDefined) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::irradiance_cache_test

@@ -17,7 +17,7 @@
 // Comparisons by chance allow what sidak_limit gives for 300 of them (about 5.1 standard errors),
 // more than this file makes; seeds are fixed, and standard errors are bounded. What reaches the
 // camera unscattered from what it sees first is not a matter of chance.
-namespace weft {
+namespace weft::media_emission_test {
 namespace {
 
 using test::add_boundary;
@@ -337,4 +337,4 @@ TEST(MediaEmission, HostileMediaStayFinite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::media_emission_test

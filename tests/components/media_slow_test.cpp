@@ -10,7 +10,7 @@
 #include "tests/testing/smoky_room.h"
 
 // Previews of scenes with participating media against path tracing.
-namespace weft {
+namespace weft::media_slow_test {
 namespace {
 
 using test::Rendering;
@@ -57,4 +57,4 @@ TEST(MediaSlow, SmokeHasTheMeanOfPathTracing) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::media_slow_test

@@ -13,7 +13,7 @@
 // View rays that pass virtual lights at touching distance: what a medium scatters there of one of
 // them must not show as a speck. A narrow spot puts all virtual lights of one bounce on a
 // disk of 1/100 of the room's edge, and all rays of a narrow view end in its middle.
-namespace weft {
+namespace weft::media_specks_test {
 namespace {
 
 using test::SceneBuilder;
@@ -73,4 +73,4 @@ TEST(MediaSpecks, ManyLightsAtTouchingDistanceAddUpToTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::media_specks_test

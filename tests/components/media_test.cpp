@@ -18,7 +18,7 @@
 
 // Previews of scenes with participating media: light that media scatter to the camera, and what
 // they leave of all other light, where it is known; media_slow_test.cpp has path tracing.
-namespace weft {
+namespace weft::media_test {
 namespace {
 
 using test::add_boundary;
@@ -340,4 +340,4 @@ TEST(Media, HostileMediaStayFinite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::media_test

@@ -10,7 +10,7 @@
 #include "tests/testing/room_scenes.h"
 
 // Roulette among VPLs that would add little: it must cost no light on average, and save rays.
-namespace weft {
+namespace weft::roulette_test {
 namespace {
 
 using test::Rendering;
@@ -101,4 +101,4 @@ TEST(Roulette, AllBackendsDrawTheSame) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::roulette_test

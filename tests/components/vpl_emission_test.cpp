@@ -13,7 +13,7 @@
 // gives its flux / A everywhere, so light of flux P from whatever source gives the indirect
 // irradiance (P / A) (rho + rho^2 + ...). Light from infinity is tested with a small receiver over
 // a lit floor, whose form factor is known.
-namespace weft {
+namespace weft::vpl_emission_test {
 namespace {
 
 using test::Rendering;
@@ -191,4 +191,4 @@ TEST(VplEmission, Environment) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::vpl_emission_test

@@ -9,7 +9,7 @@
 
 #include "tests/testing/path_fixture.h"
 
-namespace weft {
+namespace weft::vpl_residual_slow_test {
 namespace {
 
 using test::Estimate;
@@ -82,4 +82,4 @@ TEST(VplResidualSlow, CloseToAWallItEqualsPathTracing) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::vpl_residual_slow_test

@@ -20,7 +20,7 @@
 // together, a correct renderer fails with a probability of 1e-4, or 4e-4 by Student's t instead of
 // the normal distribution. Every comparison also bounds its standard error, or it would accept
 // anything.
-namespace weft {
+namespace weft::vpl_residual_test {
 namespace {
 
 using test::Estimate;
@@ -389,4 +389,4 @@ TEST(VplResidual, BlackSurfacesAndScenesWithoutLightStayBlack) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::vpl_residual_test

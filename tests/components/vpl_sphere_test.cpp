@@ -21,7 +21,7 @@
 // normals' tilt of up to 0.011 makes an error of up to 2 * 0.011 R / d of either sign, so a pixel
 // beside a VPL may miss or double its share; over all pixels and VPLs what stays is of second
 // order. At level 5 edges are twice as long, and all of this four times as large.
-namespace weft {
+namespace weft::vpl_sphere_test {
 namespace {
 
 using test::Rendering;
@@ -214,4 +214,4 @@ TEST(VplSphere, TheBoundCutsWhatItSaysAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::vpl_sphere_test

@@ -73,7 +73,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const float* xs, GLOBAL const float* ys, GLOBA
 )
 // clang-format on
 
-namespace weft {
+namespace weft::maths_opencl_test {
 namespace {
 
 struct Inputs {
@@ -123,10 +123,10 @@ std::vector<float> run_native(const Inputs& inputs) {
 
 std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     std::set<std::string> done;
-    const std::string source = expand("core/vector.h", done) + std::string(kernel_text);
+    const std::string source = test::expand("core/vector.h", done) + std::string(kernel_text);
     const cl::Context context(device);
     const cl::Program program =
-        build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
+        test::build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
     const cl::CommandQueue queue(context, device);
     std::vector<float> results(inputs.x.size() * RESULTS);
     const cl::Buffer x(context, inputs.x.begin(), inputs.x.end(), true);
@@ -137,19 +137,19 @@ std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     kernel.setArg(1, y);
     kernel.setArg(2, out);
     kernel.setArg(3, static_cast<cl_uint>(inputs.x.size()));
-    run_items(queue, kernel, inputs.x.size());
+    test::run_items(queue, kernel, inputs.x.size());
     queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
     return results;
 }
 
 TEST(MathsOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
     bool tried = false;
-    for (const cl::Device& device : all_devices()) {
-        if (!rounds_correctly(device)) continue;
+    for (const cl::Device& device : test::all_devices()) {
+        if (!test::rounds_correctly(device)) continue;
         tried = true;
         const std::string name = device.getInfo<CL_DEVICE_NAME>();
         SCOPED_TRACE(name);
-        const Inputs inputs = make_inputs(is_interpreter(device) ? 20'000 : 1'000'000);
+        const Inputs inputs = make_inputs(test::is_interpreter(device) ? 20'000 : 1'000'000);
         const std::vector<float> expected = run_native(inputs);
         const std::vector<float> got = run_device(device, inputs);
         ASSERT_EQ(got.size(), expected.size());
@@ -169,6 +169,6 @@ TEST(MathsOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::maths_opencl_test
 
 #endif

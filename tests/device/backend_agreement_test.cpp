@@ -11,7 +11,7 @@
 #include "tests/testing/render_fixture.h"
 
 // One scene that needs every feature, rendered in every way that must not matter.
-namespace weft {
+namespace weft::backend_agreement_test {
 namespace {
 
 using test::Rendering;
@@ -291,4 +291,4 @@ TEST(BackendAgreement, APixelDoesNotDependOnTheImagesOthers) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::backend_agreement_test

@@ -15,7 +15,7 @@
 // Launches are checked against the signatures of kernels/core/signatures.h: by their types where
 // they are made of them (tests/device/launch_errors_check.sh), and here where they are put together
 // by hand.
-namespace weft {
+namespace weft::kernel_signature_test {
 namespace {
 
 constexpr KernelId kernel = KernelId::shadow_edges;  // takes two buffers and traces nothing
@@ -112,4 +112,4 @@ TEST_F(KernelSignature, EveryKernelHasOneWithDistinctNames) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::kernel_signature_test

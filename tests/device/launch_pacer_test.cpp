@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace weft {
+namespace weft::launch_pacer_test {
 namespace {
 
 constexpr KernelId kernel = KernelId::path;
@@ -60,4 +60,4 @@ TEST(LaunchPacer, AnotherWorkloadOfTheKernelIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::launch_pacer_test

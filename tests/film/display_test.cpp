@@ -7,7 +7,7 @@
 #include "tests/testing/session_fixture.h"
 #include "tests/testing/smoky_room.h"
 
-namespace weft {
+namespace weft::display_test {
 namespace {
 
 using test::KeptDisplay;
@@ -80,4 +80,4 @@ TEST(Display, GetsPathTracingThatAPngFileWouldHold) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::display_test

@@ -18,7 +18,7 @@
 #include "tests/testing/temporary_folder.h"
 
 // The sums of path tracing in files: every bit comes back, and what is damaged is refused.
-namespace weft {
+namespace weft::film_sums_file_test {
 namespace {
 
 constexpr std::uint32_t width = 7;
@@ -207,4 +207,4 @@ TEST(FilmSumsFile, TruncatedFilesAreRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::film_sums_file_test

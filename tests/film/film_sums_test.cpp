@@ -23,7 +23,7 @@
 
 // The film's sums against other integer arithmetic on the host, and what is made of them against
 // double precision.
-namespace weft {
+namespace weft::film_sums_test {
 namespace {
 
 __extension__ typedef unsigned __int128 Wide;
@@ -369,4 +369,4 @@ TEST(FilmSums, RelativeErrorIsNotDeceived) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::film_sums_test

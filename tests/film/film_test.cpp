@@ -9,7 +9,7 @@
 
 #include "shared/shared_types.h"
 
-namespace weft {
+namespace weft::film_test {
 namespace {
 
 constexpr std::uint32_t width = 3;
@@ -106,4 +106,4 @@ TEST(Film, WithoutSamplesNothingIsDividedByZero) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::film_test

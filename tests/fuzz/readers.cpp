@@ -17,6 +17,7 @@
 #include "app/options.h"
 #include "base/diagnostics.h"
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/limits.h"
 #include "bvh/wide_bvh.h"
 #include "image/exr.h"
@@ -104,10 +105,6 @@ void expect_error(ExitCode code, const Read& read) {
         if (error.code() != code) throw;
         require_one_line(error.what());
     }
-}
-
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// What a rendering over frames does with what moves.

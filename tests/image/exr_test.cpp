@@ -19,7 +19,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 
-namespace weft {
+namespace weft::exr_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,4 +249,4 @@ TEST_F(Exr, DamagedFilesOfOtherProjectsLoadOrThrow) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::exr_test

@@ -17,7 +17,7 @@
 #include "image/hdr.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::hdr_image_test {
 namespace {
 
 const std::string format = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
@@ -237,4 +237,4 @@ TEST(HdrImage, ReadsAPublishedImage) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::hdr_image_test

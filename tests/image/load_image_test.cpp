@@ -19,7 +19,7 @@
 #include "image/read_png.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::load_image_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST(LoadImage, RefusesAnythingElse) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::load_image_test

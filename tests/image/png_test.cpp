@@ -18,7 +18,7 @@
 
 #include "base/error.h"
 
-namespace weft {
+namespace weft::png_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -211,4 +211,4 @@ TEST(PngAutoExposure, ProtectsHighlightsByAtMostTwoStops) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::png_test

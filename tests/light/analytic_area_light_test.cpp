@@ -14,7 +14,7 @@
 // Receivers so close to an area light that the bound on its samples would leave most of its light
 // out, at the settings of previews. Images of one pixel show a floor's point at the foot of an area
 // light that stands on the floor, from behind the area light's dark back or from the side.
-namespace weft {
+namespace weft::analytic_area_light_test {
 namespace {
 
 using test::polygon_irradiance;
@@ -126,4 +126,4 @@ TEST(AnalyticAreaLight, AScreenHidesBetweenTheShareOfLightAndThatOfArea) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::analytic_area_light_test

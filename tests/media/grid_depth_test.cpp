@@ -19,7 +19,7 @@
 #include "tests/testing/native_density_grid.h"
 
 // Exact integrals of kernels/media/grid_depth.h against closed forms and sums in double precision.
-namespace weft {
+namespace weft::grid_depth_test {
 namespace {
 
 const std::array<GridSize, 6> sizes = {
@@ -115,4 +115,4 @@ TEST(GridDepth, IsNeverNaN) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::grid_depth_test

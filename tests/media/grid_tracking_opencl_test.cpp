@@ -58,7 +58,7 @@ KERNEL_ENTRY void track(GLOBAL const DensityGridRecord* records, GLOBAL const fl
 )
 // clang-format on
 
-namespace weft {
+namespace weft::grid_tracking_opencl_test {
 namespace {
 
 std::vector<float> ray_floats() {
@@ -92,10 +92,11 @@ cl::Buffer buffer_of(const cl::Context& context, const Values& values) {
 std::vector<float> run_device(const cl::Device& device, const NativeGrid& grid,
                               const std::vector<float>& rays) {
     std::set<std::string> done;
-    const std::string source = expand("media/grid_tracking.h", done) + std::string(kernel_text);
+    const std::string source =
+        test::expand("media/grid_tracking.h", done) + std::string(kernel_text);
     const cl::Context context(device);
     const cl::Program program =
-        build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
+        test::build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
     const cl::CommandQueue queue(context, device);
     std::vector<float> results(rays.size() / 9 * RESULTS);
     const cl::Buffer out(context, CL_MEM_WRITE_ONLY, results.size() * sizeof(float));
@@ -107,7 +108,7 @@ std::vector<float> run_device(const cl::Device& device, const NativeGrid& grid,
     for (cl_uint i = 0; i < inputs.size(); ++i) kernel.setArg(i, inputs[i]);
     kernel.setArg(4, out);
     kernel.setArg(5, static_cast<cl_uint>(rays.size() / 9));
-    run_items(queue, kernel, rays.size() / 9);
+    test::run_items(queue, kernel, rays.size() / 9);
     queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
     return results;
 }
@@ -117,8 +118,8 @@ TEST(GridTrackingOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
     const NativeGrid grid(make_random_grid({17, 30, 9}, 4));
     const std::vector<float> rays = ray_floats();
     const std::vector<float> expected = run_native(grid, rays);
-    for (const cl::Device& device : all_devices()) {
-        if (!rounds_correctly(device) || is_interpreter(device)) continue;
+    for (const cl::Device& device : test::all_devices()) {
+        if (!test::rounds_correctly(device) || test::is_interpreter(device)) continue;
         tried = true;
         SCOPED_TRACE(device.getInfo<CL_DEVICE_NAME>());
         const std::vector<float> got = run_device(device, grid, rays);
@@ -136,6 +137,6 @@ TEST(GridTrackingOpencl, DevicesGiveTheBitsOfTheNativeBuild) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::grid_tracking_opencl_test
 
 #endif

@@ -22,7 +22,7 @@
 // z-value and distributions of collisions by that of Kolmogorov and Smirnov; the probability of a
 // value as large as the one found must be above 1e-4 over all of this file's comparisons together
 // (Sidak 1967, for 100 of them, more than there are: 1e-6 each, two-sided). Seeds are fixed.
-namespace weft {
+namespace weft::grid_tracking_test {
 namespace {
 
 constexpr double z_limit = 4.9;
@@ -373,4 +373,4 @@ TEST(GridTracking, IsAlwaysDefined) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::grid_tracking_test

@@ -20,7 +20,7 @@
 
 // Look-ups and walks of kernels/media/density_grid.h and grid_walk.h against their definitions in
 // double precision.
-namespace weft {
+namespace weft::grid_walk_test {
 namespace {
 
 const std::array<GridSize, 6> sizes = {
@@ -144,4 +144,4 @@ TEST(GridWalk, RefusesNumbersThatAreNone) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::grid_walk_test

@@ -55,7 +55,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const float* inputs, GLOBAL float* results, ui
 )
 // clang-format on
 
-namespace weft {
+namespace weft::medium_opencl_test {
 namespace {
 
 constexpr std::uint32_t count = 60'000;
@@ -76,10 +76,10 @@ std::vector<float> make_inputs() {
 
 std::vector<float> run_device(const cl::Device& device, std::vector<float> inputs) {
     std::set<std::string> done;
-    const std::string source = expand("media/medium.h", done) + std::string(kernel_text);
+    const std::string source = test::expand("media/medium.h", done) + std::string(kernel_text);
     const cl::Context context(device);
     const cl::Program program =
-        build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
+        test::build_program(context, device, source, " -DRESULTS=" + std::to_string(RESULTS));
     const cl::CommandQueue queue(context, device);
     std::vector<float> results(std::size_t{count} * RESULTS);
     const cl::Buffer in(context, inputs.begin(), inputs.end(), true);
@@ -88,7 +88,7 @@ std::vector<float> run_device(const cl::Device& device, std::vector<float> input
     kernel.setArg(0, in);
     kernel.setArg(1, out);
     kernel.setArg(2, cl_uint{count});
-    run_items(queue, kernel, count);
+    test::run_items(queue, kernel, count);
     queue.enqueueReadBuffer(out, CL_TRUE, 0, results.size() * sizeof(float), results.data());
     return results;
 }
@@ -128,7 +128,7 @@ TEST(MediumOpencl, DevicesKeepTheClosedFormsAndTheNativeBits) {
         native::evaluate(inputs.data(), expected.data(), count);
     }
     expect_closed_forms(inputs, expected);
-    const std::vector<cl::Device> devices = all_devices();
+    const std::vector<cl::Device> devices = test::all_devices();
     if (devices.empty()) GTEST_SKIP() << "there is no OpenCL device";
     for (const cl::Device& device : devices) {
         SCOPED_TRACE(device.getInfo<CL_DEVICE_NAME>());
@@ -144,6 +144,6 @@ TEST(MediumOpencl, DevicesKeepTheClosedFormsAndTheNativeBits) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::medium_opencl_test
 
 #endif

@@ -19,7 +19,7 @@
 
 // kernels/media/medium.h against closed forms. Estimates have fixed seeds; they may be off by 5
 // standard errors, which a correct one is with a probability of 6e-7.
-namespace weft {
+namespace weft::medium_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -289,4 +289,4 @@ TEST(Medium, LightsOnTheRayAreFinite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::medium_test

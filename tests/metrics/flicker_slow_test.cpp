@@ -21,7 +21,7 @@
 // How steady ais is while the camera moves, beside the same renderer with samples everywhere, which
 // changes too: by what interleaving and the discontinuity buffer leave. docs/validation.md has the
 // figures.
-namespace weft {
+namespace weft::flicker_slow_test {
 namespace {
 
 constexpr int images = 60;
@@ -151,4 +151,4 @@ TEST(FlickerSlow, TheGalleryIsSteady) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::flicker_slow_test

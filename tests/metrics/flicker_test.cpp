@@ -13,7 +13,7 @@
 #include "metrics/numeric.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::flicker_test {
 namespace {
 
 constexpr std::uint32_t width = 24;
@@ -171,4 +171,4 @@ TEST(Flicker, WhatHasNoMatchDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::flicker_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace weft {
+namespace weft::fourier_test {
 namespace {
 
 std::vector<Complex> random_values(std::size_t count) {
@@ -112,4 +112,4 @@ TEST(Fourier, LeavesOutColumnsBeyondTheReach) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::fourier_test

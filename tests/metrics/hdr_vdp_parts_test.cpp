@@ -13,7 +13,7 @@
 #include "metrics/hdr_vdp_optics.h"
 #include "metrics/hdr_vdp_response.h"
 
-namespace weft {
+namespace weft::hdr_vdp_parts_test {
 namespace {
 
 TEST(HdrVdpPartsResponse, AgreesWithTheOriginalTable) {
@@ -240,4 +240,4 @@ TEST(HdrVdpPartsGrid, ReachIsTheLastColumnInUse) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::hdr_vdp_parts_test

@@ -9,7 +9,7 @@
 #include "metrics/hdr_vdp.h"
 #include "tests/testing/hdr_vdp_stimuli.h"
 
-namespace weft {
+namespace weft::hdr_vdp_slow_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST(HdrVdpSlow, PublicPairAgreesWithTheOriginal) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::hdr_vdp_slow_test

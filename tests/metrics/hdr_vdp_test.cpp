@@ -11,7 +11,7 @@
 #include "base/limits.h"
 #include "tests/testing/hdr_vdp_stimuli.h"
 
-namespace weft {
+namespace weft::hdr_vdp_test {
 namespace {
 
 constexpr std::uint32_t edge = 45;  // odd: no frequency is its own opposite
@@ -271,4 +271,4 @@ TEST(HdrVdp, RefusesSettingsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::hdr_vdp_test

@@ -16,7 +16,7 @@
 #include "metrics/numeric.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::heat_map_test {
 namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
@@ -103,4 +103,4 @@ TEST(HeatMap, RefusesWhatItCannotShow) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::heat_map_test

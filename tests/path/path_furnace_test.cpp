@@ -16,7 +16,7 @@
 // Pixels all have the same expectation. The mean of an image is compared with it by its standard
 // error; the limit is that of 300 comparisons (sidak_limit: about 5.1 standard errors), more than
 // this file makes, and the standard error itself is bounded.
-namespace weft {
+namespace weft::path_furnace_test {
 namespace {
 
 using test::at;
@@ -235,4 +235,4 @@ TEST(PathFurnace, TheVarianceIsThatOfThePixels) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::path_furnace_test

@@ -20,7 +20,7 @@
 // of 300 comparisons (sidak_limit: about 5.1 standard errors), more than this file makes, and the
 // standard error itself must be small. Lights without an area have no variance and are compared
 // exactly.
-namespace weft {
+namespace weft::path_lights_test {
 namespace {
 
 using test::area_light_mesh;
@@ -223,24 +223,11 @@ TEST(PathLights, HalfPlaneCastsTheExactPenumbra) {
 }
 
 TEST(PathLights, ManyFaintAreaLightsBesideASun) {
-    // The sun shines from below and outshines the area lights by 2^40.
-    SceneBuilder builder = floor_scene();
-    const std::uint32_t material = builder.material(glm::vec3(0.0F), radiance);
-    const std::uint32_t bright = builder.material(glm::vec3(0.0F), 3.0F * radiance);
-    glm::dvec3 expected(0.0);
-    for (int i = 0; i < 70; ++i) {
-        const Mesh area_light =
-            test::quad_mesh({-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
-                            {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
-        builder.add(area_light, i % 3 == 0 ? bright : material);
-        expected += polygon_irradiance(corners_of(area_light), {0, 0, 0}, {0, 0, 1}) *
-                    (i % 3 == 0 ? 3.0 : 1.0) * glm::dvec3(radiance);
-    }
-    builder.light(LightType::directional, {}, glm::vec3(0x1p40F)).direction = {0.0, 0.0, 1.0};
+    const test::LitFloor lit = test::faint_area_lights_beside_a_sun();
     // The sums count 2^-52 of the sun, so that a sample of an area light is rounded to about 1e-3
     // of it, up as often as down.
     for (const TestBackend backend : test::light_backends())
-        expect_sampled(backend, builder.scene, {0, 0, 0}, expected, 1e-4);
+        expect_sampled(backend, lit.scene, {0, 0, 0}, lit.irradiance, 1e-4);
 }
 
 TEST(PathLights, ShadingNormalsTurnTheCosineButNotTheHorizon) {
@@ -356,4 +343,4 @@ TEST(PathLights, FormFactorsAddUpToOne) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::path_lights_test

@@ -16,7 +16,7 @@
 //
 // Comparisons allow what sidak_limit gives for 300 of them (about 5.1 standard errors), more than
 // this file makes; seeds are fixed, and standard errors are bounded.
-namespace weft {
+namespace weft::path_media_test {
 namespace {
 
 using test::add_boundary;
@@ -125,13 +125,9 @@ TEST(PathMedia, SlabsLeaveTheirTransmittance) {
                     test::path_settings(16, 16, 64));
                 for (std::uint32_t c = 0; c < 3; ++c) {
                     const double expected = at(radiance, c) * std::exp(-depth * at(sigma, c));
-                    if (albedo > 0.0F)
-                        test::expect_estimate(test::layer_of(rendering, "emission", c), expected,
-                                              Tolerance{comparisons, 0.1, 1e-5},
-                                              test::backend_name(backend));
-                    else
-                        for (const double value : test::channel_of(rendering, "", c))
-                            ASSERT_NEAR(value, expected, 3e-6 * expected);
+                    test::expect_shine(rendering, c, expected, albedo > 0.0F,
+                                       Tolerance{comparisons, 0.1, 1e-5}, 3e-6,
+                                       test::backend_name(backend));
                 }
             }
         }
@@ -331,4 +327,4 @@ TEST(PathMedia, HostileMediaStayFinite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::path_media_test

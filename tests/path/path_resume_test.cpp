@@ -20,7 +20,7 @@
 
 // Path-traced images made in parts, and by every backend: the same bits as at once. Words are
 // compared, not values.
-namespace weft {
+namespace weft::path_resume_test {
 namespace {
 
 using test::SceneBuilder;
@@ -328,4 +328,4 @@ TEST_F(PathResumeProgram, InterruptedRunsAreContinued) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::path_resume_test

@@ -19,7 +19,7 @@
 //
 // Comparisons with known values allow what sidak_limit gives for 300 of them (about 5.1 standard
 // errors), more than this file makes; seeds are fixed, and standard errors are bounded.
-namespace weft {
+namespace weft::path_roulette_test {
 namespace {
 
 using test::at;
@@ -231,4 +231,4 @@ TEST(PathRoulette, AgreesWithInstantRadiosity) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::path_roulette_test

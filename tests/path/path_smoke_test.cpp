@@ -10,7 +10,7 @@
 
 // Path tracing through density grids: the same bits however it is done, and grids that hold
 // nothing or anything.
-namespace weft {
+namespace weft::path_smoke_test {
 namespace {
 
 using test::add_grid;
@@ -88,4 +88,4 @@ TEST(PathSmoke, HostileGridsStayFinite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::path_smoke_test

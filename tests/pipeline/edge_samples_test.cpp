@@ -12,7 +12,7 @@
 #include "tests/testing/half_plane.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::edge_samples_test {
 namespace {
 
 using test::coverage;
@@ -384,4 +384,4 @@ TEST(EdgeSamples, SmallImagesAndHugeRadianceAreClean) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::edge_samples_test

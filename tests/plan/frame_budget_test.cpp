@@ -13,10 +13,10 @@
 
 #include "tests/testing/image_masks.h"
 
-namespace weft {
+namespace weft::frame_budget_test {
 namespace {
 
-using test::Uniform;
+using test::RandomBits;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double bad = std::numeric_limits<double>::quiet_NaN();
@@ -64,7 +64,7 @@ TEST(FrameBudget, TimesThatAreNoTimesSayNothing) {
 }
 
 TEST(FrameBudget, NeverLeavesItsRange) {
-    Uniform random(1);
+    RandomBits random(1);
     for (const double target : {5e-324, 1e-300, 1.0, 40.0, 1e300}) {
         FrameBudget budget(target);
         for (int frame = 0; frame < 2000; ++frame) {
@@ -97,7 +97,7 @@ struct CostModel {
     double noise;      ///< relative
 
     /// With the gains of the last frames, the newest last.
-    [[nodiscard]] double ms(const std::deque<double>& gains, Uniform& random) const {
+    [[nodiscard]] double ms(const std::deque<double>& gains, RandomBits& random) const {
         const double least = *std::min_element(gains.begin(), gains.end());
         const double spread = 1.0 + noise * (2.0 * static_cast<double>(random.unit()) - 1.0);
         return (fixed + adaptive * std::pow(least, -exponent)) * spread;
@@ -107,7 +107,7 @@ struct CostModel {
 TEST(FrameBudget, ConvergesOnAModelOfCost) {
     // A tile that a low gain has raised stays for some images, so cost follows the least gain of
     // these. Every target below can be reached within the range.
-    Uniform random(2);
+    RandomBits random(2);
     for (const double exponent : {0.2, 0.5, 1.0})
         for (const std::size_t hold : {std::size_t{0}, std::size_t{4}})
             for (const double noise : {0.0, 0.1})
@@ -139,7 +139,7 @@ TEST(FrameBudget, ConvergesOnAModelOfCost) {
 TEST(FrameBudget, WhatCannotBeReachedEndsAtTheEndOfTheRange) {
     for (const auto& [target, end] : {std::pair{10.0, greatest_gain}, {1e6, 1.0 / greatest_gain}}) {
         FrameBudget budget(target);
-        Uniform random(3);
+        RandomBits random(3);
         const CostModel model{20.0, 60.0, 0.5, 0, 0.0};
         for (int frame = 0; frame < 100; ++frame)
             budget.spend(model.ms({budget.gain("indirect")}, random), indirect);
@@ -148,4 +148,4 @@ TEST(FrameBudget, WhatCannotBeReachedEndsAtTheEndOfTheRange) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::frame_budget_test

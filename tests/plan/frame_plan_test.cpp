@@ -14,7 +14,7 @@
 
 #include "plan/quality.h"
 
-namespace weft {
+namespace weft::frame_plan_test {
 namespace {
 
 SceneStatistics room(double reflectance = 0.5) {
@@ -344,4 +344,4 @@ TEST(FramePlan, BoundGrowsWithoutLimitButSlowerThanFrames) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::frame_plan_test

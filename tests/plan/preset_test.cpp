@@ -17,7 +17,7 @@
 #include "tests/testing/run_program.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::preset_test {
 namespace {
 
 using nlohmann::json;
@@ -264,4 +264,4 @@ TEST_F(PresetImage, StatisticsSayWhatTookEffect) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::preset_test

@@ -13,17 +13,17 @@
 
 // Masks of tiles against reference implementations that go through the image pixel by pixel, and
 // against the taps and footprints of the kernels that read what the masks select.
-namespace weft {
+namespace weft::tile_masks_test {
 namespace {
 
 using test::in_mask;
-using test::Uniform;
+using test::RandomBits;
 
 std::string text_of(const TileGrid& grid) {
     return std::to_string(grid.width) + "x" + std::to_string(grid.height);
 }
 
-std::vector<Level> random_levels(const TileGrid& grid, Uniform& random) {
+std::vector<Level> random_levels(const TileGrid& grid, RandomBits& random) {
     // Mostly coarse, so that single finer tiles stand alone, too.
     std::vector<Level> levels(grid.tiles());
     const std::uint32_t rare = 1 + random.below(6);
@@ -67,7 +67,7 @@ TEST(TileMasks, GridsCoverTheImage) {
 }
 
 TEST(TileMasks, SamplesOfEverythingThatReconstructionReads) {
-    Uniform random(1);
+    RandomBits random(1);
     for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 40; ++i) {
             const std::vector<Level> levels = random_levels(grid, random);
@@ -145,7 +145,7 @@ TEST(TileMasks, NothingButLatticesNearFinerTiles) {
 }
 
 TEST(TileMasks, RaisingACoarseTileOnlyAddsPixels) {
-    Uniform random(2);
+    RandomBits random(2);
     for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 20; ++i) {
             std::vector<Level> levels = random_levels(grid, random);
@@ -171,7 +171,7 @@ TEST(TileMasks, FullLevelIsEveryPixel) {
 }
 
 TEST(TileMasks, DilationIsThatOfSinglePixels) {
-    Uniform random(3);
+    RandomBits random(3);
     for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 12; ++i) {
             // From single pixels to dense masks; bits beyond the image are bits like any other.
@@ -196,7 +196,7 @@ TEST(TileMasks, DilationOfEveryPixel) {
 }
 
 TEST(TileMasks, FootprintsAreThoseOfTheDiscontinuityBuffer) {
-    Uniform random(4);
+    RandomBits random(4);
     for (const TileGrid& grid : test::small_images())
         for (int i = 0; i < 12; ++i) {
             // One pixel in the first rounds, and no pixel outside of the image.
@@ -222,4 +222,4 @@ TEST(TileMasks, FootprintsAreThoseOfTheDiscontinuityBuffer) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::tile_masks_test

@@ -13,7 +13,7 @@
 
 #include "tests/testing/image_masks.h"
 
-namespace weft {
+namespace weft::work_list_test {
 namespace {
 
 struct Shape {
@@ -143,7 +143,7 @@ TEST(WorkList, LargeTilesAreTheWholeImage) {
     EXPECT_EQ(make_work_list(60, 45, 3, 4096).pixels, whole.pixels);
 }
 
-std::vector<TileMask> random_masks(const TileGrid& grid, test::Uniform& random) {
+std::vector<TileMask> random_masks(const TileGrid& grid, test::RandomBits& random) {
     // Empty, sparse and full tiles, with bits beyond the image.
     std::vector<TileMask> masks(grid.tiles(), 0);
     for (TileMask& mask : masks) {
@@ -192,7 +192,7 @@ std::string text_of(const TileGrid& grid, std::uint32_t interleave) {
 }
 
 TEST(WorkList, MasksGiveTheirPixelsOnceInTheirSets) {
-    test::Uniform random(1);
+    test::RandomBits random(1);
     for (const TileGrid& grid : test::small_images())
         for (const std::uint32_t n : {1U, 2U, 3U, 5U, 8U, 9U})
             for (int i = 0; i < 4; ++i) {
@@ -233,7 +233,7 @@ TEST(WorkList, RegionsOfMasksFollowEachOtherAndStandAlone) {
     // What a region's list holds does not depend on the masks of others.
     const TileGrid grid{200, 140};
     ASSERT_EQ(work_regions(grid), 4U);
-    test::Uniform random(2);
+    test::RandomBits random(2);
     const std::vector<TileMask> masks = random_masks(grid, random);
     WorkList parts;
     for (std::uint32_t region = 0; region < 4; ++region) {
@@ -274,4 +274,4 @@ TEST(WorkList, ASpreadListKeepsSetsAndPartsNeighbours) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::work_list_test

@@ -12,7 +12,7 @@
 
 #include "tests/testing/image_masks.h"
 
-namespace weft {
+namespace weft::work_order_test {
 namespace {
 
 constexpr float extent = 2.0F;
@@ -28,7 +28,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> by_set(const WorkList& list)
 }
 
 std::vector<shared::float4> random_places(std::size_t count) {
-    test::Uniform random(3);
+    test::RandomBits random(3);
     const auto coordinate = [&] {
         return extent * (static_cast<float>(random.below(4097)) / 2048.0F - 1.0F);
     };
@@ -89,4 +89,4 @@ TEST(WorkOrder, PlacesOutsideAndNoNumbersHaveACell) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::work_order_test

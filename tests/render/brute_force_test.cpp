@@ -11,7 +11,7 @@
 
 // Interleaved sampling against its brute-force reference: `ir` makes the same sample sets as `igi`,
 // and every pixel uses all of them. And the discontinuity filter against what it must not mix.
-namespace weft {
+namespace weft::brute_force_test {
 namespace {
 
 using test::Rendering;
@@ -263,4 +263,4 @@ TEST(BruteForce, PunctualLightIsTheSameForBothAndIsNotFiltered) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::brute_force_test

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "tests/testing/scene_builder.h"
 
-namespace weft {
+namespace weft::camera_params_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -219,4 +219,4 @@ TEST(CameraParams, UnknownNamesListWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::camera_params_test

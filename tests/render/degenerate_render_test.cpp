@@ -11,7 +11,7 @@
 
 // Scenes at the edge of what a scene is, and one scene at every scale and place: every layer stays
 // finite, and nothing has to be guarded.
-namespace weft {
+namespace weft::degenerate_render_test {
 namespace {
 
 using test::isolated_dark_pixels;
@@ -272,4 +272,4 @@ TEST(DegenerateRender, CoincidentFacesAndAreaLightOnAWall) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::degenerate_render_test

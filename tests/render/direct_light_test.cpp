@@ -18,7 +18,7 @@
 // standard errors of the closed form, estimated from the 16 values (Student's t with 15 degrees of
 // freedom: a correct renderer fails one such comparison in 6,000, and seeds are fixed), and the
 // standard error itself must be small, or the test would accept anything.
-namespace weft {
+namespace weft::direct_light_test {
 namespace {
 
 using test::area_light_mesh;
@@ -108,22 +108,10 @@ TEST(DirectLight, TiltedParallelogramsGiveLambertsIrradiance) {
 }
 
 TEST(DirectLight, FaintAreaLightsBesideASunAreSampledByTheirOwnPowers) {
-    // Too many lights for samples of each; the sun shines from below and outshines them by 2^40.
-    SceneBuilder builder = floor_scene();
-    const std::uint32_t material = builder.material(glm::vec3(0.0F), radiance);
-    const std::uint32_t bright = builder.material(glm::vec3(0.0F), 3.0F * radiance);
-    glm::dvec3 expected(0.0);
-    for (int i = 0; i < 70; ++i) {
-        const Mesh area_light =
-            test::quad_mesh({-0.5F + 0.1F * float(i % 10), -0.5F + 0.14F * float(i / 10), 1.0F},
-                            {0.0F, 0.1F, 0.0F}, {0.08F, 0.0F, 0.0F});
-        builder.add(area_light, i % 3 == 0 ? bright : material);
-        expected += polygon_irradiance(corners_of(area_light), {0, 0, 0}, {0, 0, 1}) *
-                    (i % 3 == 0 ? 3.0 : 1.0) * glm::dvec3(radiance);
-    }
-    builder.light(LightType::directional, {}, glm::vec3(0x1p40F)).direction = {0.0, 0.0, 1.0};
+    // Too many lights for samples of each.
+    const test::LitFloor lit = test::faint_area_lights_beside_a_sun();
     for (const TestBackend backend : test::light_backends())
-        expect_sampled(backend, builder.scene, {0, 0, 0}, expected);
+        expect_sampled(backend, lit.scene, {0, 0, 0}, lit.irradiance);
 }
 
 TEST(DirectLight, AnOccluderClipsTheLight) {
@@ -323,4 +311,4 @@ TEST(DirectLight, LightsAddUpWhetherAllAreSampledOrSomeAreChosen) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::direct_light_test

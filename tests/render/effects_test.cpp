@@ -16,7 +16,7 @@
 // A frame does what its scene needs, and nothing else: for each scene the kernels that its plan
 // builds, the stages that a frame runs, and the rays that components trace are written out here. A
 // component that joins the program must not change any of these lists.
-namespace weft {
+namespace weft::effects_test {
 namespace {
 
 using test::Rendering;
@@ -291,4 +291,4 @@ TEST(Effects, AComponentThatIsAskedForLeavesTheOthersAlone) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::effects_test

@@ -19,7 +19,7 @@
 // Student's t with 15 degrees of freedom at 5 standard errors: a correct renderer fails one such
 // comparison in 6,000, and seeds are fixed. What the grid leaves of the integral is a second,
 // deterministic comparison. Images do not depend on the packet width (backend_agreement_test).
-namespace weft {
+namespace weft::form_factor_test {
 namespace {
 
 using test::SceneBuilder;
@@ -113,4 +113,4 @@ TEST(FormFactor, LambertsFormulaIntegratesToThePublishedValues) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::form_factor_test

@@ -14,7 +14,7 @@
 #include "tests/testing/run_program.h"
 
 // Frame times that no machine keeps, or that every machine does: then gains are known.
-namespace weft {
+namespace weft::frame_time_test {
 namespace {
 
 using nlohmann::json;
@@ -129,4 +129,4 @@ TEST(FrameTime, IsRefusedWhereNothingAdapts) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::frame_time_test

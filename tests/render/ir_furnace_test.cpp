@@ -27,7 +27,7 @@
 // comparisons (this file makes fewer) with a probability of 1e-3, which is a limit of 5.8 standard
 // errors; seeds are fixed. Standard errors are bounded as well, or these comparisons would accept
 // anything: sphere and room find light that is off by 1 %, the others by 1 to 5 %.
-namespace weft {
+namespace weft::ir_furnace_test {
 namespace {
 
 using test::SceneBuilder;
@@ -267,4 +267,4 @@ TEST(IrFurnace, ConcentricSpheres) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::ir_furnace_test

@@ -11,7 +11,7 @@
 
 // What is not finite, put past the readers straight into the flattened scene: it is counted by
 // component, its first pixel is named, it turns black, and it reaches nothing else.
-namespace weft {
+namespace weft::nonfinite_guard_test {
 namespace {
 
 using test::Rendering;
@@ -204,4 +204,4 @@ TEST(NonfiniteGuard, ABadSurfaceDoesNotBlackenTheRestByItsVpls) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::nonfinite_guard_test

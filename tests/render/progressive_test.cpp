@@ -11,7 +11,7 @@
 #include "tests/testing/render_fixture.h"
 
 // Images of several frames: what the film adds up, and that it converges.
-namespace weft {
+namespace weft::progressive_test {
 namespace {
 
 using test::Rendering;
@@ -203,4 +203,4 @@ TEST(Progressive, AFirstFrameEndedEarlyIsKeptAndClean) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::progressive_test

@@ -6,7 +6,7 @@
 #include "tests/testing/moving_room.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::stage_times_test {
 namespace {
 
 using test::TestBackend;
@@ -44,4 +44,4 @@ TEST(StageTimes, OfRecordsAddUpToNoMoreThanTheFrame) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::stage_times_test

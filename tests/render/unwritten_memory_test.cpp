@@ -14,7 +14,7 @@
 
 // Nothing reads what nothing has written: buffers hold patterns of their own before their first
 // use, and neither whole frames nor frames that end early know them.
-namespace weft {
+namespace weft::unwritten_memory_test {
 namespace {
 
 using test::TestBackend;
@@ -124,4 +124,4 @@ TEST(UnwrittenMemory, FramesThatEndAnywhereDoNotKnowIt) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::unwritten_memory_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace weft {
+namespace weft::animation_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -248,4 +248,4 @@ TEST(Animation, AllNodesTogetherAreWhereEachIs) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::animation_test

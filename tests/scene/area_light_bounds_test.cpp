@@ -9,7 +9,7 @@
 
 #include "tests/testing/scene_builder.h"
 
-namespace weft {
+namespace weft::area_light_bounds_test {
 namespace {
 
 /// A scene of this area light alone.
@@ -65,4 +65,4 @@ TEST(AreaLightBounds, OnlyOneFlatPanelIsAPanel) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::area_light_bounds_test

@@ -14,7 +14,7 @@
 #include "tests/testing/density_grid_reference.h"
 #include "tests/testing/media_builder.h"
 
-namespace weft {
+namespace weft::convex_media_test {
 namespace {
 
 using test::add_boundary;
@@ -168,4 +168,4 @@ TEST(ConvexMedia, ManyBoundariesAreWalked) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::convex_media_test

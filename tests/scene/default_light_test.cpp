@@ -11,7 +11,7 @@
 #include "scene/validate_scene.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::default_light_test {
 namespace {
 
 /// One upright square that faces the automatic camera.
@@ -150,4 +150,4 @@ TEST(DefaultLight, PlyScenesAreGreyOrHaveTheirColours) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::default_light_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace weft {
+namespace weft::deformation_test {
 namespace {
 
 // Results are floats of about 1.
@@ -213,4 +213,4 @@ TEST(Deformation, JointMatricesLeadFromTheShapeToTheFrame) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::deformation_test

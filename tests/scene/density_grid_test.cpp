@@ -13,7 +13,7 @@
 #include "base/limits.h"
 #include "tests/testing/density_grid_reference.h"
 
-namespace weft {
+namespace weft::density_grid_test {
 namespace {
 
 std::string error_of(const DensityGrid& grid) {
@@ -83,4 +83,4 @@ TEST(DensityGrid, TakesEveryFiniteDensity) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::density_grid_test

@@ -14,7 +14,7 @@
 #include "scene/flat_scene.h"
 #include "tests/testing/scene_builder.h"
 
-namespace weft {
+namespace weft::flat_media_test {
 namespace {
 
 /// The cube [-1,1]^3 with normals outwards.
@@ -214,4 +214,4 @@ TEST(FlatMedia, TooManyBoundariesAreAnError) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::flat_media_test

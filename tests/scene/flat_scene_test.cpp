@@ -11,7 +11,7 @@
 
 #include "tests/testing/scene_builder.h"
 
-namespace weft {
+namespace weft::flat_scene_test {
 namespace {
 
 using test::quad_mesh;
@@ -289,4 +289,4 @@ TEST(FlatScene, UnusedTexturesCallForNothing) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::flat_scene_test

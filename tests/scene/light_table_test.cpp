@@ -9,7 +9,7 @@
 #include "scene/flat_scene.h"
 #include "tests/testing/scene_builder.h"
 
-namespace weft {
+namespace weft::light_table_test {
 namespace {
 
 using test::quad_mesh;
@@ -204,4 +204,4 @@ TEST(LightTable, OneLightIsCertain) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::light_table_test

@@ -13,7 +13,7 @@
 
 #include "tests/testing/density_grid_reference.h"
 
-namespace weft {
+namespace weft::majorant_grid_test {
 namespace {
 
 const std::array<GridSize, 9> sizes = {{{1, 1, 1},
@@ -131,4 +131,4 @@ TEST(MajorantGrid, IsTheGreatestOfTheVoxelsAbout) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::majorant_grid_test

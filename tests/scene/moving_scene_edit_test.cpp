@@ -14,7 +14,7 @@
 
 // Scenes that move and are edited from outside while they do: nothing of an edit is lost, nothing
 // of a refused one stays, and timelines never point at what is gone.
-namespace weft {
+namespace weft::moving_scene_edit_test {
 namespace {
 
 /// A room whose block slides, lit from everywhere too.
@@ -135,4 +135,4 @@ TEST(MovingSceneEdit, WhatIsAttachedToANodeMovesFromThenOn) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::moving_scene_edit_test

@@ -15,7 +15,7 @@
 #include "tests/testing/moving_room.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::moving_scene_test {
 namespace {
 
 using test::igi_settings;
@@ -226,4 +226,4 @@ TEST(MovingScene, LightsMayGoOutAndComeOn) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::moving_scene_test

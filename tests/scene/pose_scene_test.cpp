@@ -23,7 +23,7 @@
 #include "tests/testing/moving_room.h"
 #include "tests/testing/render_fixture.h"
 
-namespace weft {
+namespace weft::pose_scene_test {
 namespace {
 
 using test::TestBackend;
@@ -284,4 +284,4 @@ TEST(PoseScene, WhatOutgrowsTheSceneByFarIsRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::pose_scene_test

@@ -13,7 +13,7 @@
 #include "scene/validate_scene.h"
 #include "tests/testing/edited_room.h"
 
-namespace weft {
+namespace weft::scene_edits_hostile_test {
 namespace {
 
 using test::Edited;
@@ -230,4 +230,4 @@ TEST(SceneEditsHostile, AFailedChangeNamesItsEditAndLeavesTheSceneBefore) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::scene_edits_hostile_test

@@ -16,7 +16,7 @@
 #include "scene/validate_scene.h"
 #include "tests/testing/edited_room.h"
 
-namespace weft {
+namespace weft::scene_edits_test {
 namespace {
 
 using test::Edited;
@@ -214,4 +214,4 @@ TEST(SceneEdits, ReadTheExampleOfTheirPage) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::scene_edits_test

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-namespace weft {
+namespace weft::shapes_test {
 namespace {
 
 using Point = std::tuple<float, float, float>;
@@ -188,4 +188,4 @@ TEST(Shapes, DiskUvMatchesMitsuba) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::shapes_test

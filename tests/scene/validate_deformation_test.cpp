@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "scene/validate_scene.h"
 
-namespace weft {
+namespace weft::validate_deformation_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -150,4 +150,4 @@ TEST(ValidateDeformation, ChecksPosesOfVertices) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::validate_deformation_test

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 
-namespace weft {
+namespace weft::validate_scene_test {
 namespace {
 
 Scene good_scene() {
@@ -225,4 +225,4 @@ TEST(ValidateScene, ChecksACameraAtAnotherTime) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::validate_scene_test

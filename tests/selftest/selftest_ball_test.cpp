@@ -9,7 +9,7 @@
 #include "selftest/smooth_ball.h"
 
 // What `weft selftest` expects of a coarse smooth ball, by what is known of any.
-namespace weft {
+namespace weft::selftest_ball_test {
 namespace {
 
 using selftest::BallPixel;
@@ -56,4 +56,4 @@ TEST(SelftestBall, BlocksAreAsHighAsFacetsLeanAgainstNormalsAtMost) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::selftest_ball_test

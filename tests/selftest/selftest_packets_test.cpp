@@ -9,7 +9,7 @@
 
 // The packets of rays that `weft selftest` makes: what kernels ask of them, and that they are as
 // hard as rays alone.
-namespace weft {
+namespace weft::selftest_packets_test {
 namespace {
 
 using selftest::BvhMesh;
@@ -90,4 +90,4 @@ TEST(SelftestPackets, FromInsideOfARoomLeadOutOfIt) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::selftest_packets_test

@@ -19,7 +19,7 @@
 
 // `weft selftest` without the light: what it counts, prints and survives, and what every case says
 // of itself. That it notices a broken kernel is in selftest_check.sh.
-namespace weft {
+namespace weft::selftest_test {
 namespace {
 
 using selftest::Check;
@@ -200,4 +200,4 @@ TEST(Selftest, TheLedgerHasALineForEveryCheckAndBreaksNoTable) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::selftest_test

@@ -4,7 +4,7 @@
 
 #include "tests/testing/watertight.h"
 
-namespace weft {
+namespace weft::watertight_slow_test {
 namespace {
 
 TEST(WatertightSlow, NoneOfTenMillionRaysLeavesAClosedMesh) {
@@ -13,4 +13,4 @@ TEST(WatertightSlow, NoneOfTenMillionRaysLeavesAClosedMesh) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::watertight_slow_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 // No ray from inside of a closed mesh gets out, wherever the mesh lies.
-namespace weft {
+namespace weft::watertight_test {
 namespace {
 
 TEST(Watertight, NoRayLeavesAClosedMesh) {
@@ -39,4 +39,4 @@ TEST(Watertight, ARayThroughAHoleIsNoticed) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::watertight_test

@@ -8,7 +8,7 @@
 #include "tests/testing/session_fixture.h"
 #include "tests/testing/smoky_room.h"
 
-namespace weft {
+namespace weft::render_session_test {
 namespace {
 
 using test::counted_session;
@@ -258,4 +258,4 @@ TEST(RenderSession, KeepsTheLastFramesAndCountsAll) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::render_session_test

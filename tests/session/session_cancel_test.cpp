@@ -7,7 +7,7 @@
 
 #include "tests/testing/session_fixture.h"
 
-namespace weft {
+namespace weft::session_cancel_test {
 namespace {
 
 using test::differing_values;
@@ -219,4 +219,4 @@ TEST(SessionCancel, ComesFromAnyThread) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::session_cancel_test

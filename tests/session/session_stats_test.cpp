@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace weft {
+namespace weft::session_stats_test {
 namespace {
 
 FrameStats frame_of(std::uint32_t image, std::uint32_t bad = 0, std::uint32_t pixel = 0) {
@@ -47,4 +47,4 @@ TEST(SessionStats, ImagesOfAnotherRendererFollow) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::session_stats_test

@@ -15,7 +15,7 @@
 #include "device/opencl/opencl_devices.h"
 #endif
 
-namespace weft {
+namespace weft::shared_types_test {
 namespace {
 
 struct Member {
@@ -199,4 +199,4 @@ TEST(SharedTypes, DevicesLayThemOutAlike) {
 #endif
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::shared_types_test

@@ -41,9 +41,9 @@ inline const std::vector<TileGrid>& small_images() {
 }
 
 /// Random numbers that every standard library makes alike.
-class Uniform {
+class RandomBits {
   public:
-    explicit Uniform(std::uint32_t seed) : random_(seed) {}
+    explicit RandomBits(std::uint32_t seed) : random_(seed) {}
     /// 0 ... end - 1.
     std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_()) % end; }
     TileMask mask() { return TileMask{random_()} << 32 | random_(); }

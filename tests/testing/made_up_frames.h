@@ -65,7 +65,7 @@ inline MadeUpImage plain(const TileGrid& grid) {
     return image;
 }
 
-inline MadeUpImage random_image(const TileGrid& grid, Uniform& random) {
+inline MadeUpImage random_image(const TileGrid& grid, RandomBits& random) {
     MadeUpImage image(grid);
     for (std::uint32_t tile = 0; tile < grid.tiles(); ++tile) {
         const TileMask lit =
@@ -78,7 +78,7 @@ inline MadeUpImage random_image(const TileGrid& grid, Uniform& random) {
     return image;
 }
 
-inline Signal random_signal(Uniform& random) {
+inline Signal random_signal(RandomBits& random) {
     const float a = random.unit();
     const float b = random.unit();
     return [a, b](std::uint32_t x, std::uint32_t y) {

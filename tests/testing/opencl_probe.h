@@ -25,7 +25,7 @@
     }                   \
     constexpr std::string_view kernel_text = #__VA_ARGS__;
 
-namespace weft {
+namespace weft::test {
 
 /// A file of kernels/ with its includes put in place, each once.
 inline std::string expand(const std::string& name, std::set<std::string>& done) {
@@ -105,6 +105,6 @@ inline bool is_interpreter(const cl::Device& device) {
     return platform.getInfo<CL_PLATFORM_NAME>().find("grind") != std::string::npos;
 }
 
-}  // namespace weft
+}  // namespace weft::test
 
 #endif

@@ -69,6 +69,20 @@ inline void expect_estimate(const Estimate& found, double expected, const Tolera
         << found.error;
 }
 
+/// That a channel of an image of a shining wall behind a medium is as expected: where the medium
+/// scatters, by the mean of the layer "emission"; where it only absorbs, in every pixel to within
+/// `rounding`, relative.
+inline void expect_shine(const Rendering& rendering, std::uint32_t channel, double expected,
+                         bool scatters, const Tolerance& tolerance, double rounding,
+                         const std::string& what) {
+    if (scatters) {
+        expect_estimate(layer_of(rendering, "emission", channel), expected, tolerance, what);
+        return;
+    }
+    for (const double value : channel_of(rendering, "", channel))
+        ASSERT_NEAR(value, expected, rounding * expected) << what;
+}
+
 }  // namespace weft::test
 
 #endif

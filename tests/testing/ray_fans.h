@@ -15,17 +15,6 @@
 // Rays that start at common points, and triangles to trace them in.
 namespace weft::test {
 
-inline glm::vec3 random_point(Uniform& uniform, float low, float high) {
-    const float x = uniform(low, high);
-    const float y = uniform(low, high);
-    return {x, y, uniform(low, high)};
-}
-
-inline std::size_t random_index(Uniform& uniform, std::size_t count) {
-    return std::min(count - 1,
-                    static_cast<std::size_t>(uniform(0.0F, 1.0F) * static_cast<float>(count)));
-}
-
 /// Small triangles all over the unit cube.
 inline RayGeometry soup() {
     const BvhMesh mesh = random_soup(150, 0.15F, 21);

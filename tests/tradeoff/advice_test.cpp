@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace weft {
+namespace weft::advice_test {
 namespace {
 
 constexpr ErrorMeasure measure = ErrorMeasure::relmse;
@@ -186,4 +186,4 @@ TEST(Advice, NoErrorsWhereThereIsNoRange) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::advice_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace weft {
+namespace weft::budget_candidates_test {
 namespace {
 
 Candidate high() {
@@ -60,4 +60,4 @@ TEST(BudgetCandidates, AreNoneForTimesThatSayNothing) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::budget_candidates_test

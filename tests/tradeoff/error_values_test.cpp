@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "tradeoff/image_errors.h"
 
-namespace weft {
+namespace weft::error_values_test {
 namespace {
 
 constexpr std::uint32_t edge = 64;
@@ -67,4 +67,4 @@ TEST(ErrorValues, WhatCannotBeComparedIsRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::error_values_test

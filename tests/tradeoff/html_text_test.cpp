@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace weft {
+namespace weft::html_text_test {
 namespace {
 
 TEST(HtmlText, EscapesMarkup) {
@@ -61,4 +61,4 @@ TEST(HtmlText, CutsAtCharacters) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::html_text_test

@@ -13,7 +13,7 @@
 
 #include "tradeoff/reference_images.h"
 
-namespace weft {
+namespace weft::measure_points_test {
 namespace {
 
 /// Candidates told apart by their samples, which say how long a frame takes.
@@ -206,4 +206,4 @@ TEST(MeasurePoints, EndsWhereTheReportThrows) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::measure_points_test

@@ -18,7 +18,7 @@
 #include "tradeoff/error_values.h"
 #include "tradeoff/measure_points.h"
 
-namespace weft {
+namespace weft::measured_image_test {
 namespace {
 
 using test::SceneBuilder;
@@ -240,4 +240,4 @@ TEST(MeasuredImage, NoiseFallsAsSamplesRise) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::measured_image_test

@@ -15,7 +15,7 @@
 #include "image/exr.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::other_renderers_test {
 namespace {
 
 using nlohmann::json;
@@ -173,4 +173,4 @@ TEST_F(OtherRenderersFile, RefusesMorePixelsThanThereIsRoomForWithoutReadingAny)
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::other_renderers_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace weft {
+namespace weft::pareto_front_test {
 namespace {
 
 using Points = std::vector<CostAndError>;
@@ -76,4 +76,4 @@ TEST(ParetoFront, AgreesWithItsDefinition) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::pareto_front_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace weft {
+namespace weft::plot_axis_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -82,4 +82,4 @@ TEST(PlotAxis, KnowsWhatHasNoPlace) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::plot_axis_test

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace weft {
+namespace weft::prediction_interval_test {
 namespace {
 
 TEST(PredictionInterval, StudentsDistributionHasItsClosedForms) {
@@ -125,4 +125,4 @@ TEST(PredictionInterval, HoldsTheNextMeasurementAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::prediction_interval_test

@@ -21,7 +21,7 @@
 #include "tests/testing/run_program.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::reference_images_test {
 namespace {
 
 class ReferenceImagesOfABox : public testing::Test {
@@ -130,4 +130,4 @@ TEST_F(ReferenceImagesOfABox, WhatIsDamagedIsMadeAnew) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::reference_images_test

@@ -12,7 +12,7 @@
 #include "plan/algorithm.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::settings_sweep_test {
 namespace {
 
 bool has_family(const std::vector<Candidate>& candidates, const std::string& family) {
@@ -152,4 +152,4 @@ TEST(SettingsSweep, ReadsTheSceneFromItsPlan) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::settings_sweep_test

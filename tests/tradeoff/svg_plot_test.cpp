@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace weft {
+namespace weft::svg_plot_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -170,4 +170,4 @@ TEST(SvgPlot, ALegendWithoutRoomForAllSaysSo) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::svg_plot_test

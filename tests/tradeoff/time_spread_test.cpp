@@ -16,7 +16,7 @@
 
 #include "tradeoff/prediction_interval.h"
 
-namespace weft {
+namespace weft::time_spread_test {
 namespace {
 
 using Times = std::vector<double>;
@@ -304,4 +304,4 @@ TEST(TimeSpread, ASimulationCanFail) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::time_spread_test

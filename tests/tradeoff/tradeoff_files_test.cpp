@@ -17,7 +17,7 @@
 #include "tradeoff/advice.h"
 #include "tradeoff/stale_presets.h"
 
-namespace weft {
+namespace weft::tradeoff_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ TEST_F(TradeoffFiles, NothingIsRemovedBeforeAllIsWritten) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::tradeoff_files_test

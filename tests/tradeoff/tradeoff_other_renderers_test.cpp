@@ -11,7 +11,7 @@
 #include "tests/testing/run_program.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::tradeoff_other_renderers_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST(TradeoffOtherRenderers, WhatIsWrongIsKnownBeforeAnythingIsRendered) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::tradeoff_other_renderers_test

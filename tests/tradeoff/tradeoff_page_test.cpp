@@ -14,7 +14,7 @@
 
 #include "tradeoff/thumbnail.h"
 
-namespace weft {
+namespace weft::tradeoff_page_test {
 namespace {
 
 Image grey(std::uint32_t width, std::uint32_t height, float value) {
@@ -245,4 +245,4 @@ TEST(TradeoffPage, MapsShareARoundScale) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::tradeoff_page_test

@@ -34,7 +34,7 @@ std::string source_text(const std::string& name) {
 
 /// The file of kernels/ that holds a kernel: `<name>.cl`, in whichever folder.
 std::string kernel_file(std::string_view kernel) {
-    const std::string file = std::string(kernel) + ".cl";
+    std::string file = std::string(kernel) + ".cl";
     for (const KernelSource& source : kernel_sources())
         if (source.name.ends_with("/" + file)) return std::string(source.name);
     return file;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "base/finite.h"
 #include "base/limits.h"
 #include "scene/gltf/gltf_attribute.h"
 #include "scene/gltf/gltf_influences.h"
@@ -17,10 +18,6 @@
 
 namespace weft {
 namespace {
-
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::size_t drop_nonfinite(const GltfAccessor& positions, GltfTriangles& triangles) {
     return std::erase_if(triangles, [&](const auto& triangle) {
@@ -44,7 +41,7 @@ std::vector<glm::dvec3> area_normals(const Mesh& mesh) {
 
 /// Unit vector of any finite `v`, or zero where it has no direction.
 glm::dvec3 direction_of(const glm::dvec3& v) {
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return glm::dvec3{0.0};
+    if (!is_finite(v)) return glm::dvec3{0.0};
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0.0 ? glm::normalize(v / largest) : glm::dvec3{0.0};
 }
@@ -78,7 +75,7 @@ void read_uvs(const GltfAccessor& accessor, const glm::dmat3& transform,
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const glm::vec3 raw = read_gltf_vector(accessor, vertices[i]);
         const glm::vec2 uv(transform * glm::dvec3(raw.x, raw.y, 1.0));
-        const bool good = std::isfinite(uv.x) && std::isfinite(uv.y);
+        const bool good = is_finite(uv);
         mesh.uvs[i] = good ? uv : glm::vec2{0.0F};
         broken += good ? 0 : 1;
     }

@@ -5,15 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include "base/finite.h"
 #include "base/limits.h"
 #include "scene/gltf/gltf_attribute.h"
 
 namespace weft {
 namespace {
-
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::vector<glm::vec3> read_deltas(GltfData& data, const JsonValue& target, const char* name,
                                    std::size_t vertex_count,

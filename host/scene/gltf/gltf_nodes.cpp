@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/finite.h"
 #include "base/limits.h"
 #include "scene/pose_json.h"
 #include "scene/transform.h"

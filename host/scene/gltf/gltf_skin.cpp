@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/finite.h"
 #include "base/limits.h"
 #include "scene/transform.h"
 

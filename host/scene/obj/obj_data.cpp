@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/limits.h"
 #include "base/quote.h"
 #include "base/srgb.h"
@@ -115,7 +116,7 @@ class ObjParser {
         check_count(statement, data_.uvs.size());
         const std::vector<double> values = numbers(statement, 1, 3);
         const glm::vec3 uv = to_float(values[0], values.size() > 1 ? values[1] : 0.0, 0.0);
-        const bool usable = std::isfinite(uv.x) && std::isfinite(uv.y);
+        const bool usable = is_finite(glm::vec2(uv));
         if (!usable)
             report_.once(lines_.place(statement),
                          "texture coordinates that are not finite are replaced by zero");

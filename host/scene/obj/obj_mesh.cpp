@@ -11,16 +11,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/limits.h"
 
 namespace weft {
-namespace {
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-}  // namespace
 
 bool ObjMeshMaker::is_usable_normal(std::int32_t normal) const {
     return normal >= 0 && data_.normals[static_cast<std::size_t>(normal)] != glm::vec3(0.0F);
@@ -41,7 +35,7 @@ void ObjMeshMaker::add_face(const ObjFace& face, const ObjMeshOptions& options, 
         const auto position = static_cast<std::size_t>(data_.corners[i].position);
         polygon_.emplace_back(data_.positions[position]);
     }
-    if (!std::all_of(polygon_.begin(), polygon_.end(), is_finite)) {
+    if (!all_finite(polygon_)) {
         report_.count(data_.place(face), "faces with a vertex that is not finite left out", 1);
         return;
     }

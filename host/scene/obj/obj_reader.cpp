@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/file.h"
+#include "base/finite.h"
 #include "base/limits.h"
 #include "base/warning_collector.h"
 #include "scene/mesh_edit.h"
@@ -64,7 +65,7 @@ void fit_uvs(const ObjSurface& surface, Mesh& mesh) {
     for (glm::vec2& uv : mesh.uvs) {
         const glm::dvec2 placed = glm::dvec2(uv) * surface.uv_scale + surface.uv_offset;
         const glm::vec2 flipped(placed.x, 1.0 - placed.y);
-        uv = std::isfinite(flipped.x) && std::isfinite(flipped.y) ? flipped : glm::vec2(0.0F);
+        uv = is_finite(flipped) ? flipped : glm::vec2(0.0F);
     }
 }
 

@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/finite.h"
 #include "base/limits.h"
 #include "base/quote.h"
 #include "base/srgb.h"
@@ -78,10 +79,6 @@ VertexLayout make_layout(const PlyElement& element) {
     if (!layout.has({Slot::x, Slot::y, Slot::z}))
         throw input_error(element.place, "vertices without a position, expected x, y and z");
     return layout;
-}
-
-bool is_finite(const glm::vec3& value) {
-    return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
 }
 
 template <typename Source>
@@ -271,9 +268,7 @@ class BodyReader {
     }
 
     void drop_non_finite() {
-        const auto good = std::find_if(mesh_.positions.begin(), mesh_.positions.end(), is_finite);
-        if (std::all_of(good, mesh_.positions.end(), is_finite) && good == mesh_.positions.begin())
-            return;
+        if (all_finite(mesh_.positions)) return;
         const auto broken = [&](const std::array<std::uint32_t, 3>& triangle) {
             return std::any_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
                 return !is_finite(mesh_.positions[vertex]);
@@ -284,6 +279,9 @@ class BodyReader {
             diagnostics_.warn(
                 file_, fmt::format("{} triangles with a non-finite vertex dropped", dropped));
         // Unused now, but bounding boxes are taken over all vertices.
+        const auto good =
+            std::find_if(mesh_.positions.begin(), mesh_.positions.end(),
+                         [](const glm::vec3& position) { return is_finite(position); });
         const glm::vec3 filler = good == mesh_.positions.end() ? glm::vec3(0.0F) : *good;
         for (glm::vec3& position : mesh_.positions) {
             if (!is_finite(position)) position = filler;
@@ -320,7 +318,7 @@ class BodyReader {
     void repair_attributes() {
         std::size_t repaired = repair_normals();
         for (glm::vec2& uv : mesh_.uvs) {
-            if (std::isfinite(uv.x) && std::isfinite(uv.y)) continue;
+            if (is_finite(uv)) continue;
             uv = glm::vec2(0.0F);
             ++repaired;
         }

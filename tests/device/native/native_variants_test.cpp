@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "device/executor.h"
 
-namespace weft {
+namespace weft::native_variants_test {
 namespace {
 
 const std::vector<std::string_view>& listed_kernels() {
@@ -71,4 +71,4 @@ TEST(NativeVariants, NoVariantIsThereTwice) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::native_variants_test

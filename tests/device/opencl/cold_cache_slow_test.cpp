@@ -10,7 +10,7 @@
 #include "image/exr.h"
 #include "tests/testing/run_program.h"
 
-namespace weft {
+namespace weft::cold_cache_slow_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ TEST(ColdCacheSlow, TwoProgramsAtOnceBothSucceed) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::cold_cache_slow_test

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace weft {
+namespace weft::compile_request_test {
 namespace {
 
 CompileRequest some_request() {
@@ -64,6 +64,6 @@ TEST(CompileRequestBytes, TimesComeBack) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::compile_request_test
 
 #endif

@@ -17,7 +17,7 @@
 #include "tests/testing/child_processes.h"
 #include "tests/testing/run_program.h"
 
-namespace weft {
+namespace weft::compile_server_slow_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,6 +123,6 @@ TEST_F(CompileServerSlow, CtrlCEndsAsWithoutIt) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::compile_server_slow_test
 
 #endif

@@ -27,7 +27,7 @@
 #include "tests/testing/child_processes.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::compile_server_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -311,6 +311,6 @@ TEST_F(CompileServerDeathTest, ServesExecutorsWithMoreThanOneThread) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::compile_server_test
 
 #endif

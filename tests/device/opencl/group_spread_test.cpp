@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace weft {
+namespace weft::group_spread_test {
 namespace {
 
 /// Whether the group has work where the first `busy` of all groups' work is there, by WORK_ITEM.
@@ -57,4 +57,4 @@ TEST(GroupSpread, ProductsFitIn32Bits) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::group_spread_test

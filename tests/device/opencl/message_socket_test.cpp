@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-namespace weft {
+namespace weft::message_socket_test {
 namespace {
 
 TEST(MessageSocket, ArriveWholeOrNotAtAll) {
@@ -47,6 +47,6 @@ TEST(MessageSocket, ArriveWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::message_socket_test
 
 #endif

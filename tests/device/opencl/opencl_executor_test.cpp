@@ -24,7 +24,7 @@
 #include "device/opencl/program_cache.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::opencl_executor_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -395,6 +395,6 @@ TEST_F(OpenclExecutor, DevicesAreChosenByIndexAndName) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::opencl_executor_test
 
 #endif

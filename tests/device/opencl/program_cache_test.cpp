@@ -19,7 +19,7 @@
 
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::program_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -259,6 +259,6 @@ TEST(ProgramCacheFolder, ComesFromTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::program_cache_test
 
 #endif

@@ -22,7 +22,7 @@
 #include "device/kernel_sources.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::program_source_test {
 namespace {
 
 const std::vector<std::string>& kernels() {
@@ -182,6 +182,6 @@ TEST(ProgramSource, UnknownKernelsAreRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::program_source_test
 
 #endif

@@ -14,7 +14,7 @@
 #include "scene/pose_scene.h"
 #include "tests/testing/gltf_builder.h"
 
-namespace weft {
+namespace weft::gltf_animation_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -326,4 +326,4 @@ TEST(GltfAnimation, ACameraThatVanishesIsAnErrorOfItsTime) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_animation_test

@@ -9,7 +9,7 @@
 #include "base/limits.h"
 #include "tests/testing/gltf_builder.h"
 
-namespace weft {
+namespace weft::gltf_hostile_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -347,4 +347,4 @@ TEST(GltfHostile, FloodsOfWarningsEnd) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_hostile_test

@@ -10,7 +10,7 @@
 
 #include "tests/testing/gltf_builder.h"
 
-namespace weft {
+namespace weft::gltf_materials_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -219,4 +219,4 @@ TEST(GltfMaterials, RendersTexturesWithoutAnImageWhite) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_materials_test

@@ -12,7 +12,7 @@
 #include "tests/testing/gltf_builder.h"
 #include "tests/testing/vol_bytes.h"
 
-namespace weft {
+namespace weft::gltf_medium_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -234,4 +234,4 @@ TEST(GltfMedium, ShippedScenesHoldMedia) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_medium_test

@@ -14,7 +14,7 @@
 #include "scene/pose_scene.h"
 #include "tests/testing/gltf_limb.h"
 
-namespace weft {
+namespace weft::gltf_morph_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -283,4 +283,4 @@ TEST(GltfMorph, RefusesAnimationsOfTheWrongKind) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_morph_test

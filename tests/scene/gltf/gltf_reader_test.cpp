@@ -11,7 +11,7 @@
 
 #include "tests/testing/gltf_builder.h"
 
-namespace weft {
+namespace weft::gltf_reader_test {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -340,4 +340,4 @@ TEST(GltfReader, WarnsOfWhatItDoesNotSimulate) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_reader_test

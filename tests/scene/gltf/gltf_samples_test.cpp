@@ -13,7 +13,7 @@
 #include "scene/gltf/gltf_reader.h"
 #include "scene/validate_scene.h"
 
-namespace weft {
+namespace weft::gltf_samples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ TEST(GltfSamples, MalformedFilesLoadOrAreRefusedInBoundedTime) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_samples_test

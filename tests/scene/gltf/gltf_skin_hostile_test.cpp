@@ -11,7 +11,7 @@
 #include "tests/testing/gltf_limb.h"
 
 // Skins of files that mean harm, or are badly made.
-namespace weft {
+namespace weft::gltf_skin_hostile_test {
 namespace {
 
 using test::Limb;
@@ -55,4 +55,4 @@ TEST(GltfSkinHostile, EveryValueOfAnotherTypeIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_skin_hostile_test

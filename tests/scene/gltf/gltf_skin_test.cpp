@@ -14,7 +14,7 @@
 #include "scene/pose_scene.h"
 #include "tests/testing/gltf_limb.h"
 
-namespace weft {
+namespace weft::gltf_skin_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -380,4 +380,4 @@ TEST(GltfSkin, MirroredBoundariesKeepTheirInside) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::gltf_skin_test

@@ -24,7 +24,7 @@
 #include "tests/testing/temporary_folder.h"
 #include "tradeoff/other_renderers.h"
 
-namespace weft {
+namespace weft::fuzz_corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ TEST(FuzzCorpus, IsValidButForBadFiles) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::fuzz_corpus_test

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::load_scene_test {
 namespace {
 
 constexpr const char* empty_gltf = R"({"asset": {"version": "2.0"}})";
@@ -58,4 +58,4 @@ TEST(LoadScene, ValidatesWhatItRead) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::load_scene_test

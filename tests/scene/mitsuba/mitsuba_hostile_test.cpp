@@ -10,7 +10,7 @@
 #include "base/limits.h"
 #include "tests/testing/mitsuba_folder.h"
 
-namespace weft {
+namespace weft::mitsuba_hostile_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -281,4 +281,4 @@ TEST(MitsubaHostile, WarningsHaveAnEnd) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::mitsuba_hostile_test

@@ -9,7 +9,7 @@
 #include "tests/testing/mitsuba_folder.h"
 #include "tests/testing/vol_bytes.h"
 
-namespace weft {
+namespace weft::mitsuba_media_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -186,4 +186,4 @@ TEST(MitsubaMedia, RefusesWrongMedia) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::mitsuba_media_test

@@ -8,7 +8,7 @@
 #include "scene/mitsuba/mitsuba_reader.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::mitsuba_obj_test {
 namespace {
 
 /// Two triangles that meet at a right angle in the edge from the first corner to the second, with
@@ -77,4 +77,4 @@ TEST(MitsubaObj, NamesThePlaceOfErrors) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::mitsuba_obj_test

@@ -12,7 +12,7 @@
 
 #include "tests/testing/mitsuba_folder.h"
 
-namespace weft {
+namespace weft::mitsuba_orientation_test {
 namespace {
 
 /// The direction of the ray through a point of the image, (0,0) its upper left corner, as the
@@ -231,4 +231,4 @@ TEST(MitsubaOrientation, SmoothNormalsAreThoseOfTheTransformedMesh) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::mitsuba_orientation_test

@@ -10,7 +10,7 @@
 
 #include "tests/testing/mitsuba_folder.h"
 
-namespace weft {
+namespace weft::mitsuba_reader_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -354,4 +354,4 @@ TEST(MitsubaReader, FaceNormalsDropShadingNormals) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::mitsuba_reader_test

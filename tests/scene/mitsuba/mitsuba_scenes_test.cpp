@@ -11,7 +11,7 @@
 
 #include "scene/mitsuba/mitsuba_reader.h"
 
-namespace weft {
+namespace weft::mitsuba_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(MitsubaScenes, PublishedScenesLoadCompletely) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::mitsuba_scenes_test

@@ -12,7 +12,7 @@
 #include "scene/validate_scene.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::obj_material_test {
 namespace {
 
 /// A TGA image of 1 x 2 pixels: red above blue.
@@ -218,4 +218,4 @@ TEST(ObjMaterial, NamesMayHoldBlanksAndBeDefinedTwice) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::obj_material_test

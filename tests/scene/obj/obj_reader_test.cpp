@@ -15,7 +15,7 @@
 #include "scene/validate_scene.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::obj_reader_test {
 namespace {
 
 struct Reading {
@@ -296,4 +296,4 @@ TEST(ObjReader, FlipsTextureCoordinatesOfMeshesWhereAsked) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::obj_reader_test

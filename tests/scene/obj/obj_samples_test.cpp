@@ -16,7 +16,7 @@
 #include "scene/load/load_scene.h"
 #include "scene/obj/obj_mtl.h"
 
-namespace weft {
+namespace weft::obj_samples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST(ObjSamples, EveryMtlFileIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::obj_samples_test

@@ -17,7 +17,7 @@
 #include "base/error.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::ply_reader_test {
 namespace {
 
 const std::string position_properties = "property float x\nproperty float y\nproperty float z\n";
@@ -362,4 +362,4 @@ TEST(PlyReader, ReadsLargeFilesInLinearTime) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::ply_reader_test

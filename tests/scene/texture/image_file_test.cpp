@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::image_file_test {
 namespace {
 
 /// 2 x 2 pixels: red, green above blue, white at half opacity.
@@ -153,4 +153,4 @@ TEST(ImageFile, SurvivesEveryFlippedByte) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::image_file_test

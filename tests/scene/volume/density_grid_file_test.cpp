@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "tests/testing/temporary_folder.h"
 
-namespace weft {
+namespace weft::density_grid_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,4 +53,4 @@ TEST(DensityGridFile, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::density_grid_file_test

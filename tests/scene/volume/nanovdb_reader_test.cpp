@@ -29,7 +29,7 @@
 #include "tests/testing/temporary_folder.h"
 
 // Files are written by the library itself, and read back voxel by voxel.
-namespace weft {
+namespace weft::nanovdb_reader_test {
 namespace {
 
 using nanovdb::Coord;
@@ -297,4 +297,4 @@ TEST(NanovdbReader, ReadsOrRefusesAFileWithAnythingChanged) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::nanovdb_reader_test

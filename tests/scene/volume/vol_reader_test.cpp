@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "tests/testing/vol_bytes.h"
 
-namespace weft {
+namespace weft::vol_reader_test {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -139,4 +139,4 @@ TEST(VolReader, ReadsOrRefusesAFileWithAnyByteChanged) {
 }
 
 }  // namespace
-}  // namespace weft
+}  // namespace weft::vol_reader_test
