@@ -76,17 +76,6 @@ expect '| `compose` |  | 2.000 |  | – / 2.0 | – / 1 | 4096 |  |  | 2.50 |'
 expect '| `compose` | 2 | 101.5 | 1 |'
 expect 'native, own BVH: kernels are compiled into Weft.'
 
-# refuse CODE WORDS ARGUMENT...: exits with CODE and one line that holds WORDS.
-refuse() {
-    expected=$1 words=$2
-    shift 2
-    code=0
-    python3 -B "$program" "$@" >"$work/log" 2>&1 || code=$?
-    if [ "$code" -ne "$expected" ] || [ "$(wc -l <"$work/log")" -ne 1 ] \
-        || ! grep -qF -e "$words" "$work/log"; then
-        fail "exit code $code, expected $expected and one line with '$words': $(cat "$work/log")"
-    fi
-}
 refuse 2 'is no JSON' "$work/broken.json"
 refuse 2 'is no report of bench kernels' "$work/other.json"
 refuse 2 "lacks 'share'" "$work/lacking.json"

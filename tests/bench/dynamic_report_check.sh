@@ -128,17 +128,6 @@ assert len(dots("relMSE-against-converged-frames-own-new")) == 3
 END
 python3 -B "$work/check.py" "$work/whole/dynamic.html" || fail "the page is wrong"
 
-# refuse CODE WORDS ARGUMENT...: exits with CODE and one line that holds WORDS.
-refuse() {
-    expected=$1 words=$2
-    shift 2
-    code=0
-    "$python" -B "$program" "$@" >"$work/log" 2>&1 || code=$?
-    if [ "$code" -ne "$expected" ] || [ "$(wc -l <"$work/log")" -ne 1 ] \
-        || ! grep -qF -e "$words" "$work/log"; then
-        fail "exit code $code, expected $expected and one line with '$words': $(cat "$work/log")"
-    fi
-}
 refuse 2 'is no JSON' "$work/broken"
 refuse 2 'is no report of bench dynamic' "$work/other"
 refuse 2 "lacks 'frames'" "$work/lacking"

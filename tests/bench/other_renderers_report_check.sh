@@ -73,17 +73,6 @@ expect '| box.gltf | 1.001 | 1.001 | 1.001 | 1.001 | 1.500 |'
 expect "| \`other\` | not expressible: media | fog.gltf |"
 expect '- A note.'
 
-# refuse CODE WORDS ARGUMENT...: exits with CODE and one line that holds WORDS.
-refuse() {
-    expected=$1 words=$2
-    shift 2
-    code=0
-    python3 -B "$program" "$@" >"$work/log" 2>&1 || code=$?
-    if [ "$code" -ne "$expected" ] || [ "$(wc -l <"$work/log")" -ne 1 ] \
-        || ! grep -qF -e "$words" "$work/log"; then
-        fail "exit code $code, expected $expected and one line with '$words': $(cat "$work/log")"
-    fi
-}
 refuse 2 'is no JSON' "$work/broken.json"
 refuse 2 'is no report of bench other_renderers' "$work/other.json"
 refuse 2 "lacks 'late'" "$work/lacking.json"

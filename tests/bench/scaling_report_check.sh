@@ -135,17 +135,6 @@ for file in "$work"/again/*; do
     cmp -s "$file" "$work/$(basename -- "$file")" || fail "made again, $file differs"
 done
 
-# refuse CODE WORDS ARGUMENT...: exits with CODE and one line that holds WORDS.
-refuse() {
-    expected=$1 words=$2
-    shift 2
-    code=0
-    "$python" -B "$program" "$@" >"$work/log" 2>&1 || code=$?
-    if [ "$code" -ne "$expected" ] || [ "$(wc -l <"$work/log")" -ne 1 ] \
-        || ! grep -qF -e "$words" "$work/log"; then
-        fail "exit code $code, expected $expected and one line with '$words': $(cat "$work/log")"
-    fi
-}
 refuse 2 'is no JSON' "$work/broken.json"
 refuse 2 'is no report of bench scaling' "$work/other.json"
 refuse 2 "lacks 'ms'" "$work/lacking.json"

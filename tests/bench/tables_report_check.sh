@@ -102,17 +102,6 @@ expect errors.md '| a\|b | 0.30 | 0.10 | 0.20 | 1.0 | goal reached |'
 expect errors.md '| desk.gltf | 7.25 |  | 0.60 |  | 100.00 |'
 expect errors.md '| **mean** | 7.25 |  | 0.90 |  | 100.00 |'
 
-# refuse CODE WORDS ARGUMENT...: exits with CODE and one line that holds WORDS.
-refuse() {
-    expected=$1 words=$2
-    shift 2
-    code=0
-    python3 -B "$program" "$@" >"$work/log" 2>&1 || code=$?
-    if [ "$code" -ne "$expected" ] || [ "$(wc -l <"$work/log")" -ne 1 ] \
-        || ! grep -qF -e "$words" "$work/log"; then
-        fail "exit code $code, expected $expected and one line with '$words': $(cat "$work/log")"
-    fi
-}
 rm "$work/tables.md" "$work/errors.md"
 refuse 2 'is no JSON' "$work/broken.json"
 refuse 2 'is no report of bench tables' "$work/other.json"

@@ -297,14 +297,15 @@ TEST(Flip, AgreesWithTheOriginal) {
     }
 }
 
+struct HighRangeCase {
+    Formula *reference, *test;
+    FlipExposures exposures;
+    OriginalAnswer answer;
+};
+
 // With given exposures and the original's default tone mapper, ACES.
 TEST(Flip, OfHighRangesAgreesWithTheOriginal) {
-    struct Case {
-        Formula *reference, *test;
-        FlipExposures exposures;
-        OriginalAnswer answer;
-    };
-    const Case cases[] = {
+    const HighRangeCase cases[] = {
         {high_range,
          striped_range,
          {-8, 4, 5},
@@ -325,12 +326,7 @@ TEST(Flip, OfHighRangesAgreesWithTheOriginal) {
 // Here the original chooses the exposures. Images have an odd number of pixels, since of an even
 // one its median is the larger of the two luminances in the middle, and ours their mean.
 TEST(Flip, ExposuresAgreeWithTheOriginal) {
-    struct Case {
-        Formula *reference, *test;
-        FlipExposures exposures;
-        OriginalAnswer answer;
-    };
-    const Case cases[] = {
+    const HighRangeCase cases[] = {
         {high_range,
          striped_range,
          {-9.738454, 0.9592999, 11},

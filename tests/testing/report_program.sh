@@ -3,18 +3,32 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # What the checks of programs that make pages of benchmarks' figures share. Sourced by them; gives
-# `root`, the source folder, and `work`, a folder that goes when they end.
+# `root`, the source folder, `work`, a folder that goes when they end, and `python`.
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 if ! command -v python3 >/dev/null 2>&1; then
     echo "skipped: python3 is not installed"
     exit 77
 fi
+python=python3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 fail() {
     echo "$1" >&2
     exit 1
+}
+
+# refuse CODE WORDS ARGUMENT...: `program` exits with CODE and one line that holds WORDS.
+refuse() {
+    expected=$1 words=$2
+    shift 2
+    code=0
+    # shellcheck disable=SC2154 # whoever sources this says which program
+    "$python" -B "$program" "$@" >"$work/log" 2>&1 || code=$?
+    if [ "$code" -ne "$expected" ] || [ "$(wc -l <"$work/log")" -ne 1 ] \
+        || ! grep -qF -e "$words" "$work/log"; then
+        fail "exit code $code, expected $expected and one line with '$words': $(cat "$work/log")"
+    fi
 }
 
 # Of checks of plots: sets `python` to one that has Matplotlib. Debian's package is for Debian's
