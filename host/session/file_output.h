@@ -32,7 +32,7 @@ class FileOutput : public OutputDriver {
     void set_file(std::filesystem::path file) { settings_.file = std::move(file); }
 
     /// Throws Error (exit code 5), like `save`.
-    void write(SessionImage image) override;
+    void write(SessionImage rendered) override;
     [[nodiscard]] std::optional<double> save_interval_ms() const override;
     void save(const FilmSums& sums, const Image& image) override;
 

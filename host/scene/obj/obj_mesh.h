@@ -30,7 +30,7 @@ class ObjMeshMaker {
 
     /// The mesh of the faces with these indices. Faces with a corner that is not finite are left
     /// out and counted in the report.
-    [[nodiscard]] Mesh make(std::span<const std::uint32_t> faces, const ObjMeshOptions& options);
+    [[nodiscard]] Mesh make(std::span<const std::uint32_t> faces, const ObjMeshOptions& wanted);
 
   private:
     /// The indices that identify a vertex, and where it is used.
