@@ -18,7 +18,7 @@ import sys
 import plots
 from report_file import EXIT_INPUT, EXIT_OUTPUT, BadInput, Parser, read_report, write_whole
 
-# A method looks the same in every sequence.
+# A method has the same style in every sequence.
 METHODS = ("ais, tic", "ais", "tic", "tic, no masks", "igi", "ic", "irradiance-cache")
 COLUMNS_OF_PLOTS = 3
 STYLE = """
@@ -73,11 +73,11 @@ def table(headings, rows):
                       "</table>"])
 
 
-def looks_of(names):
+def styles_of(names):
     """A colour and a marker for every method."""
-    looks = dict(zip(METHODS, plots.LOOKS))
-    spare = itertools.cycle(plots.LOOKS[len(METHODS):])
-    return {name: looks.get(name) or next(spare) for name in names}
+    styles = dict(zip(METHODS, plots.STYLES))
+    spare = itertools.cycle(plots.STYLES[len(METHODS):])
+    return {name: styles.get(name) or next(spare) for name in names}
 
 
 def method_table(methods):
@@ -103,12 +103,12 @@ def shown(value, logarithmic):
     return value if value is not None and (value > 0.0 or not logarithmic) else math.nan
 
 
-def draw(axes, title, series, looks, logarithmic):
+def draw(axes, title, series, styles, logarithmic):
     """Lines over frames, by method."""
     for name, values in series.items():
         # Dots on an axis stay whole; the layout would give a line without any dot a place.
         axes.plot(values, label=name, gid=plots.identifier(title, name), clip_on=False,
-                  in_layout=False, **looks[name])
+                  in_layout=False, **styles[name])
     axes.set(title=title, xlabel="frame", xlim=(0, max(1, max(map(len, series.values())) - 1)))
     axes.xaxis.get_major_locator().set_params(integer=True)
     if logarithmic:
@@ -122,13 +122,13 @@ def draw(axes, title, series, looks, logarithmic):
 
 def plots_part(heading, methods):
     """All plots of a sequence as one SVG within an HTML element, with one key for all."""
-    looks = looks_of([method["method"] for method in methods])
+    styles = styles_of([method["method"] for method in methods])
     drawn = []
     for title, path, logarithmic in PLOTS:
         series = {method["method"]: [shown(at(frame, path), logarithmic)
                                      for frame in method["frames"]] for method in methods}
         if not all(math.isnan(value) for values in series.values() for value in values):
-            drawn.append((title, series, looks, logarithmic))
+            drawn.append((title, series, styles, logarithmic))
     if not drawn:
         return ""
     rows = math.ceil(len(drawn) / COLUMNS_OF_PLOTS)

@@ -23,7 +23,7 @@ except ImportError as error:
     sys.exit(report_file.EXIT_MISSING)
 
 # Colours have a contrast of 3 or more with white; markers serve those who see few colours.
-LOOKS = tuple({"color": colour, "marker": marker} for colour, marker in (
+STYLES = tuple({"color": colour, "marker": marker} for colour, marker in (
     ("#0072b2", "o"), ("#d55e00", "s"), ("#009e73", "^"), ("#b8598f", "D"), ("#b97f00", "v"),
     ("#3a9bd4", "P"), ("#5a5a5a", "X"), ("#6a3d9a", "<"), ("#857500", "p"), ("#e31a1c", ">")))
 

@@ -14,7 +14,7 @@ from markdown_table import number
 import plots
 import report_file
 
-LOOKS, BUILD = plots.LOOKS[:6], plots.LOOKS[6]
+STYLES, BUILD = plots.STYLES[:6], plots.STYLES[6]
 TITLES = {"triangles": "Triangles", "resolution": "Resolution", "vpls": "Virtual lights",
           "lights": "Lights", "threads": "Threads", "depth": "Optical depth"}
 EXPECTED = {
@@ -85,20 +85,20 @@ def axis_table(axis):
     return report_file.table(headings, zip(x, *columns))
 
 
-def line(axes, name, points, **look):
+def line(axes, name, points, **style):
     """Points (x, y) joined by a line, without those that logarithmic axes cannot show."""
     shown = [(x, y) for x, y in points
              if x is not None and y is not None and x > 0.0 and y > 0.0]
     if shown:
-        axes.plot(*zip(*shown), label=name, gid=plots.identifier(name), **look)
+        axes.plot(*zip(*shown), label=name, gid=plots.identifier(name), **style)
 
 
-def line_with_law(axes, name, points, law, look):
+def line_with_law(axes, name, points, law, style):
     """What was measured, and the law beside it."""
-    line(axes, name, [(point["x"], point["ms"]) for point in points], **look)
+    line(axes, name, [(point["x"], point["ms"]) for point in points], **style)
     line(axes, f"{name}, expected",
          zip((point["x"] for point in points), expected_of(law, len(points))),
-         color=look["color"], linestyle="--")
+         color=style["color"], linestyle="--")
 
 
 def plot(title, x_label, y_label, draw):
@@ -117,8 +117,8 @@ def plot(title, x_label, y_label, draw):
 
 def time_plot(title, axis):
     def draw(axes):
-        for method, look in zip(axis["methods"], itertools.cycle(LOOKS)):
-            line_with_law(axes, method["method"], method["points"], method["law"], look)
+        for method, style in zip(axis["methods"], itertools.cycle(STYLES)):
+            line_with_law(axes, method["method"], method["points"], method["law"], style)
         if axis["build"] is not None:
             line_with_law(axes, "build", axis["build"]["points"], axis["build"]["law"], BUILD)
     return plot(title, axis["unit"], "milliseconds", draw)
@@ -126,13 +126,13 @@ def time_plot(title, axis):
 
 def error_plot(title, axis):
     def draw(axes):
-        for method, look in zip(axis["methods"], itertools.cycle(LOOKS)):
-            for name, label, style in (("relmse", "relMSE", {}),
+        for method, style in zip(axis["methods"], itertools.cycle(STYLES)):
+            for name, label, variant in (("relmse", "relMSE", {}),
                                        ("hdrflip", "HDR-FLIP",
                                         {"linestyle": ":", "markerfacecolor": "white"})):
                 line(axes, f'{method["method"]}, {label}',
                      [(point["x"], error_of(point, name)) for point in method["points"]],
-                     **look, **style)
+                     **style, **variant)
     return plot(title, axis["unit"], "error", draw)
 
 
