@@ -13,8 +13,8 @@ namespace weft {
 [[nodiscard]] ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics);
 
 /// `weft merge`: adds up the exact sums of disjoint sample ranges, and writes an image that holds
-/// them.
-void merge_command(const MergeOptions& options);
+/// them. Warns where samples between those of the parts are missing.
+void merge_command(const MergeOptions& options, Diagnostics& diagnostics);
 
 /// `weft compare`: prints how two images differ on stdout, and writes a map of their differences.
 void compare_command(const CompareOptions& options);

@@ -40,7 +40,7 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
     } else if (const auto* render = std::get_if<weft::RenderOptions>(&command)) {
         return weft::render_command(*render, diagnostics);
     } else if (const auto* merge = std::get_if<weft::MergeOptions>(&command)) {
-        weft::merge_command(*merge);
+        weft::merge_command(*merge, diagnostics);
     } else if (const auto* compare = std::get_if<weft::CompareOptions>(&command)) {
         weft::compare_command(*compare);
     } else if (const auto* info = std::get_if<weft::InfoOptions>(&command)) {

@@ -2,8 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/commands.h"
 #include "base/file.h"
+#include "base/quote.h"
 #include "film/film_sums_file.h"
 #include "image/exr.h"
 
@@ -13,9 +20,17 @@ namespace {
 // Metadata of the parts that the merged image keeps.
 constexpr const char* kept_metadata[] = {"software", "scene", "algorithm", "seed"};
 
+/// What lies between ranges, which are in order and apart.
+std::vector<SampleRange> gaps_of(const std::vector<SampleRange>& ranges) {
+    std::vector<SampleRange> gaps;
+    for (std::size_t i = 1; i < ranges.size(); ++i)
+        gaps.push_back({ranges[i - 1].end, ranges[i].first});
+    return gaps;
+}
+
 }  // namespace
 
-void merge_command(const MergeOptions& options) {
+void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
     FilmSums whole;
     std::map<std::string, std::string> metadata;
     for (const std::filesystem::path& part : options.parts) {
@@ -30,9 +45,15 @@ void merge_command(const MergeOptions& options) {
             add_sums(whole, sums);
         } catch (const Error& error) {
             throw Error(error.code(), part.string(),
-                        std::string("cannot be merged: ") + error.what());
+                        fmt::format("cannot be merged with {}: {}",
+                                    quote(options.parts.front().string()), error.what()));
         }
     }
+    if (whole.ranges.size() > 1)
+        diagnostics.warn(options.output.string(),
+                         fmt::format("lacks the samples {} between those of its parts, and "
+                                     "--resume cannot continue it",
+                                     ranges_text(gaps_of(whole.ranges))));
     Image image = resolve_sums(whole);
     for (const char* const key : kept_metadata)
         if (const auto found = metadata.find(key); found != metadata.end())

@@ -145,11 +145,17 @@ void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
     write_file_atomically(*options.stats, std::as_bytes(std::span(text)));
 }
 
-/// The part of `wanted` that the sums do not have yet. Only samples at its start can be left out.
-SampleRange missing(SampleRange wanted, const std::vector<SampleRange>& have) {
-    for (const SampleRange& range : have)
+/// The part of `wanted` that the sums of `file` do not have yet. Throws Error (exit code 2) where
+/// that is not at its end, as after a merge of parts with others missing between them.
+SampleRange missing(SampleRange wanted, const FilmSums& sums, const std::string& file) {
+    for (const SampleRange& range : sums.ranges) {
         if (range.first <= wanted.first && wanted.first < range.end)
             wanted.first = std::min(range.end, wanted.end);
+        else if (wanted.first < range.end && range.first < wanted.end)
+            throw input_error(file, fmt::format("holds the samples {}, and lacks some between them "
+                                                "that --resume cannot fill in",
+                                                ranges_text(sums.ranges)));
+    }
     return wanted;
 }
 
@@ -200,7 +206,7 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
     PathSettings left = path_settings(options, settings);
     if (options.resume && std::filesystem::exists(*options.resume)) {
         sums = sums_of(read_exr(*options.resume), options.resume->string());
-        left.samples = missing(left.samples, sums.ranges);
+        left.samples = missing(left.samples, sums, options.resume->string());
     }
     return {std::move(executor), std::move(moving), camera, left, kept_frames, std::move(sums)};
 }
@@ -327,6 +333,8 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     if (!complete && options.frames)
         diagnostics.warn(
             "", fmt::format("interrupted, {} of {} images are finished", finished, images));
+    else if (!complete && session.samples() == 0)
+        diagnostics.warn("", "interrupted before there was a sample, no image is written");
     else if (!complete)
         diagnostics.warn("", fmt::format("interrupted, the image holds what was done by then "
                                          "(samples: {})",

@@ -143,6 +143,8 @@ SessionEnd RenderSession::render_path(const RenderBudget& budget) {
 void RenderSession::deliver(bool complete) {
     if (output_ == nullptr) return;
     SessionImage result = image();
+    // It would be black, and an earlier image of that name may be in its place.
+    if (!complete && result.samples == 0) return;
     result.complete = complete;
     if (result.sums && output_->save_interval_ms()) output_->save(*result.sums, result.image);
     output_->write(std::move(result));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -275,6 +276,21 @@ TEST_F(ProgramRender, CtrlCKeepsTheImage) {
             EXPECT_EQ(folder_.entry_count(), 0u) << "something was left behind";
         }
     }
+}
+
+TEST_F(ProgramRender, CtrlCBeforeTheFirstSampleKeepsTheEarlierImage) {
+    std::ofstream(at("x.exr")) << "an earlier image";
+    // Samples of so large an image take much longer than a signal to arrive.
+    RunningProgram program(
+        box("x.exr",
+            {"--backend", "embree", "--algorithm", "path", "--threads", "1", "--progress", "plain"},
+            "1024x1024"));
+    ASSERT_TRUE(program.wait_for_lines(1)) << program.err();
+    program.send(SIGINT);
+    ASSERT_EQ(program.wait(), 130) << program.err();
+    EXPECT_EQ(text_of_file(at("x.exr")), "an earlier image");
+    EXPECT_NE(program.err().find("no image is written"), std::string::npos) << program.err();
+    EXPECT_EQ(folder_.entry_count(), 1U) << "something was left behind";
 }
 
 TEST_F(ProgramRender, TerminationKeepsTheImageAndStatistics) {

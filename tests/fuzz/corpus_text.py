@@ -44,7 +44,7 @@ def ply_files():
                                               "float texture_u", "float texture_v"],
                         [3, INDICES], b"0 0 0 65535 0 1 0 0\n1e3 0 0 1 2 3 1 0\n"
                         b"inf 1 0 1 2 3 0 1\n3 0 1 2\n2 0 1\n5 0 1 2 1 0\nleft over\n"),
-        "empty.ply": ply("ascii", [0] + XYZ, [0, INDICES], b""),
+        "badempty.ply": ply("ascii", [0] + XYZ, [0, INDICES], b""),
         "badcount.ply": ply("binary_little_endian", [4294967295] + XYZ, [1, INDICES], b"\0" * 9),
         "badindex.ply": ply("ascii", [3] + XYZ, [1, INDICES], b"0 0 0 1 0 0 0 1 0\n3 0 1 3\n"),
         "badlist.ply": ply("binary_little_endian", [1] + XYZ,

@@ -304,8 +304,17 @@ TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
     expect_same(sums("merged.exr"), sums("whole.exr"));
     EXPECT_EQ(test::differing_values(read_exr(at("merged.exr")), read_exr(at("whole.exr"))), 0U);
     EXPECT_EQ(merge({"a.exr", "a.exr"}).exit_code, 2);
+    // What is missing is told, by merging and where such a file cannot be continued.
+    const test::ProgramResult gap = merge({"c.exr", "a.exr"});
+    EXPECT_EQ(gap.exit_code, 0);
+    EXPECT_NE(gap.err.find("lacks the samples 9:10 "), std::string::npos) << gap.err;
+    run("x.exr", {"--spp", "30", "--resume", at("merged.exr")}, 2);
+    run("x.exr", {"--spp", "9", "--resume", at("merged.exr")});
     run("d.exr", {"--samples", "9:10", "--seed", "1"});
-    EXPECT_EQ(merge({"a.exr", "d.exr"}).exit_code, 2);
+    const test::ProgramResult other = merge({"a.exr", "d.exr"});
+    EXPECT_EQ(other.exit_code, 2);
+    for (const char* part : {"a.exr", "d.exr"})
+        EXPECT_NE(other.err.find(at(part)), std::string::npos) << other.err;
     run("plain.exr", {"--spp", "1"});
     EXPECT_EQ(merge({"a.exr", "plain.exr"}).exit_code, 2);
 }

@@ -213,6 +213,9 @@ TEST(RenderSession, TheOutputGetsEachFinishedImage) {
     ASSERT_EQ(output.images.size(), 2U) << "with what light there is";
     EXPECT_EQ(output.images[1].samples, 1U);
     EXPECT_FALSE(output.images[1].complete);
+    made.session->set_settings(small_path(width, height, 16));
+    EXPECT_EQ(made.session->render(budget), SessionEnd::ended_early);
+    EXPECT_EQ(output.images.size(), 2U) << "there is not one sample";
 }
 
 TEST(RenderSession, TimeEndsAnImageAfterItsFirstSample) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/finite.h"
 #include "base/limits.h"
@@ -27,9 +28,7 @@ ObjData read_data(const std::filesystem::path& path, const std::string& place,
                   WarningCollector& report) {
     const std::vector<std::byte> bytes = read_file(path, limits::max_obj_file_bytes, place);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    ObjData data = parse_obj(text, path.string(), report);
-    if (data.faces.empty()) report.once(path.string(), "holds no faces");
-    return data;
+    return parse_obj(text, path.string(), report);
 }
 
 /// The faces of one material of the scene, wherever in the file they are.
@@ -96,6 +95,7 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
         scene.instances.push_back(std::move(instance));
     }
     report.flush();
+    if (scene.meshes.empty()) throw input_error(scene.source, "holds no faces, expected a mesh");
     return scene;
 }
 
@@ -103,6 +103,7 @@ Mesh read_obj_mesh(const std::filesystem::path& path, const std::string& place, 
                    Diagnostics& diagnostics) {
     WarningCollector report(diagnostics);
     const ObjData data = read_data(path, place, report);
+    if (data.faces.empty()) report.once(path.string(), "holds no faces");
     std::vector<std::uint32_t> faces(data.faces.size());
     std::iota(faces.begin(), faces.end(), 0U);
     Mesh mesh = ObjMeshMaker(data, report).make(faces, {true, true, false});

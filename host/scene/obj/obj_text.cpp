@@ -25,8 +25,10 @@ std::string_view trim_blanks(std::string_view text) {
 }
 
 ObjLines::ObjLines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
-    // Some writers also store the terminating NUL of a C string.
-    text_ = text_.substr(0, text_.find_last_not_of('\0') + 1);
+    // Some writers also store the terminating NUL of a C string, before or after the last line
+    // ends.
+    constexpr std::string_view ends("\0\r\n\t ", 5);
+    text_ = text_.substr(0, text_.find_last_not_of(ends) + 1);
     const std::size_t nul = text_.find('\0');
     if (nul != std::string_view::npos) {
         const auto line =

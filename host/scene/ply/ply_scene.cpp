@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/error.h"
 #include "scene/mesh_edit.h"
 #include "scene/ply/ply_reader.h"
 
@@ -13,10 +14,7 @@ Scene read_ply_scene(const std::filesystem::path& path, Diagnostics& diagnostics
     Scene scene;
     scene.source = path.string();
     Mesh mesh = read_ply(path, "", diagnostics);
-    if (mesh.triangles.empty()) {
-        diagnostics.warn(path.string(), "holds no faces");
-        return scene;
-    }
+    if (mesh.triangles.empty()) throw input_error(scene.source, "holds no faces, expected a mesh");
     orient_by_normals(mesh);
     Material material;
     material.name = "default";

@@ -248,7 +248,18 @@ TEST(ObjReader, WarnsOnceOfEachKind) {
                   "they are ignored",
                   "m.obj:11: 2 faces with fewer than three corners left out"}));
     EXPECT_EQ(reading.scene.meshes.at(0).triangles.size(), 1U);
-    EXPECT_EQ(after_name(read("v 1 2 3\n").warnings.at(0)), "m.obj: holds no faces");
+}
+
+TEST(ObjReader, RefusesWhatHoldsNoSurface) {
+    for (const char* text :
+         {"", "\n", "v 1 2 3\n", "v 0 0 0\nv 1 0 0\nl 1 2\n", "Dear reader,\nthis is no mesh.\n"})
+        EXPECT_EQ(error_of(text), "m.obj: holds no faces, expected a mesh") << text;
+}
+
+TEST(ObjReader, TakesNulsAfterTheText) {
+    for (const std::string& end :
+         {std::string("\0", 1), std::string("\0\n", 2), std::string("\n\0\0\r\n", 5)})
+        EXPECT_EQ(mesh_of(square + "f 1 2 3" + end).triangles.size(), 1U);
 }
 
 TEST(ObjReader, RefusesWhatIsWrong) {
