@@ -44,16 +44,19 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
         try {
             add_sums(whole, sums);
         } catch (const Error& error) {
-            throw Error(error.code(), part.string(),
-                        fmt::format("cannot be merged with {}: {}",
-                                    quote(options.parts.front().string()), error.what()));
+            const bool second = part == options.parts.at(1);
+            throw Error(
+                error.code(), part.string(),
+                fmt::format("cannot be merged with {}: {}",
+                            second ? quote(options.parts.front().string()) : "the parts before it",
+                            error.what()));
         }
     }
-    if (whole.ranges.size() > 1)
+    for (const SampleRange& gap : gaps_of(whole.ranges))
         diagnostics.warn(options.output.string(),
-                         fmt::format("lacks the samples {} between those of its parts, and "
-                                     "--resume cannot continue it",
-                                     ranges_text(gaps_of(whole.ranges))));
+                         fmt::format("lacks the samples {0}:{1} between those of its parts, which "
+                                     "--samples {0}:{1} with --resume adds",
+                                     gap.first, gap.end));
     Image image = resolve_sums(whole);
     for (const char* const key : kept_metadata)
         if (const auto found = metadata.find(key); found != metadata.end())

@@ -95,15 +95,6 @@ void warn_about_nonfinite(const RenderSession& session, const RenderOptions& opt
     }
 }
 
-/// Refuses an output that could never be written, before time is spent on rendering it.
-void check_folder(const std::filesystem::path& file) {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code error;
-    if (!std::filesystem::is_directory(folder, error))
-        throw Error(ExitCode::output, file.string(),
-                    "cannot be written, expected " + quote(folder.string()) + " to be a folder");
-}
-
 /// Refuses options that do not support participating media in a scene with any.
 void check_media(const RenderOptions& options, const FlatScene& flat) {
     if (!flat.media.present()) return;
@@ -135,7 +126,8 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     if (session.plan().media_light) used.components->emplace_back("media");
     used.components->insert(used.components->end(), settings.requested.begin(),
                             settings.requested.end());
-    if (!used.spp) used.spp = static_cast<std::uint32_t>(session.samples());
+    if (!used.spp && session.samples() > 0)
+        used.spp = static_cast<std::uint32_t>(session.samples());
     return used;
 }
 
@@ -146,15 +138,19 @@ void write_stats(const RenderOptions& options, const nlohmann::json& stats) {
 }
 
 /// The part of `wanted` that the sums of `file` do not have yet. Throws Error (exit code 2) where
-/// that is not at its end, as after a merge of parts with others missing between them.
+/// that is in several pieces, as after a merge of parts with others missing between them.
 SampleRange missing(SampleRange wanted, const FilmSums& sums, const std::string& file) {
     for (const SampleRange& range : sums.ranges) {
-        if (range.first <= wanted.first && wanted.first < range.end)
+        if (range.end <= wanted.first || range.first >= wanted.end) continue;
+        if (range.first > wanted.first && range.end < wanted.end)
+            throw input_error(
+                file, fmt::format("lacks the samples {0}:{1} before others, expected a run with "
+                                  "--samples {0}:{1} first, which adds them",
+                                  wanted.first, range.first));
+        if (range.first <= wanted.first)
             wanted.first = std::min(range.end, wanted.end);
-        else if (wanted.first < range.end && range.first < wanted.end)
-            throw input_error(file, fmt::format("holds the samples {}, and lacks some between them "
-                                                "that --resume cannot fill in",
-                                                ranges_text(sums.ranges)));
+        else
+            wanted.end = range.first;
     }
     return wanted;
 }
@@ -294,8 +290,10 @@ double kernel_build_ms(const Executor& executor) {
 
 ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) {
     Stopwatch watch;
-    check_folder(options.output);
-    if (options.stats) check_folder(*options.stats);
+    check_output(options.frames ? numbered_output(options.output, options.frames->first)
+                                : options.output);
+    if (options.stats) check_output(*options.stats);
+    if (options.resume) check_output(*options.resume);
     const InterruptGuard guard;
     const ThreadLimit limit(options.threads);
     Progress progress(options.progress, stderr);
@@ -324,6 +322,7 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
     const std::uint32_t finished = render_images(session, output, camera, options, progress, watch);
+    times.render_ms += watch.lap();  // where no image was written
     const std::uint32_t images = frames.end - frames.first;
     const bool complete = finished == images;
     times.build_kernels_ms = kernel_build_ms(session.executor());

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "base/quote.h"
 
 namespace weft {
 
@@ -15,7 +18,7 @@ class Diagnostics {
   public:
     /// Adds `place: message` (or `message` where `place` is empty) unless it is already there.
     void warn(const std::string& place, const std::string& message) {
-        std::string text = place.empty() ? message : place + ": " + message;
+        std::string text = place.empty() ? message : one_line(place) + ": " + message;
         if (std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end())
             warnings_.push_back(std::move(text));
     }

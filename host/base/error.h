@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/quote.h"
+
 namespace weft {
 
 /// Process exit codes; part of the user interface.
@@ -25,9 +27,10 @@ class Error : public std::runtime_error {
   public:
     Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
 
-    /// `place` is `file:line`, `file` or `file#/json/pointer`.
+    /// `place` is `file:line`, `file` or `file#/json/pointer`; file names may hold anything.
     Error(ExitCode code, const std::string& place, const std::string& message)
-        : std::runtime_error(place.empty() ? message : place + ": " + message), code_(code) {}
+        : std::runtime_error(place.empty() ? message : one_line(place) + ": " + message),
+          code_(code) {}
 
     [[nodiscard]] ExitCode code() const noexcept { return code_; }
 

@@ -123,14 +123,25 @@ bool has_parent_component(const std::string& text) {
     return false;
 }
 
+/// Whether a file is protected against changes: it may not be written by this user, or by anyone,
+/// which stops even the superuser from replacing it by mistake.
+bool is_read_only(const fs::path& file, fs::perms permissions) {
+    constexpr fs::perms writable =
+        fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    return (permissions & writable) == fs::perms::none || ::access(file.c_str(), W_OK) != 0;
+}
+
 /// The file that a write to `path` ends in: renaming onto a symbolic link would replace the link,
-/// and renaming onto a device such as /dev/null would destroy it.
+/// renaming onto a device such as /dev/null would destroy it, and renaming onto a file asks nobody
+/// whether that may be written.
 fs::path final_target(const fs::path& path) {
     std::error_code error;
     if (path.empty() || !path.has_filename()) throw output_error(path, "is not a file name");
     const fs::file_status status = fs::status(path, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw output_error(path, "is not a regular file, expected a file that can be replaced");
+    if (fs::exists(status) && is_read_only(path, status.permissions()))
+        throw output_error(path, "is read-only, expected a file that may be replaced");
     if (!fs::is_symlink(path, error)) return path;
     fs::path resolved = fs::weakly_canonical(path, error);
     if (error || fs::is_symlink(resolved, error))
@@ -218,6 +229,15 @@ fs::path resolve_reference(const fs::path& scene_file, const std::string& refere
     return scene_file.parent_path() / fs::path(text);
 }
 
+void check_output(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
+        throw output_error(
+            path, "cannot be written, expected " + quote(folder.string()) + " to be a folder");
+    static_cast<void>(final_target(path));
+}
+
 void write_file_atomically(const fs::path& path,
                            const std::function<void(const fs::path&)>& write) {
     const fs::path target = final_target(path);
@@ -232,6 +252,9 @@ void write_file_atomically(const fs::path& path,
         throw output_error(target, std::string("cannot be written: ") + error.what());
     }
     flush_to_disk(temporary.path(), target);
+    std::error_code error;
+    const fs::file_status replaced = fs::status(target, error);
+    if (fs::exists(replaced)) fs::permissions(temporary.path(), replaced.permissions(), error);
     if (::rename(temporary.path().c_str(), target.c_str()) != 0)
         throw output_error(target, "cannot be replaced: " + reason(errno));
     temporary.release();

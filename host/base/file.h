@@ -26,9 +26,15 @@ namespace weft {
                                                       const std::string& place,
                                                       bool percent_encoded);
 
+/// Refuses a file that could never be written, before time is spent on what goes into it: its
+/// folder is missing, or what is there is read-only, no regular file or a link that leads nowhere.
+/// Throws Error (exit code 5).
+void check_output(const std::filesystem::path& path);
+
 /// Writes a file so that no reader ever sees half of it: `write` fills a temporary file beside
 /// `path`, which is then flushed and renamed. On any failure the temporary file is removed and the
-/// old file stays. Throws Error (exit code 5).
+/// old file stays, as it does where it is read-only; a new one has its permissions. Throws Error
+/// (exit code 5).
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path&)>& write);
 

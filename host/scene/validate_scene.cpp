@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/limits.h"
 #include "base/quote.h"
 #include "scene/validate_deformation.h"
@@ -23,25 +24,12 @@ struct Box {
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 };
 
-template <typename Vector>
-bool all_finite(const Vector& v) {
-    for (int i = 0; i < static_cast<int>(Vector::length()); ++i)
-        if (!std::isfinite(v[i])) return false;
-    return true;
-}
-
-template <typename Vector>
-bool all_finite(const std::vector<Vector>& vectors) {
-    return std::all_of(vectors.begin(), vectors.end(),
-                       [](const Vector& v) { return all_finite(v); });
-}
-
 bool in_unit_cube(const glm::vec3& v) {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x <= 1 && v.y <= 1 && v.z <= 1;
 }
 
 bool not_negative(const glm::vec3& v) {
-    return all_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
+    return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
 }
 
 /// Throws at the first error; each check names the object in it.
@@ -152,7 +140,7 @@ class Validator {
 
     void check_transform(const glm::dmat4& to_world, const std::string& object) const {
         for (int column = 0; column < 4; ++column) {
-            require(all_finite(to_world[column]), object, "has a transform that is not finite");
+            require(is_finite(to_world[column]), object, "has a transform that is not finite");
             require(to_world[column][3] == (column == 3 ? 1.0 : 0.0), object,
                     "has a transform that is not affine");
         }

@@ -33,7 +33,8 @@ class OutputDriver {
     /// Milliseconds after which `save` is called again while path tracing goes on; empty: never,
     /// not even at its end.
     [[nodiscard]] virtual std::optional<double> save_interval_ms() const { return {}; }
-    /// Takes the sums of path tracing, which a later run can continue, and their image.
+    /// Takes the sums of path tracing, which a later run can continue, and their image. Where it
+    /// throws Error, rendering goes on; the last call's Error is thrown after the image is written.
     virtual void save(const FilmSums& sums, const Image& image) {
         (void)sums;
         (void)image;

@@ -1,9 +1,12 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <optional>
+#include <utility>
 
+#include "base/error.h"
 #include "base/stopwatch.h"
 #include "session/render_session.h"
 
@@ -133,7 +136,11 @@ SessionEnd RenderSession::render_path(const RenderBudget& budget) {
         if (!render_frame(keep_going)) break;
         if (interval && clock.ms() - saved > *interval) {
             const FilmSums sums = path_->sums();
-            output_->save(sums, resolve_sums(sums));
+            try {
+                output_->save(sums, resolve_sums(sums));
+            } catch (const Error&) {
+                // A full disk may have room again: the last attempt decides (see `deliver`).
+            }
             saved = clock.ms();
         }
     }
@@ -146,8 +153,17 @@ void RenderSession::deliver(bool complete) {
     // It would be black, and an earlier image of that name may be in its place.
     if (!complete && result.samples == 0) return;
     result.complete = complete;
-    if (result.sums && output_->save_interval_ms()) output_->save(*result.sums, result.image);
+    // Sums that cannot be saved are no reason to lose the image.
+    std::exception_ptr unsaved;
+    if (result.sums && output_->save_interval_ms()) {
+        try {
+            output_->save(*result.sums, result.image);
+        } catch (const Error&) {
+            unsaved = std::current_exception();
+        }
+    }
     output_->write(std::move(result));
+    if (unsaved) std::rethrow_exception(unsaved);
 }
 
 }  // namespace weft

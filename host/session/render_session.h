@@ -74,9 +74,9 @@ class RenderSession {
     void set_display(DisplayDriver* display) { display_ = display; }
 
     /// Adds samples to the image until the budget is spent, shows it after each frame, and writes
-    /// it to the output in the end. A call that ends early before there is a sample writes nothing,
-    /// nor does a cancelled one: the image is the mean of the frames that were complete, and the
-    /// next call continues it.
+    /// it to the output in the end. A call that ends early before there is a sample writes nothing.
+    /// A cancelled call writes nothing either: the image is the mean of the frames that were
+    /// complete, and the next call continues it.
     SessionEnd render(const RenderBudget& budget);
     /// Ends the call of `render` that is under way, or else the next one, as soon as the launches
     /// that have begun are done. From any thread.

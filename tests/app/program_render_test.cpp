@@ -280,17 +280,18 @@ TEST_F(ProgramRender, CtrlCKeepsTheImage) {
 
 TEST_F(ProgramRender, CtrlCBeforeTheFirstSampleKeepsTheEarlierImage) {
     std::ofstream(at("x.exr")) << "an earlier image";
-    // Samples of so large an image take much longer than a signal to arrive.
-    RunningProgram program(
-        box("x.exr",
-            {"--backend", "embree", "--algorithm", "path", "--threads", "1", "--progress", "plain"},
-            "1024x1024"));
+    // Reading it takes much longer than a signal to arrive.
+    std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 1'000'000; ++i) mesh += "f 1 2 3\n";
+    std::ofstream(at("large.obj")) << mesh;
+    RunningProgram program({"render", at("large.obj"), "-o", at("x.exr"), "--size", "8x8",
+                            "--algorithm", "path", "--backend", "embree", "--progress", "plain"});
     ASSERT_TRUE(program.wait_for_lines(1)) << program.err();
     program.send(SIGINT);
     ASSERT_EQ(program.wait(), 130) << program.err();
     EXPECT_EQ(text_of_file(at("x.exr")), "an earlier image");
     EXPECT_NE(program.err().find("no image is written"), std::string::npos) << program.err();
-    EXPECT_EQ(folder_.entry_count(), 1U) << "something was left behind";
+    EXPECT_EQ(folder_.entry_count(), 2U) << "something was left behind";
 }
 
 TEST_F(ProgramRender, TerminationKeepsTheImageAndStatistics) {

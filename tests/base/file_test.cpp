@@ -161,6 +161,26 @@ TEST(FileWrite, FailsWithExitCode5WhereNothingCanBeWritten) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST(FileWrite, ReplacesNoReadOnlyFileAndKeepsPermissions) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("kept.txt", "old");
+    fs::permissions(file, fs::perms::owner_read);
+    EXPECT_EQ(error_of([&] { write_file_atomically(file, bytes_of("new")); }).code(),
+              ExitCode::output);
+    EXPECT_EQ(error_of([&] { check_output(file); }).code(), ExitCode::output);
+    EXPECT_EQ(content_of(file), "old");
+    EXPECT_EQ(folder.entry_count(), 1U);
+    constexpr fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+    fs::permissions(file, own);
+    check_output(file);
+    write_file_atomically(file, bytes_of("new"));
+    EXPECT_EQ(content_of(file), "new");
+    EXPECT_EQ(fs::status(file).permissions(), own);
+    EXPECT_EQ(error_of([&] { check_output(folder.path() / "none" / "x.png"); }).code(),
+              ExitCode::output);
+    EXPECT_EQ(error_of([&] { check_output(folder.path()); }).code(), ExitCode::output);
+}
+
 TEST(FileWrite, WritesThroughSymbolicLinks) {
     const TemporaryFolder folder;
     const fs::path real = folder.write("real.txt", "old");

@@ -6,6 +6,9 @@
 
 #include <string>
 
+#include "base/diagnostics.h"
+#include "base/error.h"
+
 namespace weft::quote_test {
 namespace {
 
@@ -17,6 +20,13 @@ TEST(Quote, OneLineHasNoControlCharacters) {
     for (std::size_t i = 0; i < all.size(); ++i)
         EXPECT_EQ(text[i], i < 0x20 || i == 0x7F ? '?' : all[i]) << i;
     EXPECT_EQ(one_line(""), "");
+}
+
+TEST(Quote, NamesOfFilesLeaveMessagesOnOneLine) {
+    EXPECT_STREQ(Error(ExitCode::output, "a\nb.exr", "is full").what(), "a?b.exr: is full");
+    Diagnostics diagnostics;
+    diagnostics.warn("c\r.obj", "is odd");
+    EXPECT_EQ(diagnostics.warnings().at(0), "c?.obj: is odd");
 }
 
 TEST(Quote, QuotesAndCuts) {

@@ -67,7 +67,7 @@ def obj_files():
         "colours.obj": "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\r\nf 1 2 3\r\n",
         "polygon.obj": square + "v 0.5 2 0\nf 1 2 3 5 4\nl 1 2\np 1\n",
         "numbers.obj": "v +1e3 -.5 1e-40\nv 1. 2 3 1.0\nv 1e6 0 0\nvn 0 0 0\nf 1//1 2//1 3//1\n",
-        "curves.obj": square + "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n",
+        "badcurves.obj": square + "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n",
         "badindex.obj": square + "f 1 2 5\n",
         "badzero.obj": square + "f 0 1 2\n",
         "badnumber.obj": "v 0 zero 0\nf 1 1 1\n",

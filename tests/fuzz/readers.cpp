@@ -29,6 +29,7 @@
 #include "scene/load/load_scene.h"
 #include "scene/majorant_grid.h"
 #include "scene/moving_scene.h"
+#include "scene/obj/obj_reader.h"
 #include "scene/ply/ply_reader.h"
 #include "scene/pose_scene.h"
 #include "scene/texture/image_file.h"
@@ -38,13 +39,6 @@
 #include "tests/testing/temporary_folder.h"
 #include "tests/testing/vol_bytes.h"
 #include "tradeoff/other_renderers.h"
-
-#if __has_include("scene/obj_reader.h")
-#include "scene/obj/obj_reader.h"
-#define WEFT_HAS_OBJ 1
-#else
-#define WEFT_HAS_OBJ 0
-#endif
 
 namespace weft::fuzz {
 namespace {
@@ -220,8 +214,7 @@ void read_nanovdb_bytes(Bytes bytes) {
     require_one_line(diagnostics);
 }
 
-void read_obj_bytes([[maybe_unused]] Bytes bytes) {
-#if WEFT_HAS_OBJ
+void read_obj_bytes(Bytes bytes) {
     constexpr std::string_view mark = "#mtl\n";
     std::string_view text = as_text(bytes);
     const std::size_t cut = text.find(mark);
@@ -235,7 +228,6 @@ void read_obj_bytes([[maybe_unused]] Bytes bytes) {
         use_scene(scene);
     });
     require_one_line(diagnostics);
-#endif
 }
 
 void read_image_bytes(Bytes bytes) {
@@ -332,20 +324,12 @@ void write_companions(const TemporaryFolder& folder) {
 
 std::span<const Reader> readers() {
     static constexpr std::array all = {
-        Reader{"gltf", read_gltf_bytes},
-        Reader{"mitsuba", read_mitsuba_bytes},
-        Reader{"ply", read_ply_bytes},
-        Reader{"vol", read_vol_bytes},
-        Reader{"nanovdb", read_nanovdb_bytes},
-#if WEFT_HAS_OBJ
-        Reader{"obj", read_obj_bytes},
-#endif
-        Reader{"image", read_image_bytes},
-        Reader{"exr", read_exr_bytes},
-        Reader{"hdr", read_hdr_bytes},
-        Reader{"png", read_png_bytes},
-        Reader{"options", read_options_bytes},
-        Reader{"preset", read_preset_bytes},
+        Reader{"gltf", read_gltf_bytes},       Reader{"mitsuba", read_mitsuba_bytes},
+        Reader{"ply", read_ply_bytes},         Reader{"vol", read_vol_bytes},
+        Reader{"nanovdb", read_nanovdb_bytes}, Reader{"obj", read_obj_bytes},
+        Reader{"image", read_image_bytes},     Reader{"exr", read_exr_bytes},
+        Reader{"hdr", read_hdr_bytes},         Reader{"png", read_png_bytes},
+        Reader{"options", read_options_bytes}, Reader{"preset", read_preset_bytes},
         Reader{"peers", read_peers_bytes},
     };
     return all;

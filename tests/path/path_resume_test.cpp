@@ -310,6 +310,11 @@ TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
     EXPECT_NE(gap.err.find("lacks the samples 9:10 "), std::string::npos) << gap.err;
     run("x.exr", {"--spp", "30", "--resume", at("merged.exr")}, 2);
     run("x.exr", {"--spp", "9", "--resume", at("merged.exr")});
+    run("x.exr", {"--samples", "9:10", "--resume", at("merged.exr")});
+    expect_same(sums("merged.exr"), sums("whole.exr"));
+    run("late.exr", {"--samples", "10:24"});
+    run("x.exr", {"--spp", "24", "--resume", at("late.exr")});  // what is missing before
+    expect_same(sums("late.exr"), sums("whole.exr"));
     run("d.exr", {"--samples", "9:10", "--seed", "1"});
     const test::ProgramResult other = merge({"a.exr", "d.exr"});
     EXPECT_EQ(other.exit_code, 2);

@@ -14,7 +14,7 @@ The block of code below a comment
 
 is the file from the only line that holds START, to the next line that holds END where one is named,
 and then as far as brackets are open and lines end with a backslash; or the whole file. Comments on
-lines of their own are left out. A file that begins with build/ lies in the build folder.
+lines of their own and empty lines are left out. A file that begins with build/ lies in the build folder.
 
 --check writes nothing. Exit code 0: all are right (or were written), 1: some are not, or a line
 cannot be found.
@@ -69,6 +69,8 @@ def with_excerpts(page, root, build):
         result.append(lines[i])
         mark = MARK.match(lines[i])
         i += 1
+        if not mark and "<!-- excerpt" in lines[i - 1]:
+            raise ExcerptError(f"{page.relative_to(root)}:{i}: is no mark of an excerpt")
         if not mark:
             continue
         place = f"{page.relative_to(root)}:{i}"
@@ -111,7 +113,8 @@ def main():
         wrong = True
         name = page.relative_to(options.root)
         if options.check:
-            print(f"{name}: an excerpt is not what the source says; run {sys.argv[0]}",
+            build = f" --build {options.build}" if options.build else ""
+            print(f"{name}: an excerpt is not what the source says; run {sys.argv[0]}{build}",
                   file=sys.stderr)
         else:
             beside = page.with_suffix(".md.new")

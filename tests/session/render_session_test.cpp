@@ -218,6 +218,33 @@ TEST(RenderSession, TheOutputGetsEachFinishedImage) {
     EXPECT_EQ(output.images.size(), 2U) << "there is not one sample";
 }
 
+/// Sums that can never be saved, as on a disk that is full.
+class FullDisk : public KeptOutput {
+  public:
+    [[nodiscard]] std::optional<double> save_interval_ms() const override { return 0.0; }
+    void save(const FilmSums& /*sums*/, const Image& /*image*/) override {
+        ++attempts;
+        throw Error(ExitCode::output, "sums.exr", "cannot be written");
+    }
+    int attempts = 0;
+};
+
+TEST(RenderSession, SumsThatCannotBeSavedDoNotCostTheImage) {
+    CountedSession made = room_session(TestBackend::embree, small_path(width, height, 4));
+    FullDisk output;
+    made.session->set_output(&output);
+    try {
+        static_cast<void>(made.session->render({}));
+        FAIL() << "nothing was told";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::output);
+    }
+    ASSERT_EQ(output.images.size(), 1U);
+    EXPECT_EQ(output.images[0].samples, 4U);
+    EXPECT_TRUE(output.images[0].complete);
+    EXPECT_GE(output.attempts, 2) << "one while it rendered";
+}
+
 TEST(RenderSession, TimeEndsAnImageAfterItsFirstSample) {
     CountedSession made =
         room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));

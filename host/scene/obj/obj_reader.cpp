@@ -95,7 +95,8 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
         scene.instances.push_back(std::move(instance));
     }
     report.flush();
-    if (scene.meshes.empty()) throw input_error(scene.source, "holds no faces, expected a mesh");
+    if (scene.meshes.empty())
+        throw input_error(scene.source, "holds no faces that can be rendered, expected a mesh");
     return scene;
 }
 

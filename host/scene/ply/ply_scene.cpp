@@ -14,7 +14,8 @@ Scene read_ply_scene(const std::filesystem::path& path, Diagnostics& diagnostics
     Scene scene;
     scene.source = path.string();
     Mesh mesh = read_ply(path, "", diagnostics);
-    if (mesh.triangles.empty()) throw input_error(scene.source, "holds no faces, expected a mesh");
+    if (mesh.triangles.empty())
+        throw input_error(scene.source, "holds no faces that can be rendered, expected a mesh");
     orient_by_normals(mesh);
     Material material;
     material.name = "default";

@@ -253,7 +253,8 @@ TEST(ObjReader, WarnsOnceOfEachKind) {
 TEST(ObjReader, RefusesWhatHoldsNoSurface) {
     for (const char* text :
          {"", "\n", "v 1 2 3\n", "v 0 0 0\nv 1 0 0\nl 1 2\n", "Dear reader,\nthis is no mesh.\n"})
-        EXPECT_EQ(error_of(text), "m.obj: holds no faces, expected a mesh") << text;
+        EXPECT_EQ(error_of(text), "m.obj: holds no faces that can be rendered, expected a mesh")
+            << text;
 }
 
 TEST(ObjReader, TakesNulsAfterTheText) {
