@@ -33,10 +33,11 @@ std::vector<SampleRange> gaps_of(const std::vector<SampleRange>& ranges) {
 void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
     FilmSums whole;
     std::map<std::string, std::string> metadata;
-    for (const std::filesystem::path& part : options.parts) {
+    for (std::size_t i = 0; i < options.parts.size(); ++i) {
+        const std::filesystem::path& part = options.parts[i];
         const Image image = read_exr(part);
         FilmSums sums = sums_of(image, part.string());
-        if (whole.words.empty()) {
+        if (i == 0) {
             whole = std::move(sums);
             metadata = image.metadata;
             continue;
@@ -44,12 +45,10 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
         try {
             add_sums(whole, sums);
         } catch (const Error& error) {
-            const bool second = part == options.parts.at(1);
-            throw Error(
-                error.code(), part.string(),
-                fmt::format("cannot be merged with {}: {}",
-                            second ? quote(options.parts.front().string()) : "the parts before it",
-                            error.what()));
+            const std::string before =
+                i == 1 ? quote(options.parts.front().string()) : "the parts before it";
+            throw Error(error.code(), part.string(),
+                        fmt::format("cannot be merged with {}: {}", before, error.what()));
         }
     }
     for (const SampleRange& gap : gaps_of(whole.ranges))

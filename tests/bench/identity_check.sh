@@ -7,20 +7,8 @@
 # 77: skipped, there is no build tree or no Python 3.
 set -eu
 
-root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
-build=$(CDPATH='' cd -- .. && pwd)
-if [ ! -x "$build/weft" ] || ! command -v python3 >/dev/null 2>&1; then
-    echo "skipped: $build holds no program, or python3 is not installed"
-    exit 77
-fi
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
-
-fail() {
-    echo "$1" >&2
-    [ -z "${2:-}" ] || cat "$2" >&2
-    exit 1
-}
+# shellcheck source=tests/testing/build_tree.sh
+. "$(dirname -- "$0")/../testing/build_tree.sh"
 
 # identity EXPECTED_CODE PROGRAM_BEFORE ARGUMENT...
 identity() {

@@ -7,20 +7,8 @@
 # 0: passed, 1: failed, 77: skipped, there is no build tree or no Python 3.
 set -eu
 
-root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
-build=$(CDPATH='' cd -- .. && pwd)
-if [ ! -f "$build/CMakeCache.txt" ] || ! command -v python3 >/dev/null 2>&1; then
-    echo "skipped: $build is no build tree, or python3 is not installed"
-    exit 77
-fi
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
-
-fail() {
-    echo "$1" >&2
-    [ -z "${2:-}" ] || cat "$2" >&2
-    exit 1
-}
+# shellcheck source=tests/testing/build_tree.sh
+. "$(dirname -- "$0")/../testing/build_tree.sh"
 
 cmake --build "$build" --target bench_export_scene >"$work/log" 2>&1 ||
     fail "bench/export_scene does not build" "$work/log"

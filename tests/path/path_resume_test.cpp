@@ -304,6 +304,9 @@ TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
     expect_same(sums("merged.exr"), sums("whole.exr"));
     EXPECT_EQ(test::differing_values(read_exr(at("merged.exr")), read_exr(at("whole.exr"))), 0U);
     EXPECT_EQ(merge({"a.exr", "a.exr"}).exit_code, 2);
+    const test::ProgramResult twice = merge({"a.exr", "b.exr", "b.exr"});
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_NE(twice.err.find("the parts before it"), std::string::npos) << twice.err;
     // What is missing is told, by merging and where such a file cannot be continued.
     const test::ProgramResult gap = merge({"c.exr", "a.exr"});
     EXPECT_EQ(gap.exit_code, 0);

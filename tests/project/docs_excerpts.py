@@ -14,7 +14,8 @@ The block of code below a comment
 
 is the file from the only line that holds START, to the next line that holds END where one is named,
 and then as far as brackets are open and lines end with a backslash; or the whole file. Comments on
-lines of their own and empty lines are left out. A file that begins with build/ lies in the build folder.
+lines of their own and empty lines are left out. A file that begins with build/ lies in the build
+folder. A page with such comments shows no other code in C or C++.
 
 --check writes nothing. Exit code 0: all are right (or were written), 1: some are not, or a line
 cannot be found.
@@ -64,6 +65,7 @@ def excerpt(lines, start, end):
 def with_excerpts(page, root, build):
     """The lines of a page with all excerpts anew, and how many there are."""
     lines = page.read_text(encoding="utf-8").split("\n")
+    marked = any(MARK.match(line) for line in lines)
     result, count, i = [], 0, 0
     while i < len(lines):
         result.append(lines[i])
@@ -71,6 +73,8 @@ def with_excerpts(page, root, build):
         i += 1
         if not mark and "<!-- excerpt" in lines[i - 1]:
             raise ExcerptError(f"{page.relative_to(root)}:{i}: is no mark of an excerpt")
+        if not mark and marked and lines[i - 1] in ("```c", "```cpp"):
+            raise ExcerptError(f"{page.relative_to(root)}:{i}: shows code that is no excerpt")
         if not mark:
             continue
         place = f"{page.relative_to(root)}:{i}"

@@ -36,6 +36,11 @@ run --check --root "$work" >/dev/null || fail "an excerpt just written was refus
 page 'int f( ... int g'
 run --root "$work" >/dev/null
 tail -n 3 "$work/docs/page.md" | head -n 1 | grep -qx 'int g();' || fail "the end was not found"
+page 'int g'
+run --root "$work" >/dev/null
+printf '```cpp\nint g();\n```\n' >>"$work/docs/page.md"
+! run --check --root "$work" 2>"$work/log" || fail "code without a mark was taken"
+grep -q '^docs/page.md:6: shows code that is no excerpt' "$work/log" || fail "$(cat "$work/log")"
 for start in 'int h' 'int' 'int g ... none'; do
     page "$start"
     ! run --root "$work" >/dev/null 2>"$work/log" || fail "'$start' was taken"
