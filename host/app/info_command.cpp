@@ -18,12 +18,13 @@ namespace {
 
 /// Names of the effects that the scene needs.
 std::vector<std::string> effects_of(const FlatScene& flat) {
-    constexpr std::array<std::pair<std::uint32_t, const char*>, 9> names{{
+    constexpr std::array<std::pair<std::uint32_t, const char*>, 10> names{{
         {FEATURE_AREA_LIGHTS, "area lights"},
         {FEATURE_PUNCTUAL_LIGHTS, "point lights"},
         {FEATURE_DIRECTIONAL_LIGHTS, "directional lights"},
         {FEATURE_ENVIRONMENT, "environment light"},
         {FEATURE_TEXTURES, "textures"},
+        {FEATURE_EMISSION_TEXTURES, "textured emission"},
         {FEATURE_VERTEX_COLOURS, "vertex colours"},
         {FEATURE_SMOOTH_NORMALS, "smooth normals"},
         {FEATURE_ONE_SIDED, "one-sided surfaces"},
@@ -115,7 +116,7 @@ std::string info_text(const nlohmann::json& info) {
 }  // namespace
 
 void info_command(const InfoOptions& options, Diagnostics& diagnostics) {
-    const nlohmann::json info = info_json(load_scene(options.scene, diagnostics));
+    const nlohmann::json info = info_json(load_scene(options.scene, diagnostics, options.light));
     print_result(options.json ? json_document(info) : info_text(info));
 }
 

@@ -14,6 +14,7 @@
 
 #include "app/algorithm_options.h"
 #include "app/frame_options.h"
+#include "app/light_options.h"
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "film/film_sums.h"
@@ -65,8 +66,9 @@ struct RenderOptions {
     std::optional<double> target_error;                  ///< of path tracing: ends it, above 0
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
     bool through_centres = false;                 ///< of path tracing
-    std::optional<double> time_seconds;           ///< total wall time, above 0
-    std::optional<double> frame_seconds;          ///< of ais: wall time of each frame, above 0
+    DefaultLight light = DefaultLight::as_needed;
+    std::optional<double> time_seconds;   ///< total wall time, above 0
+    std::optional<double> frame_seconds;  ///< of ais: wall time of each frame, above 0
     std::uint32_t seed = 0;
     bool overlays = false;                    ///< of ais: PNG images of what was sampled, and why
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
@@ -88,6 +90,7 @@ struct RenderOptions {
 /// Options of `weft info`.
 struct InfoOptions {
     std::filesystem::path scene;
+    DefaultLight light = DefaultLight::as_needed;
     bool json = false;
 };
 
@@ -149,6 +152,7 @@ enum class ErrorMeasure : std::uint8_t;
 /// Options of `weft tradeoff`. What is empty was not given.
 struct TradeoffOptions {
     std::filesystem::path scene;
+    DefaultLight light = DefaultLight::as_needed;
     std::filesystem::path output;  ///< a folder
     bool quick = false;
     std::optional<Backend> backend;

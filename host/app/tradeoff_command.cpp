@@ -46,8 +46,8 @@ constexpr double measuring_share = 0.6;
                 "interrupted, nothing was written; the reference is kept for next time");
 }
 
-Scene resting_scene(const fs::path& file, Diagnostics& diagnostics) {
-    Scene scene = load_scene(file, diagnostics);
+Scene resting_scene(const TradeoffOptions& options, Diagnostics& diagnostics) {
+    Scene scene = load_scene(options.scene, diagnostics, options.light);
     hold_still(scene);
     return scene;
 }
@@ -280,7 +280,7 @@ void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics) 
     const InterruptGuard guard;
     const ThreadLimit limit(options.threads);
     prepare_folder(options.output);
-    const Scene scene = resting_scene(options.scene, diagnostics);
+    const Scene scene = resting_scene(options, diagnostics);
     TradeoffRun run(options, scene, diagnostics);
     const TradeoffResult result = run.run();
     write_tradeoff(options.output, result);

@@ -168,6 +168,24 @@ class PngWriter {
     std::array<char, 200> message_{};
 };
 
+float luminance_of(float red, float green, float blue) {
+    return 0.2126f * red + 0.7152f * green + 0.0722f * blue;
+}
+
+/// Drops luminances of pixels that are nearly black: a single one would brighten the whole image.
+void drop_nearly_black(std::vector<float>& luminances) {
+    double sum = 0.0;
+    for (const float y : luminances) sum += double{y};
+    const double floor = std::ldexp(sum / static_cast<double>(luminances.size()), -20);
+    std::erase_if(luminances, [&](float y) { return !(double{y} > floor); });
+}
+
+double mean_log2(std::span<const float> luminances) {
+    double sum = 0.0;
+    for (const float y : luminances) sum += std::log2(double{y});
+    return sum / static_cast<double>(luminances.size());
+}
+
 }  // namespace
 
 std::vector<std::byte> png_bytes(const Image& image, double exposure_ev) {
@@ -193,26 +211,32 @@ void write_png(const fs::path& path, const Image& image, double exposure_ev) {
 
 double auto_exposure(const Image& image) {
     const ColourPlanes colour = find_colour(image);
+    const Layer* const emission = image.find("emission");
+    const bool knows_lamps = emission != nullptr && emission->channels == "RGB" &&
+                             emission->values.size() == 3 * colour.pixels;
     std::vector<float> luminances;
+    std::vector<float> of_surfaces;
     luminances.reserve(colour.pixels);
-    double sum = 0.0;
     for (std::size_t i = 0; i < colour.pixels; ++i) {
-        const float y = 0.2126f * colour.plane[0][i] + 0.7152f * colour.plane[1][i] +
-                        0.0722f * colour.plane[2][i];
+        const float y = luminance_of(colour.plane[0][i], colour.plane[1][i], colour.plane[2][i]);
         if (!std::isfinite(y) || !(y > 0.0f)) continue;
         luminances.push_back(y);
-        sum += y;
+        if (!knows_lamps) continue;
+        const float* const values = emission->values.data() + i;
+        const float emitted =
+            luminance_of(values[0], values[colour.pixels], values[2 * colour.pixels]);
+        if (emitted < 0.5f * y) of_surfaces.push_back(y);
     }
     if (luminances.empty()) return 0.0;
-    // Otherwise a single pixel that is nearly black would brighten the whole image.
-    const double floor = std::ldexp(sum / static_cast<double>(luminances.size()), -20);
-    std::erase_if(luminances, [&](float y) { return !(y > floor); });
-    double log_sum = 0.0;
-    for (const float y : luminances) log_sum += std::log2(double{y});
+    // Lamps and the sky have no say in how bright the things that they light should be, unless
+    // there is next to nothing else.
+    const bool judge_surfaces = of_surfaces.size() * 100 >= luminances.size();
+    drop_nearly_black(luminances);
+    drop_nearly_black(of_surfaces);
+    const double key = std::log2(0.18) - mean_log2(judge_surfaces ? of_surfaces : luminances);
     const auto percentile =
         luminances.begin() + static_cast<std::ptrdiff_t>((luminances.size() - 1) * 95 / 100);
     std::nth_element(luminances.begin(), percentile, luminances.end());
-    const double key = std::log2(0.18) - log_sum / static_cast<double>(luminances.size());
     const double highlights = -std::log2(double{*percentile});
     return std::max(key - 2.0, std::min(key, highlights));
 }

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/default_light.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "scene/emission_means.h"
 
 namespace weft {
 namespace {
@@ -34,30 +39,81 @@ bool media_emit(const Scene& scene) {
                        });
 }
 
-}  // namespace
-
-bool has_light(const Scene& scene) {
-    return scene.light_named || !scene.lights.empty() || scene.environment ||
-           std::any_of(scene.instances.begin(), scene.instances.end(),
-                       [&](const Instance& instance) {
-                           return scene.materials[instance.material].emission.radiance !=
-                                  glm::vec3(0.0F);
-                       }) ||
-           media_emit(scene);
+/// Mean radiance that surfaces emit over all their area, the largest channel.
+double mean_emission(const Scene& scene) {
+    double all = 0.0;
+    glm::dvec3 emitted(0.0);
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const Emission& emission = scene.materials[instance.material].emission;
+        std::vector<glm::vec3> means;
+        if (emission.texture >= 0)
+            means =
+                emission_means(mesh, scene.textures[static_cast<std::size_t>(emission.texture)]);
+        const double sides = emission.both_sides ? 2.0 : 1.0;
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const auto corner = [&](std::size_t k) {
+                const glm::vec3& p = mesh.positions[mesh.triangles[i][k]];
+                return glm::dvec3(instance.to_world * glm::dvec4(glm::dvec3(p), 1.0));
+            };
+            const glm::dvec3 a = corner(0);
+            const double area = glm::length(glm::cross(corner(1) - a, corner(2) - a));
+            const glm::vec3 mean = means.empty() ? glm::vec3(1.0F) : means[i];
+            all += area;
+            emitted += sides * area * glm::dvec3(emission.radiance) * glm::dvec3(mean);
+        }
+    }
+    if (!(all > 0.0)) return 0.0;
+    emitted /= all;
+    return std::max({emitted.r, emitted.g, emitted.b});
 }
 
-void add_default_light(Scene& scene, Diagnostics& diagnostics) {
-    if (has_light(scene) || scene.instances.empty()) return;
+bool is_named(const Scene& scene) {
+    return scene.light_named || !scene.lights.empty() || scene.environment || media_emit(scene);
+}
+
+}  // namespace
+
+OwnLight own_light(const Scene& scene) {
+    if (is_named(scene)) return OwnLight::named;
+    bool emits = false;
+    for (const Instance& instance : scene.instances) {
+        const Emission& emission = scene.materials[instance.material].emission;
+        const float most =
+            std::max({emission.radiance.r, emission.radiance.g, emission.radiance.b});
+        if (most > 1.0F && emission.texture < 0) return OwnLight::emission;
+        emits |= most > 0.0F;
+    }
+    if (!emits) return OwnLight::none;
+    constexpr double albedo = 0.5;
+    constexpr double least = 0.1;
+    return albedo * mean_emission(scene) < least ? OwnLight::faint : OwnLight::emission;
+}
+
+void add_default_light(Scene& scene, DefaultLight choice, Diagnostics& diagnostics) {
+    if (scene.instances.empty()) return;
+    const OwnLight own = own_light(scene);
+    const bool lit = own == OwnLight::named || own == OwnLight::emission;
+    if (choice == DefaultLight::never && own == OwnLight::none)
+        diagnostics.warn(scene.source, "no light, which --light none leaves so: the image is dark");
+    if (choice == DefaultLight::never || (choice == DefaultLight::as_needed && lit)) return;
     const glm::dvec3 to_light = key_direction(scene);
     if (!std::isfinite(glm::dot(to_light, to_light))) return;
-    scene.environment = Environment{glm::vec3(sky_radiance)};
+    // A sky of the file stays what it is.
+    if (!scene.environment) scene.environment = Environment{glm::vec3(sky_radiance)};
     PunctualLight key;
     key.name = "default key light";
     key.type = LightType::directional;
     key.direction = -to_light;
     key.intensity = glm::vec3(key_irradiance);
     scene.lights.push_back(key);
-    diagnostics.warn(scene.source, "no light, a grey sky and a distant light from above are used");
+    scene.default_light = true;
+    const char* const why = own == OwnLight::faint ? "its emission lights too little to see by, so "
+                                                   : (own == OwnLight::none ? "no light, so " : "");
+    const char* const how = choice == DefaultLight::always ? "" : " (--light none leaves them out)";
+    diagnostics.warn(
+        scene.source,
+        fmt::format("{}a grey sky and a distant light from above are added{}", why, how));
 }
 
 }  // namespace weft

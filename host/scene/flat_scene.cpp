@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "scene/emission_means.h"
 #include "scene/mip_levels.h"
 
 namespace weft {
@@ -20,6 +21,7 @@ namespace {
 struct Attributes {
     bool normals = false;
     bool uvs = false;
+    bool emission_textures = false;
     bool colours = false;
     bool one_sided = false;
     bool lobes = false;  ///< other than Lambert's
@@ -32,7 +34,9 @@ Attributes attributes_of(const Scene& scene) {
         const Material& material = scene.materials[instance.material];
         if (mesh.triangles.empty()) continue;
         found.normals |= !mesh.normals.empty();
-        found.uvs |= !mesh.uvs.empty() && albedo_texture(material) >= 0;
+        found.emission_textures |= material.emission.texture >= 0;
+        found.uvs |=
+            (!mesh.uvs.empty() && albedo_texture(material) >= 0) || material.emission.texture >= 0;
         found.colours |= !mesh.colours.empty();
         found.one_sided |= !material.two_sided;
         found.lobes |= !is_lambertian(material);
@@ -172,11 +176,30 @@ void append_instances(const Scene& scene, const Attributes& attributes, FlatScen
     }
 }
 
+/// Appends the texture coordinates of emission where they are not those of the surface, and
+/// measures the emission of triangles.
+void append_emission(const Scene& scene, FlatScene& flat) {
+    flat.emission_means.resize(scene.instances.size());
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+        const Material& material = scene.materials[scene.instances[i].material];
+        if (material.emission.texture < 0) continue;
+        const auto texture = static_cast<std::size_t>(material.emission.texture);
+        flat.emission_means[i] = emission_means(mesh, scene.textures[texture]);
+        if (mesh.emission_uvs.empty()) continue;
+        const auto end = static_cast<std::uint32_t>(flat.texture_coordinates.size() / 2);
+        flat.instances[i].emission_uv = end - flat.ranges[i].first_vertex;
+        for (const glm::vec2& uv : mesh.emission_uvs)
+            flat.texture_coordinates.insert(flat.texture_coordinates.end(), {uv.x, uv.y});
+    }
+}
+
 void append_textures(const Scene& scene, FlatScene& flat) {
     std::vector<bool> used(scene.textures.size(), false);
     for (const Instance& instance : scene.instances) {
-        const int texture = albedo_texture(scene.materials[instance.material]);
-        if (texture >= 0) used[static_cast<std::size_t>(texture)] = true;
+        const Material& material = scene.materials[instance.material];
+        for (const int texture : {albedo_texture(material), material.emission.texture})
+            if (texture >= 0) used[static_cast<std::size_t>(texture)] = true;
     }
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
         const Texture& texture = scene.textures[t];
@@ -203,6 +226,9 @@ shared::MaterialRecord material_record(const Material& material, bool textures) 
     record.parameters = {parameters.x, parameters.y, parameters.z, parameters.w};
     const glm::vec3& radiance = material.emission.radiance;
     record.emission = {radiance.r, radiance.g, radiance.b, 0.0F};
+    record.emission_texture = textures && material.emission.texture >= 0
+                                  ? static_cast<std::uint32_t>(material.emission.texture)
+                                  : INVALID_INDEX;
     record.flags = (material.two_sided ? MATERIAL_TWO_SIDED : 0U) |
                    (luminance(radiance) > 0.0 ? MATERIAL_EMITS : 0U) |
                    (material.emission.both_sides ? MATERIAL_EMITS_BOTH_SIDES : 0U);
@@ -287,14 +313,19 @@ void measure_extent(FlatScene& flat) {
 }
 
 /// Sets which boundaries of media are around each light: for an area light, around the middle of
-/// its first triangle.
+/// the first of its triangles that shines.
 void put_lights_in_media(FlatScene& flat) {
     const auto vector = [](const shared::float4& v) { return glm::dvec3(v.x, v.y, v.z); };
     for (shared::LightRecord& light : flat.lights) {
         glm::dvec3 centre = vector(light.position);
         if (light.kind == EMITTER_DIRECTIONAL || light.kind == EMITTER_ENVIRONMENT) continue;
         if (light.kind == EMITTER_AREA) {
-            const shared::Triangle& t = flat.triangles[flat.emissive[light.first].triangle];
+            const auto entries = std::span(flat.emissive).subspan(light.first, light.count);
+            const auto shining =
+                std::find_if(entries.begin(), entries.end(),
+                             [](const auto& entry) { return entry.probability > 0.0F; });
+            const shared::Triangle& t =
+                flat.triangles[(shining == entries.end() ? entries.front() : *shining).triangle];
             centre = (vector(flat.positions[t.v0]) + vector(flat.positions[t.v1]) +
                       vector(flat.positions[t.v2])) /
                      3.0;
@@ -320,13 +351,15 @@ FlatScene flatten(const Scene& scene) {
     const Attributes attributes = attributes_of(scene);
     append_instances(scene, attributes, flat);
     if (attributes.uvs) append_textures(scene, flat);
+    if (attributes.emission_textures) append_emission(scene, flat);
     for (const Material& material : scene.materials)
         flat.materials.push_back(material_record(material, attributes.uvs));
     flat.features = (attributes.uvs ? FEATURE_TEXTURES : 0U) |
                     (attributes.colours ? FEATURE_VERTEX_COLOURS : 0U) |
                     (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
                     (attributes.one_sided ? FEATURE_ONE_SIDED : 0U) |
-                    (attributes.lobes ? FEATURE_LOBES : 0U);
+                    (attributes.lobes ? FEATURE_LOBES : 0U) |
+                    (attributes.emission_textures ? FEATURE_EMISSION_TEXTURES : 0U);
     flat.texture_means = texture_means(scene);
     flat.resting_areas.resize(scene.materials.size());
     add_areas(flat, std::span(flat.triangles).first(flat.first_moving_triangle),

@@ -38,13 +38,17 @@ struct FlatScene {
     std::vector<shared::Triangle> triangles;
     std::vector<shared::InstanceRecord> instances;
     std::vector<shared::MaterialRecord> materials;
-    std::vector<float> normals;              ///< 3 a vertex, 0 where a mesh has none; or empty
-    std::vector<float> texture_coordinates;  ///< 2 a vertex; or empty
-    std::vector<float> vertex_colours;       ///< 3 a vertex; or empty
+    std::vector<float> normals;  ///< 3 a vertex, 0 where a mesh has none; or empty
+    /// 2 a vertex, then those for emission that differ (InstanceRecord::emission_uv); or empty.
+    std::vector<float> texture_coordinates;
+    std::vector<float> vertex_colours;  ///< 3 a vertex; or empty
     std::vector<shared::TextureRecord> textures;
     std::vector<std::uint32_t> texels;
     std::vector<shared::LightRecord> lights;  ///< area, point and spot, directional, environment
     std::vector<shared::EmissiveTriangle> emissive;
+    /// By instance: mean colours of the emission texture over its triangles; empty where it has
+    /// none.
+    std::vector<std::vector<glm::vec3>> emission_means;
 
     /// By instance. Vertices and triangles of those that may move follow all others.
     std::vector<InstanceRange> ranges;

@@ -36,6 +36,89 @@ shared::float4 rgb(const glm::vec3& c, double scale) {
     return {s.r, s.g, s.b, 0.0F};
 }
 
+/// The triangles of an area light, and what they come to.
+struct Emitter {
+    std::vector<shared::EmissiveTriangle> entries{};  ///< none where nothing shines
+    AreaLightBounds bounds{};
+    double area = 0.0;   ///< kernel units squared
+    double light = 0.0;  ///< luminance times area
+    bool textured = false;
+};
+
+void set_probabilities(Emitter& emitter, std::span<const double> weights) {
+    normalise<shared::EmissiveTriangle>(emitter.entries, weights,
+                                        &shared::EmissiveTriangle::cumulative,
+                                        &shared::EmissiveTriangle::probability);
+}
+
+/// Triangles of the same radiance, by area.
+Emitter plain_emitter(const FlatScene& flat, const InstanceRange& range,
+                      const glm::vec3& radiance) {
+    Emitter emitter;
+    std::vector<double> areas;
+    for (std::uint32_t i = 0; i < range.triangles; ++i) {
+        const std::uint32_t t = range.first_triangle + i;
+        const double area = triangle_area(flat, flat.triangles[t]);
+        if (!(area > 0.0)) continue;
+        emitter.entries.push_back({t, 0.0F, 0.0F, 0.0F});
+        areas.push_back(area);
+        emitter.area += area;
+    }
+    if (emitter.entries.empty()) return emitter;
+    set_probabilities(emitter, areas);
+    for (shared::EmissiveTriangle& entry : emitter.entries)
+        entry.density = static_cast<float>(1.0 / emitter.area);
+    emitter.bounds = area_light_bounds(flat, emitter.entries);
+    emitter.light = luminance(radiance) * emitter.area;
+    return emitter;
+}
+
+/// Triangles whose mean radiance is `radiance` times their means, by area times that. The area that
+/// stands for them is the one that would send as much light, were it spread as evenly as the square
+/// of the radiance tells: all of the area where the radiance is the same, and what shines where
+/// some of it is dark.
+Emitter textured_emitter(const FlatScene& flat, const InstanceRange& range,
+                         const std::vector<glm::vec3>& means, const glm::vec3& radiance) {
+    Emitter emitter;
+    emitter.textured = true;
+    // A light that is switched off keeps its samples.
+    const glm::vec3 tint = luminance(radiance) > 0.0 ? radiance : glm::vec3(1.0F);
+    std::vector<double> weights;
+    std::vector<shared::EmissiveTriangle> shining;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::uint32_t i = 0; i < range.triangles; ++i) {
+        const std::uint32_t t = range.first_triangle + i;
+        const double area = triangle_area(flat, flat.triangles[t]);
+        const double mean = luminance(tint * means[i]);
+        emitter.entries.push_back({t, 0.0F, 0.0F, 0.0F});
+        weights.push_back(area * mean);
+        sum += area * mean;
+        squares += area * mean * mean;
+        if (area * mean > 0.0) shining.push_back(emitter.entries.back());
+        emitter.light += area * luminance(radiance * means[i]);
+    }
+    if (!(sum > 0.0) || !std::isfinite(sum)) return {};
+    set_probabilities(emitter, weights);
+    for (std::size_t i = 0; i < emitter.entries.size(); ++i) {
+        shared::EmissiveTriangle& entry = emitter.entries[i];
+        const double area = triangle_area(flat, flat.triangles[entry.triangle]);
+        if (area > 0.0)
+            entry.density = static_cast<float>(static_cast<double>(entry.probability) / area);
+    }
+    emitter.area = sum * (sum / squares);
+    // Its light is not the same all over, so that no closed form holds.
+    emitter.bounds.ball = area_light_bounds(flat, shining).ball;
+    return emitter;
+}
+
+Emitter emitter_of(const FlatScene& flat, std::uint32_t instance, const glm::vec3& radiance) {
+    const InstanceRange& range = flat.ranges[instance];
+    const bool textured = !flat.emission_means.empty() && !flat.emission_means[instance].empty();
+    return textured ? textured_emitter(flat, range, flat.emission_means[instance], radiance)
+                    : plain_emitter(flat, range, radiance);
+}
+
 /// Collects lights and their powers (luminance of the flux in kernel units).
 struct Collector {
     const Scene& scene;
@@ -62,39 +145,24 @@ struct Collector {
     void add_area_light(std::uint32_t instance) {
         const Material& material = scene.materials[flat.instances[instance].material];
         if (!(luminance(material.emission.radiance) > 0.0) && !has_shone(instance)) return;
-        std::vector<shared::EmissiveTriangle> entries;
-        std::vector<double> areas;
-        double total = 0.0;
-        const InstanceRange& range = flat.ranges[instance];
-        for (std::uint32_t i = 0; i < range.triangles; ++i) {
-            const std::uint32_t t = range.first_triangle + i;
-            const double area = triangle_area(flat, flat.triangles[t]);
-            if (!(area > 0.0)) continue;
-            entries.push_back({t, 0.0F, 0.0F, 0});
-            areas.push_back(area);
-            total += area;
-        }
-        if (entries.empty()) return;
-        normalise<shared::EmissiveTriangle>(entries, areas, &shared::EmissiveTriangle::cumulative,
-                                            &shared::EmissiveTriangle::probability);
+        const Emitter emitter = emitter_of(flat, instance, material.emission.radiance);
+        if (emitter.entries.empty()) return;
         shared::LightRecord light{};
         light.kind = EMITTER_AREA;
-        const AreaLightBounds bounds = area_light_bounds(flat, entries);
-        light.position = bounds.ball;
-        light.axis = bounds.normal;
+        light.position = emitter.bounds.ball;
+        light.axis = emitter.bounds.normal;
         light.power = rgb(material.emission.radiance, 1.0);
         light.first = static_cast<std::uint32_t>(flat.emissive.size());
-        light.count = static_cast<std::uint32_t>(entries.size());
-        light.area = static_cast<float>(total);
+        light.count = static_cast<std::uint32_t>(emitter.entries.size());
+        light.area = static_cast<float>(emitter.area);
         light.both_sides = material.emission.both_sides ? 1 : 0;
-        flat.emissive.insert(flat.emissive.end(), entries.begin(), entries.end());
-        if (flat.area_lights == 0 || total < flat.smallest_light_area)
-            flat.smallest_light_area = total;
+        light.textured = emitter.textured ? 1 : 0;
+        flat.emissive.insert(flat.emissive.end(), emitter.entries.begin(), emitter.entries.end());
+        if (flat.area_lights == 0 || emitter.area < flat.smallest_light_area)
+            flat.smallest_light_area = emitter.area;
         ++flat.area_lights;
-        flat.instances[instance].light = add(light,
-                                             pi * luminance(material.emission.radiance) * total *
-                                                 (light.both_sides != 0 ? 2.0 : 1.0),
-                                             instance);
+        flat.instances[instance].light =
+            add(light, pi * emitter.light * (light.both_sides != 0 ? 2.0 : 1.0), instance);
     }
 
     void add_punctual(const PunctualLight& source, std::size_t number) {

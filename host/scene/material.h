@@ -29,6 +29,7 @@ using SurfaceParameters = VariantOfOthers<void ALL_LOBES(WEFT_SURFACE_ENTRY)>::t
 struct Emission {
     glm::vec3 radiance{0.0F};  ///< W/(m^2 sr)
     bool both_sides = false;   ///< false: only to the side of the geometric normal
+    int texture = -1;          ///< index into Scene::textures that multiplies radiance, or -1
 };
 
 /// A surface that scatters light and may emit. Colours are linear Rec.709.

@@ -4,20 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/srgb.h"
 
 namespace weft {
 namespace {
 
-/// One level in linear light, 3 floats a texel.
-struct Level {
-    std::uint32_t width, height;
-    std::vector<float> values;
-};
-
-Level first_level(const Texture& texture, const std::vector<float>& table) {
-    Level level{texture.width, texture.height, {}};
+LinearLevel first_level(const Texture& texture, const std::vector<float>& table) {
+    LinearLevel level{texture.width, texture.height, {}};
     const std::size_t count = std::size_t{texture.width} * texture.height;
     level.values.reserve(3 * count);
     for (std::size_t i = 0; i < count; ++i)
@@ -39,8 +34,8 @@ Span covered(std::uint32_t i, std::uint32_t size, std::uint32_t larger) {
     return {2 * i, i + 1 == size ? larger : 2 * i + 2};
 }
 
-Level halved(const Level& level) {
-    Level half{std::max(1U, level.width / 2), std::max(1U, level.height / 2), {}};
+LinearLevel halved(const LinearLevel& level) {
+    LinearLevel half{std::max(1U, level.width / 2), std::max(1U, level.height / 2), {}};
     for (std::uint32_t y = 0; y < half.height; ++y) {
         const Span rows = covered(y, half.height, level.height);
         for (std::uint32_t x = 0; x < half.width; ++x) {
@@ -71,17 +66,23 @@ std::uint8_t encode(float value, bool srgb) {
 
 }  // namespace
 
+std::vector<LinearLevel> linear_mip_levels(const Texture& texture) {
+    std::vector<LinearLevel> levels;
+    levels.push_back(first_level(texture, srgb_table()));
+    while (levels.back().width > 1 || levels.back().height > 1)
+        levels.push_back(halved(levels.back()));
+    return levels;
+}
+
 void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels) {
     for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
         texels.push_back(pack(texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]));
-    Level level = first_level(texture, srgb_table());
-    while (level.width > 1 || level.height > 1) {
-        level = halved(level);
+    const std::vector<LinearLevel> levels = linear_mip_levels(texture);
+    for (const LinearLevel& level : std::span(levels).subspan(1))
         for (std::size_t i = 0; i < level.values.size(); i += 3)
             texels.push_back(pack(encode(level.values[i], texture.srgb),
                                   encode(level.values[i + 1], texture.srgb),
                                   encode(level.values[i + 2], texture.srgb)));
-    }
 }
 
 float srgb_to_linear(std::uint8_t value) {

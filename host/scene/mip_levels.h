@@ -10,9 +10,18 @@
 
 namespace weft {
 
+/// One level of a texture in linear light, 3 floats a texel, row by row.
+struct LinearLevel {
+    std::uint32_t width, height;
+    std::vector<float> values;
+};
+
+/// A texture and its ever smaller averages, down to one texel. Each level halves the edges (rounded
+/// down, at least 1); a texel is the mean over the texels of the level before that it covers.
+[[nodiscard]] std::vector<LinearLevel> linear_mip_levels(const Texture& texture);
+
 /// Appends a texture and its ever smaller averages, down to one texel, as kernels read them: red in
-/// the lowest byte. Each level halves the edges (rounded down, at least 1); a texel is the mean of
-/// linear light over the texels of the level before that it covers.
+/// the lowest byte. The levels are those of linear_mip_levels.
 void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels);
 
 /// Linear value of an sRGB byte (IEC 61966-2-1).

@@ -38,7 +38,8 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< shading normals; empty: geometric normals
     std::vector<glm::vec2> uvs;
-    std::vector<glm::vec3> colours;                       ///< linear, multiplied with the albedo
+    std::vector<glm::vec2> emission_uvs;  ///< for the texture of emission; empty: `uvs`
+    std::vector<glm::vec3> colours;       ///< linear, multiplied with the albedo
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
@@ -137,6 +138,7 @@ struct Scene {
     int outer_medium = -1;   ///< outside of all boundaries: index into `media`, or -1
     std::optional<FilmSize> film;
     bool light_named = false;  ///< the file names an area light, perhaps one without power
+    bool default_light = false;  ///< the sky and the last light are not the file's: default_light.h
 };
 
 }  // namespace weft

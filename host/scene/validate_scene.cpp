@@ -102,10 +102,10 @@ class Validator {
             throw input_error(scene_.source, object + " " + problem);
         require(not_negative(material.emission.radiance), object,
                 "has an emission that is negative or not finite");
-        const int texture = albedo_texture(material);
-        require(texture >= -1 &&
-                    (texture < 0 || static_cast<std::size_t>(texture) < scene_.textures.size()),
-                object, "refers to a texture that does not exist");
+        for (const int texture : {albedo_texture(material), material.emission.texture})
+            require(texture >= -1 &&
+                        (texture < 0 || static_cast<std::size_t>(texture) < scene_.textures.size()),
+                    object, "refers to a texture that does not exist");
     }
 
     void check(const Mesh& mesh) {
@@ -114,13 +114,15 @@ class Validator {
         require(count <= limits::max_vertices, object, "has more vertices than the limit");
         require(mesh.normals.empty() || mesh.normals.size() == count, object,
                 "has normals of the wrong number");
-        require(mesh.uvs.empty() || mesh.uvs.size() == count, object,
-                "has texture coordinates of the wrong number");
+        for (const auto* uvs : {&mesh.uvs, &mesh.emission_uvs}) {
+            require(uvs->empty() || uvs->size() == count, object,
+                    "has texture coordinates of the wrong number");
+            require(all_finite(*uvs), object, "has a texture coordinate that is not finite");
+        }
         require(mesh.colours.empty() || mesh.colours.size() == count, object,
                 "has vertex colours of the wrong number");
         require(all_finite(mesh.positions), object, "has a vertex that is not finite");
         require(all_finite(mesh.normals), object, "has a normal that is not finite");
-        require(all_finite(mesh.uvs), object, "has a texture coordinate that is not finite");
         require(std::all_of(mesh.colours.begin(), mesh.colours.end(), in_unit_cube), object,
                 "has a vertex colour outside [0, 1]");
         for (const auto& triangle : mesh.triangles)

@@ -6,8 +6,7 @@
 #define WEFT_KERNELS_BSDF_SURFACE_H
 
 #include "kernels/bsdf/bsdf.h"
-#include "kernels/bsdf/texture.h"
-#include "kernels/bvh/geometry.h"
+#include "kernels/bsdf/triangle_texture.h"
 
 // A surface point seen from a direction; both normals face the viewer.
 typedef struct {
@@ -17,29 +16,13 @@ typedef struct {
     float3 back;      // the way back to the viewer, of any length
     Bsdf bsdf;        // black on the back of one-sided materials
     float3 emission;  // towards the viewer
+    uint triangle;
     uint instance;
     int front;  // 1 where the viewer sees the outside
 } Surface;
 
 static inline float3 attribute3(GLOBAL const float* values, uint index) {
     return f3(values[3u * index], values[3u * index + 1u], values[3u * index + 2u]);
-}
-
-/// Texture colour at a hit. `footprint` is the square root of the share of the triangle's doubled
-/// area that is to be averaged; 0 asks for full detail.
-static inline float3 texture_at(const Geometry* geometry, TextureRecord texture, Triangle triangle,
-                                Hit hit, float footprint) {
-    GLOBAL const float* uv = geometry->texture_coordinates;
-    float s0 = uv[2u * triangle.v0];
-    float t0 = uv[2u * triangle.v0 + 1u];
-    float s1 = uv[2u * triangle.v1] - s0;
-    float t1 = uv[2u * triangle.v1 + 1u] - t0;
-    float s2 = uv[2u * triangle.v2] - s0;
-    float t2 = uv[2u * triangle.v2 + 1u] - t0;
-    float texels = absolute(s1 * t2 - s2 * t1) * (float)texture.width * (float)texture.height;
-    return sample_texture(texture, geometry->texels, geometry->srgb_table,
-                          s0 + s1 * hit.u + s2 * hit.v, t0 + t1 * hit.u + t2 * hit.v,
-                          footprint * square_root(texels));
 }
 
 // What all hits of a triangle share.
@@ -62,6 +45,25 @@ static inline Facet facet_of(const Geometry* geometry, uint id) {
     return facet;
 }
 
+/// Square root of the share of a facet's doubled area that a cone of `angle` radians about a ray
+/// covers where the ray meets it, or 0 where it meets it edge-on.
+static inline float texture_footprint(const Facet* facet, Hit hit, float3 direction, float angle) {
+    // A cone of width w covers w^2 / cos of the surface.
+    float slant = absolute(dot3(direction, facet->doubled_area));
+    float width = angle * hit.t * length3(direction) * square_root(length3(direction));
+    return slant > 0.0f ? width / square_root(slant) : 0.0f;
+}
+
+/// Radiance that a facet emits where a ray meets it, to the side of its outside.
+static inline float3 facet_emission(const RenderParams* params, const Geometry* geometry,
+                                    const Facet* facet, Hit hit, float3 direction, float angle) {
+    float3 radiance = xyz(facet->material.emission);
+    uint texture = facet->material.emission_texture;
+    if (!HAS(params, FEATURE_EMISSION_TEXTURES) || texture == INVALID_INDEX) return radiance;
+    return radiance * emission_texture_at(geometry, texture, facet->triangle, hit.u, hit.v,
+                                          texture_footprint(facet, hit, direction, angle));
+}
+
 /// The surface at a hit, on that facet, of a ray that travels along `direction`. Textures are
 /// averaged over a cone of `angle` radians about the ray; 0 asks for full detail.
 static inline Surface surface_on(const RenderParams* params, const Geometry* geometry,
@@ -71,6 +73,7 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
     MaterialRecord material = facet->material;
     float w = 1.0f - hit.u - hit.v;
     surface.position = facet->a * w + facet->b * hit.u + facet->c * hit.v;
+    surface.triangle = hit.triangle;
     surface.instance = triangle.instance;
     surface.front = dot3(facet->outside, direction) < 0.0f ? 1 : 0;
     surface.normal = surface.front != 0 ? facet->outside : -facet->outside;
@@ -86,14 +89,9 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
     surface.bsdf.lobe = HAS(params, FEATURE_LOBES) ? material.lobe : (uint)LOBE_LAMBERT;
     surface.bsdf.albedo = xyz(material.albedo);
     surface.bsdf.parameters = material.parameters;
-    if (HAS(params, FEATURE_TEXTURES) && material.texture != INVALID_INDEX) {
-        // A cone of width w covers w^2 / cos of the surface.
-        float slant = absolute(dot3(direction, facet->doubled_area));
-        float width = angle * hit.t * length3(direction) * square_root(length3(direction));
-        float footprint = slant > 0.0f ? width / square_root(slant) : 0.0f;
-        surface.bsdf.albedo *=
-            texture_at(geometry, geometry->textures[material.texture], triangle, hit, footprint);
-    }
+    if (HAS(params, FEATURE_TEXTURES) && material.texture != INVALID_INDEX)
+        surface.bsdf.albedo *= texture_at(geometry, material.texture, triangle, hit.u, hit.v,
+                                          texture_footprint(facet, hit, direction, angle));
     if (HAS(params, FEATURE_VERTEX_COLOURS))
         surface.bsdf.albedo *= attribute3(geometry->vertex_colours, triangle.v0) * w +
                                attribute3(geometry->vertex_colours, triangle.v1) * hit.u +
@@ -104,7 +102,7 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
     surface.emission = f3(0.0f, 0.0f, 0.0f);
     if ((material.flags & MATERIAL_EMITS) != 0u &&
         (surface.front != 0 || (material.flags & MATERIAL_EMITS_BOTH_SIDES) != 0u))
-        surface.emission = xyz(material.emission);
+        surface.emission = facet_emission(params, geometry, facet, hit, direction, angle);
     return surface;
 }
 

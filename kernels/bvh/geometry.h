@@ -27,7 +27,7 @@ typedef struct {
     GLOBAL const InstanceRecord* instances;
     GLOBAL const MaterialRecord* materials;
     GLOBAL const float* normals;              // 3 a vertex
-    GLOBAL const float* texture_coordinates;  // 2 a vertex
+    GLOBAL const float* texture_coordinates;  // 2 a vertex; then those for emission that differ
     GLOBAL const float* vertex_colours;       // 3 a vertex
     GLOBAL const TextureRecord* textures;
     GLOBAL const uint* texels;

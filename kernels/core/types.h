@@ -35,6 +35,7 @@
 #define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records are stored from frame to frame
 #define FEATURE_HEMISPHERES 131072u  // irradiance records trace hemispheres of rays
 #define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
+#define FEATURE_EMISSION_TEXTURES 524288u
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -69,7 +70,7 @@ typedef struct {
     uint material;
     uint first_triangle;  // id of the instance's first triangle
     uint light;           // index of its area light, or INVALID_INDEX
-    uint pad;
+    uint emission_uv;     // what leads from a vertex to its texture coordinates for emission
 } InstanceRecord;
 
 #define MATERIAL_TWO_SIDED 1u
@@ -81,9 +82,9 @@ typedef struct {
     float4 emission;    // rgb, W/(m^2 sr)
     float4 parameters;  // of lobes other than Lambert's, as each defines them
     uint flags;
-    uint texture;  // index or INVALID_INDEX
-    uint lobe;     // LOBE_* of bsdf/lobe.h
-    uint pad;
+    uint texture;           // index or INVALID_INDEX
+    uint lobe;              // LOBE_* of bsdf/lobe.h
+    uint emission_texture;  // that `emission` is multiplied with; index or INVALID_INDEX
 } MaterialRecord;
 
 #define TEXTURE_NEAREST 1u
@@ -111,10 +112,11 @@ typedef struct {
     float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest one
     float4 axis;      // spot, directional: direction of travel; area: xyz normal of one flat
                       // panel (host/scene/area_light_bounds.h), else 0
-    float4 power;     // area: radiance; point, spot: W/sr in kernel units; directional: W/m^2
+    float4 power;     // area: radiance, without texture; point, spot: W/sr in kernel units;
+                      // directional: W/m^2
     uint kind;
     uint first, count;  // emissive triangles
-    float area;         // kernel units squared
+    float area;         // kernel units squared; of a textured one what shines
     float cumulative;
     float probability;
     float cos_inner, cos_outer;
@@ -124,15 +126,17 @@ typedef struct {
     float choice_cumulative;  // the same for path tracing, which chooses from all but environments
     float choice_probability;
     uint enclosing_media;  // media boundaries about its centre, a bit each
-    uint pad0, pad1;
+    uint textured;         // area: 1 where its radiance is not the same everywhere
+    uint pad;
 } LightRecord;
 
-// An emissive triangle; `cumulative` is relative to its light, by area.
+// An emissive triangle; `cumulative` is relative to its light, by area, of a textured one by area
+// times mean radiance. The entries of a textured light are all triangles of its instance, in order.
 typedef struct {
     uint triangle;
     float cumulative;
     float probability;
-    uint pad;
+    float density;  // of points that are chosen on it: 1 / kernel unit squared
 } EmissiveTriangle;
 
 // A virtual point light, or a sample point on a light. Irradiance at x with unit normal n:

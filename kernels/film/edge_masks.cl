@@ -35,7 +35,9 @@ static inline int edge_between(const RenderParams* params, GLOBAL const Instance
     uint instance_b = gb_ids[2u * b];
     if (gb_ids[2u * a + 1u] == gb_ids[2u * b + 1u] && instance_a == instance_b) return 0;
     if (instance_a == INVALID_INDEX || instance_b == INVALID_INDEX) return 1;
-    if (colours_differ(xyz(gb_emission[a]), xyz(gb_emission[b])) != 0) return 1;
+    // Of one instance a texture may make the difference, and the side is told by the normals.
+    int textured = HAS(params, FEATURE_EMISSION_TEXTURES) && instance_a == instance_b ? 1 : 0;
+    if (textured == 0 && colours_differ(xyz(gb_emission[a]), xyz(gb_emission[b])) != 0) return 1;
     if (pixel_is_lit(gb_ids, gb_albedo, a) == 0 && pixel_is_lit(gb_ids, gb_albedo, b) == 0)
         return 0;
     if (continues(params, gb_position, gb_normal, gb_shading, a, b) == 0) return 1;

@@ -74,17 +74,17 @@ static inline LightSample light_at_surface(const RenderParams* params, const Geo
 }
 
 /// Point (u, v) of a light that was chosen with that probability. Not for environments.
-static inline ChosenPoint point_on_light(const Geometry* geometry, LightRecord light,
-                                         GLOBAL const EmissiveTriangle* emissive, float probability,
-                                         float u, float v) {
+static inline ChosenPoint point_on_light(const RenderParams* params, const Geometry* geometry,
+                                         LightRecord light, GLOBAL const EmissiveTriangle* emissive,
+                                         float probability, float u, float v) {
     ChosenPoint chosen;
     chosen.light = light;
     chosen.pdf = probability;
     chosen.point.position = xyz(light.position);
     chosen.point.normal = f3(0.0f, 0.0f, 0.0f);
     if (light.kind == EMITTER_AREA) {
-        chosen.point = sample_area(geometry, light, emissive, u, v);
-        chosen.pdf = probability / light.area;
+        chosen.point = sample_emitter(params, geometry, light, emissive, u, v);
+        chosen.pdf = probability / chosen.point.area;
     }
     return chosen;
 }
@@ -119,15 +119,18 @@ static inline PlaceLight light_at_place(const RenderParams* params, const Chosen
 }
 
 /// Pdf, 1/sr, with which next-event estimation samples the direction of a ray that met an emitting
-/// surface after `t`: of that instance, with that normal on the ray's side. 0 where it never does.
-static inline float met_light_pdf(const Geometry* geometry, GLOBAL const LightRecord* lights,
+/// surface after `t`: on that triangle, with that normal on the ray's side. 0 where it never does.
+static inline float met_light_pdf(const RenderParams* params, const Geometry* geometry,
+                                  GLOBAL const LightRecord* lights,
+                                  GLOBAL const EmissiveTriangle* emissive, uint triangle,
                                   uint instance, float3 normal, float3 direction, float t) {
     uint index = geometry->instances[instance].light;
     if (index == INVALID_INDEX) return 0.0f;
     LightRecord light = lights[index];
     float facing = -dot3(direction, normal);
     if (!(facing > 0.0f)) return 0.0f;
-    return area_pdf(light, t, facing) * light.choice_probability;
+    float area = sampled_area(params, geometry, light, emissive, triangle);
+    return area_pdf(area, t, facing) * light.choice_probability;
 }
 
 #endif

@@ -37,10 +37,10 @@ static inline void store_area_sample(const RenderParams* params, const LightSamp
     float side = light.both_sides != 0u ? radical_inverse(PRIME_DIRECTION_U, index, key) : 0.0f;
     AreaExit leaves = leave_area(params, geometry, light, emissive, u, v, side);
     float weight =
-        light.area / (probability * (float)count * (float)params->sampling.sets) * leaves.sides;
+        leaves.area / (probability * (float)count * (float)params->sampling.sets) * leaves.sides;
     float3 origin = leaves.origin;
     float3 normal = leaves.normal;
-    float3 flux = xyz(light.power) * weight;
+    float3 flux = leaves.radiance * weight;
     vpl->position = f4(origin.x, origin.y, origin.z, sampling->bound_scale / light.area);
     vpl->normal = f4(normal.x, normal.y, normal.z, from_bits(VPL_SURFACE));
     vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);

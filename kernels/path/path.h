@@ -95,10 +95,11 @@ static inline uint next_event(const RenderParams* params, const PathScene* world
 }
 
 /// MIS weight of emission that a scattered ray of pdf `pdf` met after `t`.
-static inline float emission_weight(const PathScene* world, const Surface* surface,
-                                    float3 direction, float t, float pdf) {
-    float other = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
-                                direction, t);
+static inline float emission_weight(const RenderParams* params, const PathScene* world,
+                                    const Surface* surface, float3 direction, float t, float pdf) {
+    float other =
+        met_light_pdf(params, &world->geometry, world->lights, world->emissive, surface->triangle,
+                      surface->instance, surface->normal, direction, t);
     return other > 0.0f ? power_heuristic(pdf, other) : 1.0f;
 }
 
@@ -121,9 +122,10 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
     }
     vertex->surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
     if (max_component(vertex->surface.emission) > 0.0f)
-        add_light(params, sum, vertex,
-                  throughput * vertex->surface.emission *
-                      emission_weight(world, &vertex->surface, direction, hit.t, sample.pdf));
+        add_light(
+            params, sum, vertex,
+            throughput * vertex->surface.emission *
+                emission_weight(params, world, &vertex->surface, direction, hit.t, sample.pdf));
     return enter_surface(params, vertex, throughput);
 }
 

@@ -54,7 +54,7 @@ static inline float3 grid_airlight(const RenderParams* params, const PathScene* 
                                    const Media* media, const DensityGrid* grid,
                                    const MediumSegment* segment, Random* random, uint* rays) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
-    ChosenPoint chosen = choose_point(world, random);
+    ChosenPoint chosen = choose_point(params, world, random);
     float u = next_random(random);
     AngularView view =
         angular_view(segment->origin, segment->direction, segment->length, chosen.point.position);
@@ -80,7 +80,7 @@ static inline float3 collision_light(const RenderParams* params, const PathScene
                                      const Media* media, const MediumSegment* segment,
                                      const MediaPath* path, float t, float free, Random* random,
                                      uint* rays) {
-    ChosenPoint chosen = choose_point(world, random);
+    ChosenPoint chosen = choose_point(params, world, random);
     ScatterPoint at;
     at.t = t;
     at.value = path->throughput * path->ratio * xyz(segment->medium.albedo);

@@ -42,7 +42,7 @@ static inline void scatter_in_medium(const RenderParams* params, const PathScene
                                      MediaPath* path, Random* random, PathLight* sum, uint* rays) {
     ++path->bounce;
     if (world->light_count != 0u) {
-        ChosenPoint chosen = choose_point(world, random);
+        ChosenPoint chosen = choose_point(params, world, random);
         add_scattered(params, sum, path->bounce,
                       scattered_light(params, world, media, segment, &chosen, t, random, rays));
     }
@@ -69,7 +69,7 @@ static inline int cross_segment(const RenderParams* params, const PathScene* wor
     if (!(max_component(segment->sigma_t) > 0.0f && segment->length > 0.0f)) return 0;
     int wanted = wants_bounce(params, path->bounce + 1u);
     if (wanted != 0 && world->light_count != 0u) {
-        ChosenPoint chosen = choose_point(world, random);
+        ChosenPoint chosen = choose_point(params, world, random);
         float u = next_random(random);
         AngularView view = angular_view(segment->origin, segment->direction, segment->length,
                                         chosen.point.position);
@@ -168,7 +168,7 @@ static inline int advance(const RenderParams* params, const PathScene* world, co
     if (met == 0 && HAS(params, FEATURE_ENVIRONMENT))
         light = environment_radiance(params, path->direction);
     if (met != 0 && max_component(path->surface.emission) > 0.0f)
-        light = path->surface.emission * met_weight(world, path, &path->surface, hit.t);
+        light = path->surface.emission * met_weight(params, world, path, &path->surface, hit.t);
     add_met(params, path, light, sample);
     if (met == 0) return 0;
     if (scatter_on_surface(params, world, media, path, random, &sample->light, rays) == 0) return 0;

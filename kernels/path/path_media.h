@@ -111,14 +111,15 @@ static inline int wants_bounce(const RenderParams* params, uint bounce) {
     return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
 }
 
-static inline ChosenPoint choose_point(const PathScene* world, Random* random) {
+static inline ChosenPoint choose_point(const RenderParams* params, const PathScene* world,
+                                       Random* random) {
     float choice = next_random(random);
     float u = next_random(random);
     float v = next_random(random);
     float probability;
     uint index = choose_for_next_event(world->lights, world->light_count, choice, &probability);
-    return point_on_light(&world->geometry, world->lights[index], world->emissive, probability, u,
-                          v);
+    return point_on_light(params, &world->geometry, world->lights[index], world->emissive,
+                          probability, u, v);
 }
 
 // A point of a segment that a path may be scattered at, and its pdfs by free paths and equi-angular
@@ -176,13 +177,14 @@ static inline float3 scattered_light(const RenderParams* params, const PathScene
 }
 
 /// MIS weight of the emission of a surface that a ray of the path met after `t`.
-static inline float met_weight(const PathScene* world, const MediaPath* path,
-                               const Surface* surface, float t) {
+static inline float met_weight(const RenderParams* params, const PathScene* world,
+                               const MediaPath* path, const Surface* surface, float t) {
     if (path->kind == RAY_OF_CAMERA) return 1.0f;
     if (path->kind == RAY_OF_SURFACE)
-        return emission_weight(world, surface, path->direction, t, path->pdf);
-    float pdf = met_light_pdf(&world->geometry, world->lights, surface->instance, surface->normal,
-                              path->direction, t);
+        return emission_weight(params, world, surface, path->direction, t, path->pdf);
+    float pdf =
+        met_light_pdf(params, &world->geometry, world->lights, world->emissive, surface->triangle,
+                      surface->instance, surface->normal, path->direction, t);
     if (!(pdf > 0.0f)) return 1.0f;
     float angular = angular_pdf(angular_view(path->segment.origin, path->segment.direction,
                                              path->segment.length, surface->position),

@@ -96,7 +96,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     put(r + 40, found.towards);
     r[43] = (float)found.distant;
     const ChosenPoint at =
-        point_on_light(&geometry, lights[other], emissive, probability, x[0], x[1]);
+        point_on_light(&params, &geometry, lights[other], emissive, probability, x[0], x[1]);
     const PlaceLight place = light_at_place(&params, &at, surface.position);
     put(r + 44, place.irradiance);
     put(r + 47, place.direction);

@@ -195,6 +195,30 @@ TEST(PngAutoExposure, IgnoresBlackAndNonFinitePixels) {
     EXPECT_NEAR(auto_exposure(image), 1.0, 1e-6);
 }
 
+TEST(PngAutoExposure, JudgesWhatIsLitNotTheLamp) {
+    // A tenth of the pixels are lit to 0.045; the others are lamps or sky.
+    Image image = make_image(100, 1, "RGB", 0.5f);
+    Layer emission{"emission", "RGB", std::vector<float>(300, 0.5f)};
+    const auto set = [](Layer& layer, std::size_t pixel, float value) {
+        for (const std::size_t c : {0, 100, 200}) layer.values[c + pixel] = value;
+    };
+    for (std::size_t i = 0; i < 10; ++i) {
+        set(image.layers[0], i, 0.045f);
+        set(emission, i, 0.0f);
+    }
+    const double all = auto_exposure(image);
+    EXPECT_LT(all, 0.0);
+    image.layers.push_back(emission);
+    EXPECT_NEAR(auto_exposure(image), 1.0, 1e-5) << "up to where the lamps are white";
+    for (std::size_t i = 10; i < 100; ++i) set(image.layers[0], i, 0.1f);
+    for (std::size_t i = 10; i < 100; ++i) set(image.layers[1], i, 0.1f);
+    EXPECT_NEAR(auto_exposure(image), 2.0, 1e-5) << "what is lit comes to middle grey";
+    // Where next to nothing is lit, the lamps are all there is to see.
+    for (std::size_t i = 0; i < 10; ++i) set(image.layers[0], i, 0.1f);
+    for (std::size_t i = 0; i < 10; ++i) set(image.layers[1], i, 0.1f);
+    EXPECT_NEAR(auto_exposure(image), std::log2(0.18 / 0.1), 1e-5);
+}
+
 TEST(PngAutoExposure, ProtectsHighlightsByAtMostTwoStops) {
     // 80 dark pixels and 20 bright ones: log-average 2^-6 * 2^(0.2 * s) for a bright value 2^(s-6).
     const auto exposure = [](float bright) {

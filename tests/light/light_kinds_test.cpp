@@ -293,10 +293,85 @@ TEST(LightKinds, ScatteredRaysMeetLightsAsOftenAsTheyAreSampled) {
         native::light_at_surface(&params, &geometry, lights[area], square.emissive.data(), &surface,
                                  surface.position, lights[area].choice_probability, 0.4F, 0.8F);
     const float length = native::length3(sample.towards);
-    const float found = native::met_light_pdf(&geometry, lights.data(), 0, f3(0, 0, -1),
-                                              sample.towards / length, length);
+    const float found =
+        native::met_light_pdf(&params, &geometry, lights.data(), square.emissive.data(), 0, 0,
+                              f3(0, 0, -1), sample.towards / length, length);
     EXPECT_NEAR(found, sample.pdf, 1e-4F * sample.pdf);
-    EXPECT_EQ(native::met_light_pdf(&geometry, lights.data(), 0, f3(0, 0, -1), f3(0, 0, -1), 1.0F),
+    EXPECT_EQ(native::met_light_pdf(&params, &geometry, lights.data(), square.emissive.data(), 0, 0,
+                                    f3(0, 0, -1), f3(0, 0, -1), 1.0F),
+              0.0F);
+}
+
+/// The square with a texture of which one half, y > 0, is bright. Its triangles are chosen as if
+/// the first were three times as bright as the other.
+struct TexturedSquare : SquareLight {
+    std::vector<float> coordinates = {0, 0, 0, 0, 1, 0, 1, 0};
+    std::vector<native::TextureRecord> textures = {{0, 2, 1, TEXTURE_NEAREST}};
+    std::vector<std::uint32_t> texels = {0x000000, 0x80FFFF};
+    std::vector<native::MaterialRecord> materials{1};
+    native::LightRecord light = all_lights()[area];
+    native::RenderParams params = scene_params();
+    native::Geometry all = geometry();
+
+    TexturedSquare() {
+        emissive = {{0, 0.75F, 0.75F, 0.75F / 0.5F}, {1, 1.0F, 0.25F, 0.25F / 0.5F}};
+        light.textured = 1;
+        params.features = FEATURE_EMISSION_TEXTURES;
+        all.texture_coordinates = coordinates.data();
+        all.textures = textures.data();
+        all.texels = texels.data();
+        all.materials = materials.data();
+    }
+};
+
+TEST(LightKinds, TexturedLightsShineAsTheirTexture) {
+    const TexturedSquare square;
+    const native::RenderParams& params = square.params;
+    const double blue = 128.0 / 255.0;
+    expect_mean(
+        mean_of([&](native::Random* random) {
+            const native::EmissionNumbers numbers = numbers_of(random);
+            return static_cast<double>(native::emit_light(&params, &square.all, square.light,
+                                                          square.emissive.data(), &numbers)
+                                           .flux.z);
+        }),
+        blue * 0.5 * pi / static_cast<double>(square.light.probability), "power");
+    const native::LitPoint surface = floor_at(0.3F, 0.1F);
+    const float probability = square.light.choice_probability;
+    const double expected = blue * weft::selftest::polygon_irradiance(
+                                       {{-0.5, 0, 1}, {-0.5, 0.5, 1}, {0.5, 0.5, 1}, {0.5, 0, 1}},
+                                       {0.3, 0.1, 0}, {0, 0, 1});
+    expect_mean(mean_of([&](native::Random* random) {
+                    const float u = native::next_random(random);
+                    const float v = native::next_random(random);
+                    return irradiance_of(native::light_at_surface(
+                        &params, &square.all, square.light, square.emissive.data(), &surface,
+                        surface.position, probability, u, v));
+                }),
+                expected / static_cast<double>(probability), "irradiance");
+}
+
+TEST(LightKinds, ScatteredRaysMeetTexturedLightsAsOftenAsTheyAreSampled) {
+    const TexturedSquare square;
+    const native::RenderParams& params = square.params;
+    std::vector<native::LightRecord> lights = {square.light};
+    const native::LitPoint surface = floor_at(0.3F, 0.1F);
+    for (const float u : {0.4F, 0.9F}) {  // of the first triangle, and of the second
+        const auto sample = native::light_at_surface(
+            &params, &square.all, square.light, square.emissive.data(), &surface, surface.position,
+            square.light.choice_probability, u, 0.8F);
+        const float length = native::length3(sample.towards);
+        const std::uint32_t triangle = u < 0.75F ? 0 : 1;
+        const float found =
+            native::met_light_pdf(&params, &square.all, lights.data(), square.emissive.data(),
+                                  triangle, 0, f3(0, 0, -1), sample.towards / length, length);
+        EXPECT_NEAR(found, sample.pdf, 1e-4F * sample.pdf) << u;
+    }
+    // A triangle without a bright texel is never sampled.
+    std::vector<native::EmissiveTriangle> one = square.emissive;
+    one[1].density = 0.0F;
+    EXPECT_EQ(native::met_light_pdf(&params, &square.all, lights.data(), one.data(), 1, 0,
+                                    f3(0, 0, -1), f3(0, 0, 1), 1.0F),
               0.0F);
 }
 
@@ -323,7 +398,7 @@ TEST(LightKinds, ReachPlacesInMediaAsTheirClosedForms) {
                         const float u = native::next_random(random);
                         const float v = native::next_random(random);
                         const native::ChosenPoint chosen = native::point_on_light(
-                            &geometry, light, square.emissive.data(), probability, u, v);
+                            &params, &geometry, light, square.emissive.data(), probability, u, v);
                         return static_cast<double>(
                             native::light_at_place(&params, &chosen, place).irradiance.z);
                     }),

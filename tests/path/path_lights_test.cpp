@@ -81,6 +81,13 @@ TEST(PathLights, SquareLightGivesLambertsIrradiance) {
     }
 }
 
+TEST(PathLights, TexturedLightsShineWhereTheirTextureIsBright) {
+    const Scene scene = test::half_bright_square();
+    for (const TestBackend backend : test::light_backends())
+        for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(-0.7, 0.4, 0)})
+            expect_sampled(backend, scene, point, test::half_bright_irradiance(point));
+}
+
 TEST(PathLights, NearAndFarSquaresAreSampledAlikeWell) {
     // Close to a light scattered rays do better, far from it its samples do: both must be weighted.
     for (const double height : {0.01, 0.1, 10.0, 1000.0}) {

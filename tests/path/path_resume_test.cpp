@@ -57,6 +57,9 @@ const FlatScene& everything() {
                     one_sided);
         builder.add(test::quad_mesh({-0.3F, 0.98F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}),
                     builder.material({0.3F, 0.3F, 0.3F}, {12.0F, 10.0F, 8.0F}));
+        const std::uint32_t screen = builder.material({0.0F, 0.0F, 0.0F}, {0.5F, 1.0F, 2.0F});
+        builder.scene.materials[screen].emission.texture = 0;
+        builder.add(test::quad_mesh({-0.9F, 0.1F, -0.8F}, {0.2F, 0, 0.2F}, {0, 0.3F, 0}), screen);
         builder.light(LightType::point, {0.5, 0.4, 0.6}, {0.3F, 0.4F, 0.3F});
         builder.light(LightType::spot, {0.0, 0.9, 0.8}, {2.0F, 1.5F, 1.0F}, {0.1, -1.0, -0.6})
             .cos_outer = 0.8F;
@@ -115,7 +118,8 @@ void expect_refused(const std::function<void()>& use) {
 }
 
 TEST(PathResume, TheSceneShowsAllItShould) {
-    EXPECT_EQ(everything().features & 255U, 255U);
+    constexpr std::uint32_t all = 255U | FEATURE_EMISSION_TEXTURES;
+    EXPECT_EQ(everything().features & all, all);
     const Image image = resolve_sums(render({0, 4}));
     for (const char* layer : {"direct", "indirect", "emission", "albedo", "depth", "variance"})
         EXPECT_GT(test::mean_of(image.find(layer)->values), 1e-3) << layer;

@@ -94,6 +94,13 @@ TEST(DirectLight, SquareLightGivesLambertsIrradiance) {
     }
 }
 
+TEST(DirectLight, TexturedLightsShineWhereTheirTextureIsBright) {
+    const Scene scene = test::half_bright_square();
+    for (const TestBackend backend : test::light_backends())
+        for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(-0.7, 0.4, 0)})
+            expect_sampled(backend, scene, point, test::half_bright_irradiance(point));
+}
+
 TEST(DirectLight, TiltedParallelogramsGiveLambertsIrradiance) {
     for (const Mesh& quad : test::tilted_parallelograms()) {
         SceneBuilder builder = floor_scene();

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "base/error.h"
@@ -31,7 +34,7 @@ bool stays_as_it_is(Scene scene) {
     Diagnostics diagnostics;
     const std::size_t lights = scene.lights.size();
     const bool environment = scene.environment.has_value();
-    add_default_light(scene, diagnostics);
+    add_default_light(scene, DefaultLight::as_needed, diagnostics);
     return scene.lights.size() == lights && scene.environment.has_value() == environment &&
            diagnostics.warnings().empty();
 }
@@ -39,13 +42,15 @@ bool stays_as_it_is(Scene scene) {
 TEST(DefaultLight, LightsABareMesh) {
     Scene scene = square();
     Diagnostics diagnostics;
-    add_default_light(scene, diagnostics);
+    add_default_light(scene, DefaultLight::as_needed, diagnostics);
     validate_scene(scene);
     ASSERT_TRUE(scene.environment);
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(diagnostics.warnings(),
               std::vector<std::string>{
-                  "s: no light, a grey sky and a distant light from above are used"});
+                  "s: no light, so a grey sky and a distant light from above are added (--light "
+                  "none leaves them out)"});
+    EXPECT_TRUE(scene.default_light);
     // Radiance of an unshadowed surface of albedo 0.8 that faces the camera.
     const double cosine = -scene.lights[0].direction.z;
     EXPECT_GT(cosine, 0.0);
@@ -65,7 +70,7 @@ TEST(DefaultLight, ShinesFromAboveTheCamera) {
                        glm::dvec4(-9, 0, 0, 1)};
     scene.cameras.push_back(camera);
     Diagnostics diagnostics;
-    add_default_light(scene, diagnostics);
+    add_default_light(scene, DefaultLight::as_needed, diagnostics);
     validate_scene(scene);
     EXPECT_GT(scene.lights.at(0).direction.x, 0.3);
     EXPECT_LT(scene.lights.at(0).direction.y, -0.3);
@@ -98,6 +103,81 @@ TEST(DefaultLight, LeavesScenesWithALightAlone) {
     emissive.media[0].emission = glm::vec3(0.0F);
     EXPECT_FALSE(stays_as_it_is(emissive));
     EXPECT_TRUE(stays_as_it_is(Scene()));
+}
+
+/// The square with emission in a small part of its area or all of it, by a texture or without.
+Scene glowing(float radiance, float share, bool textured) {
+    Scene scene = square();
+    scene.materials.emplace_back();
+    scene.instances.emplace_back();
+    scene.instances[1].to_world = glm::dmat4(static_cast<double>(std::sqrt(share)));
+    scene.instances[1].to_world[3] = glm::dvec4(0.0, 0.0, 1.0, 1.0);
+    scene.instances[1].material = 1;
+    scene.materials[1].emission.radiance = glm::vec3(radiance, 0.0F, 0.0F);
+    if (textured) {
+        Texture texture;
+        texture.width = texture.height = 16;
+        texture.rgba.assign(4 * 16 * 16, 0);
+        std::fill_n(texture.rgba.begin(), 4 * 16, std::uint8_t{255});  // one row of 16
+        scene.textures.push_back(texture);
+        scene.materials[1].emission.texture = 0;
+        scene.meshes[0].uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    }
+    validate_scene(scene);
+    return scene;
+}
+
+TEST(DefaultLight, CountsEmissionThatLights) {
+    EXPECT_EQ(own_light(square()), OwnLight::none);
+    // An indicator lamp, and a label all over which letters shine.
+    EXPECT_EQ(own_light(glowing(1.0F, 0.01F, false)), OwnLight::faint);
+    EXPECT_EQ(own_light(glowing(1.0F, 1.0F, true)), OwnLight::faint);
+    // A lamp by its radiance, however small; walls that shine; a texture as bright as a lamp.
+    EXPECT_EQ(own_light(glowing(1.5F, 0.0001F, false)), OwnLight::emission);
+    EXPECT_EQ(own_light(glowing(1.0F, 1.0F, false)), OwnLight::emission);
+    EXPECT_EQ(own_light(glowing(20.0F, 1.0F, true)), OwnLight::emission);
+    EXPECT_EQ(own_light(glowing(20.0F, 0.01F, true)), OwnLight::faint);
+    Scene both = glowing(1.0F, 0.01F, false);
+    both.lights.emplace_back();
+    EXPECT_EQ(own_light(both), OwnLight::named);
+}
+
+TEST(DefaultLight, IsAddedToFaintEmissionAndSaysSo) {
+    Scene scene = glowing(1.0F, 1.0F, true);
+    Diagnostics diagnostics;
+    add_default_light(scene, DefaultLight::as_needed, diagnostics);
+    EXPECT_TRUE(scene.default_light);
+    EXPECT_EQ(diagnostics.warnings(),
+              std::vector<std::string>{
+                  "s: its emission lights too little to see by, so a grey sky and a distant light "
+                  "from above are added (--light none leaves them out)"});
+    EXPECT_TRUE(stays_as_it_is(glowing(20.0F, 1.0F, true)));
+}
+
+TEST(DefaultLight, IsAddedOrNotAsTheUserSays) {
+    Diagnostics said;
+    Scene dark = square();
+    add_default_light(dark, DefaultLight::never, said);
+    EXPECT_TRUE(dark.lights.empty());
+    EXPECT_FALSE(dark.environment);
+    EXPECT_EQ(said.warnings(), std::vector<std::string>{
+                                   "s: no light, which --light none leaves so: the image is dark"});
+    Diagnostics silent;
+    Scene faint = glowing(1.0F, 1.0F, true);
+    add_default_light(faint, DefaultLight::never, silent);
+    EXPECT_TRUE(faint.lights.empty());
+    EXPECT_TRUE(silent.warnings().empty());
+    // Beside what the file has; a sky that it names stays.
+    Diagnostics added;
+    Scene lit = square();
+    lit.lights.emplace_back();
+    lit.environment = Environment{glm::vec3(3.0F)};
+    add_default_light(lit, DefaultLight::always, added);
+    validate_scene(lit);
+    EXPECT_EQ(lit.lights.size(), 2U);
+    EXPECT_EQ(lit.environment->radiance, glm::vec3(3.0F));
+    EXPECT_EQ(added.warnings(),
+              std::vector<std::string>{"s: a grey sky and a distant light from above are added"});
 }
 
 TEST(DefaultLight, IsUsedForEveryFormatButNotAgainstTheFile) {

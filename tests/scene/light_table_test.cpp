@@ -152,6 +152,81 @@ TEST(LightTable, EmissiveTrianglesGoByArea) {
         EXPECT_GT(triangle_area(flat, flat.triangles.at(entry.triangle)), 0.0);
 }
 
+/// Two texels beside each other: black, and linear white.
+Texture black_and_white() {
+    Texture texture;
+    texture.width = 2;
+    texture.height = 1;
+    texture.srgb = false;
+    texture.nearest = true;
+    texture.wrap_u = Wrap::clamp;
+    texture.rgba = {0, 0, 0, 255, 255, 255, 255, 255};
+    return texture;
+}
+
+TEST(LightTable, TexturedTrianglesGoByAreaTimesRadiance) {
+    SceneBuilder builder = unit_scene();
+    builder.scene.textures.push_back(black_and_white());
+    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(2.0F, 4.0F, 8.0F));
+    builder.scene.materials[glow].emission.texture = 0;
+    // The first eighth of the columns is dark, the last one bright.
+    builder.add(quad_mesh({-1, -1, 0.5F}, {2, 0, 0}, {0, 2, 0}, 8), glow);
+    const FlatScene flat = flatten(builder.scene);
+    EXPECT_TRUE((flat.features & FEATURE_EMISSION_TEXTURES) != 0);
+    ASSERT_EQ(flat.lights.size(), 1u);
+    const shared::LightRecord& light = flat.lights[0];
+    EXPECT_EQ(light.textured, 1u);
+    EXPECT_EQ(light.count, 128u) << "entries follow the triangles";
+    EXPECT_EQ(light.axis.z, 0.0F) << "no closed form";
+    // Half of the area shines.
+    EXPECT_NEAR(light.area, 2.0, 0.1);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < light.count; ++i) {
+        const shared::EmissiveTriangle& entry = flat.emissive[light.first + i];
+        EXPECT_EQ(entry.triangle, flat.instances[1].first_triangle + i);
+        const std::uint32_t column = i / 2 % 8;
+        if (column == 0)
+            EXPECT_EQ(entry.probability, 0.0F);
+        else if (column == 7)
+            EXPECT_NEAR(entry.probability, 1.0 / 64.0, 1e-4);
+        EXPECT_NEAR(entry.density, static_cast<double>(entry.probability) / (4.0 / 128.0), 1e-6);
+        sum += static_cast<double>(entry.probability);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+}
+
+TEST(LightTable, TexturesThatAreBlackAreNoLights) {
+    SceneBuilder builder = unit_scene();
+    builder.scene.textures.push_back(black_and_white());
+    builder.scene.textures[0].rgba.assign(8, 0);
+    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(1.0F));
+    builder.scene.materials[glow].emission.texture = 0;
+    builder.add(square(1.0), glow);
+    EXPECT_TRUE(flatten(builder.scene).lights.empty());
+}
+
+TEST(LightTable, EmissionHasCoordinatesOfItsOwn) {
+    SceneBuilder builder = unit_scene();
+    builder.scene.textures.push_back(black_and_white());
+    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(1.0F));
+    builder.scene.materials[glow].emission.texture = 0;
+    Mesh dark = square(1.0);
+    dark.emission_uvs.assign(dark.uvs.size(), glm::vec2(0.0F));
+    Mesh bright = square(1.0);
+    bright.emission_uvs.assign(bright.uvs.size(), glm::vec2(1.0F));
+    builder.add(std::move(dark), glow);
+    builder.add(std::move(bright), glow);
+    const FlatScene flat = flatten(builder.scene);
+    ASSERT_EQ(flat.lights.size(), 1u);
+    EXPECT_EQ(flat.instances[1].light, INVALID_INDEX);
+    EXPECT_EQ(flat.instances[2].light, 0u);
+    const std::uint32_t vertex = flat.ranges[2].first_vertex + flat.instances[2].emission_uv;
+    ASSERT_LT(2 * std::size_t{vertex} + 7, flat.texture_coordinates.size());
+    for (std::size_t k = 0; k < 8; ++k)
+        EXPECT_EQ(flat.texture_coordinates[2 * std::size_t{vertex} + k], 1.0F);
+    EXPECT_EQ(flat.instances[0].emission_uv, 0u);
+}
+
 TEST(LightTable, ManyLightsKeepTheirShares) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> power(0.5F, 2.0F);

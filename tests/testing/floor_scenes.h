@@ -29,6 +29,31 @@ inline LitFloor faint_area_lights_beside_a_sun() {
     return {std::move(builder.scene), irradiance, 0.0};
 }
 
+/// A square above the floor whose texture makes it shine in the half y > 0 alone, in cells some of
+/// which are dark, some bright, and some both.
+inline Scene half_bright_square() {
+    SceneBuilder builder = floor_scene();
+    Texture texture;
+    texture.width = 2;
+    texture.height = 1;
+    texture.srgb = false;
+    texture.nearest = true;
+    texture.wrap_u = Wrap::clamp;
+    texture.rgba = {0, 0, 0, 255, 51, 255, 255, 255};
+    builder.scene.textures.push_back(texture);
+    const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
+    builder.scene.materials[material].emission.texture = 0;
+    builder.add(quad_mesh({-0.5F, -0.5F, 1}, {0, 1, 0}, {1, 0, 0}, 3), material);
+    return std::move(builder.scene);
+}
+
+/// Irradiance of a point of the floor by it.
+inline glm::dvec3 half_bright_irradiance(const glm::dvec3& point) {
+    const Mesh bright = quad_mesh({-0.5F, 0, 1}, {0, 0.5F, 0}, {1, 0, 0});
+    return polygon_irradiance(corners_of(bright), point, {0, 0, 1}) * glm::dvec3(radiance) *
+           glm::dvec3(0.2, 1.0, 1.0);
+}
+
 }  // namespace weft::test
 
 #endif

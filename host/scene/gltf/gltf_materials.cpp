@@ -49,19 +49,21 @@ constexpr std::array unsimulated_extensions = {
 
 /// Reads the set of texture coordinates and the transform of a textureInfo. Positive rotation turns
 /// the coordinates counter-clockwise as seen with v pointing down.
-void read_uv_mapping(const JsonValue& info, GltfSurface& surface) {
-    surface.uv_set = info.integer_or("texCoord", 0);
+GltfUvs read_uvs_of(const JsonValue& info) {
+    GltfUvs uvs;
+    uvs.set = info.integer_or("texCoord", 0);
     const std::optional<JsonValue> transform = info.extension("KHR_texture_transform");
-    if (!transform) return;
-    surface.uv_set = transform->integer_or("texCoord", surface.uv_set);
+    if (!transform) return uvs;
+    uvs.set = transform->integer_or("texCoord", uvs.set);
     const std::array<double, 2> offset = transform->numbers_or<2>("offset", {0.0, 0.0});
     const std::array<double, 2> scale = transform->numbers_or<2>("scale", {1.0, 1.0});
     const double rotation = transform->number_or("rotation", 0.0);
     const double c = std::cos(rotation);
     const double s = std::sin(rotation);
-    surface.uv_transform = glm::dmat3(glm::dvec3(c * scale[0], -s * scale[0], 0.0),
-                                      glm::dvec3(s * scale[1], c * scale[1], 0.0),
-                                      glm::dvec3(offset[0], offset[1], 1.0));
+    uvs.transform = glm::dmat3(glm::dvec3(c * scale[0], -s * scale[0], 0.0),
+                               glm::dvec3(s * scale[1], c * scale[1], 0.0),
+                               glm::dvec3(offset[0], offset[1], 1.0));
+    return uvs;
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ GltfSurface GltfMaterials::convert(const JsonValue& value, std::size_t index) {
         return surface;
     }
     material.surface = base_colour(value, surface);
-    material.emission.radiance = emission(value);
+    material.emission = emission(value, surface);
     material.emission.both_sides = value.bool_or("doubleSided", false);
     material.two_sided = true;
     report_unsimulated(value);
@@ -134,12 +136,11 @@ DiffuseSurface GltfMaterials::base_colour(const JsonValue& value, GltfSurface& s
     const std::optional<int> texture = textures_.add(info->at("index"));
     if (!texture) return diffuse;
     diffuse.albedo_texture = *texture;
-    surface.textured = true;
-    read_uv_mapping(*info, surface);
+    surface.base_colour_uvs = read_uvs_of(*info);
     return diffuse;
 }
 
-glm::vec3 GltfMaterials::emission(const JsonValue& value) {
+Emission GltfMaterials::emission(const JsonValue& value, GltfSurface& surface) {
     const std::array<double, 3> factor = value.numbers_or<3>("emissiveFactor", {0.0, 0.0, 0.0});
     const glm::vec3 base =
         colour(value, glm::dvec3(factor[0], factor[1], factor[2]), "emissiveFactor");
@@ -151,13 +152,15 @@ glm::vec3 GltfMaterials::emission(const JsonValue& value) {
             throw extension->error("emissiveStrength is " + std::to_string(strength) +
                                    ", expected 0 to 1e30");
     }
-    glm::vec3 radiance = base * static_cast<float>(strength);
-    const std::optional<JsonValue> texture = value.find("emissiveTexture");
-    if (!texture || radiance == glm::vec3{0.0F}) return radiance;
-    report_.once(texture->place(),
-                 "textured emission is not simulated, the mean colour of the texture is emitted "
-                 "everywhere instead");
-    return radiance * textures_.mean_colour(texture->at("index"));
+    Emission emission;
+    emission.radiance = base * static_cast<float>(strength);
+    const std::optional<JsonValue> info = value.find("emissiveTexture");
+    if (!info || emission.radiance == glm::vec3{0.0F}) return emission;
+    const std::optional<int> texture = textures_.add(info->at("index"));
+    if (!texture) return emission;
+    emission.texture = *texture;
+    surface.emission_uvs = read_uvs_of(*info);
+    return emission;
 }
 
 glm::vec3 GltfMaterials::colour(const JsonValue& place, const glm::dvec3& value, const char* what) {

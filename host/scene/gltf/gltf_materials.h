@@ -15,13 +15,20 @@
 
 namespace weft {
 
+/// Which texture coordinates a texture is looked up by.
+struct GltfUvs {
+    std::uint64_t set = 0;      ///< n of TEXCOORD_n
+    glm::dmat3 transform{1.0};  ///< KHR_texture_transform, applied to (u, v, 1)
+
+    bool operator==(const GltfUvs&) const = default;
+};
+
 /// What a primitive needs of its material.
 struct GltfSurface {
     std::uint32_t material = 0;  ///< index into Scene::materials
     int medium = -1;  ///< index into Scene::media: an invisible boundary of it; -1: a surface
-    bool textured = false;
-    std::uint64_t uv_set = 0;      ///< n of TEXCOORD_n
-    glm::dmat3 uv_transform{1.0};  ///< KHR_texture_transform, applied to (u, v, 1)
+    std::optional<GltfUvs> base_colour_uvs{};  ///< empty without texture
+    std::optional<GltfUvs> emission_uvs{};     ///< empty without texture
 };
 
 /// Turns the materials that primitives refer to into diffuse ones, each once.
@@ -38,7 +45,7 @@ class GltfMaterials {
   private:
     [[nodiscard]] GltfSurface convert(const JsonValue& value, std::size_t index);
     DiffuseSurface base_colour(const JsonValue& value, GltfSurface& surface);
-    [[nodiscard]] glm::vec3 emission(const JsonValue& value);
+    Emission emission(const JsonValue& value, GltfSurface& surface);
     [[nodiscard]] glm::vec3 colour(const JsonValue& place, const glm::dvec3& value,
                                    const char* what);
     void report_unsimulated(const JsonValue& value);

@@ -67,19 +67,32 @@ void read_normals(const GltfAccessor& accessor, const std::vector<std::uint32_t>
                  broken.size());
 }
 
-void read_uvs(const GltfAccessor& accessor, const glm::dmat3& transform,
-              const std::vector<std::uint32_t>& vertices, WarningCollector& report,
-              const std::string& place, Mesh& mesh) {
-    mesh.uvs.resize(vertices.size());
+/// Texture coordinates of these vertices by the mapping of a texture; none without one.
+std::vector<glm::vec2> read_uvs(GltfData& data, const JsonValue& attributes,
+                                const std::optional<GltfUvs>& mapping, std::size_t vertex_count,
+                                const std::vector<std::uint32_t>& vertices,
+                                WarningCollector& report) {
+    if (!mapping) return {};
+    std::vector<glm::vec2> uvs(vertices.size(), glm::vec2{0.0F});
+    const GltfAccessor* const accessor = find_gltf_attribute(
+        data, attributes, "TEXCOORD_" + std::to_string(mapping->set), vertex_count, 2, 2);
+    if (accessor == nullptr) {
+        report.once(attributes.place(),
+                    "the texture needs texture coordinates that are not there, its first texel "
+                    "is used everywhere instead");
+        return uvs;
+    }
     std::size_t broken = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::vec3 raw = read_gltf_vector(accessor, vertices[i]);
-        const glm::vec2 uv(transform * glm::dvec3(raw.x, raw.y, 1.0));
+        const glm::vec3 raw = read_gltf_vector(*accessor, vertices[i]);
+        const glm::vec2 uv(mapping->transform * glm::dvec3(raw.x, raw.y, 1.0));
         const bool good = is_finite(uv);
-        mesh.uvs[i] = good ? uv : glm::vec2{0.0F};
+        if (good) uvs[i] = uv;
         broken += good ? 0 : 1;
     }
-    report.count(place, "texture coordinates are not finite, zero is used instead", broken);
+    report.count(attributes.place(), "texture coordinates are not finite, zero is used instead",
+                 broken);
+    return uvs;
 }
 
 void read_colours(const GltfAccessor& accessor, const std::vector<std::uint32_t>& vertices,
@@ -105,17 +118,12 @@ void read_attributes(GltfData& data, const JsonValue& attributes, const GltfSurf
     if (const GltfAccessor* colours =
             find_gltf_attribute(data, attributes, "COLOR_0", vertex_count, 3, 4))
         read_colours(*colours, vertices, report, place, mesh);
-    if (!surface.textured) return;
-    const std::string uv_name = "TEXCOORD_" + std::to_string(surface.uv_set);
-    if (const GltfAccessor* uvs =
-            find_gltf_attribute(data, attributes, uv_name, vertex_count, 2, 2)) {
-        read_uvs(*uvs, surface.uv_transform, vertices, report, place, mesh);
-        return;
-    }
-    report.once(place,
-                "the texture needs texture coordinates that are not there, its first texel "
-                "is used everywhere instead");
-    mesh.uvs.assign(vertices.size(), glm::vec2{0.0F});
+    const auto uvs_by = [&](const std::optional<GltfUvs>& mapping) {
+        return read_uvs(data, attributes, mapping, vertex_count, vertices, report);
+    };
+    mesh.uvs = uvs_by(surface.base_colour_uvs);
+    if (surface.emission_uvs != surface.base_colour_uvs)
+        mesh.emission_uvs = uvs_by(surface.emission_uvs);
 }
 
 /// Reads the shape that a mesh of these vertices is deformed from.

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/gltf/gltf_textures.h"
 
-#include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/limits.h"
-#include "base/srgb.h"
 #include "scene/texture/image_file.h"
 
 namespace weft {
@@ -46,22 +43,6 @@ Sampler read_sampler(const JsonValue& root, const JsonValue& texture) {
     if (code != 9728 && code != 9729)
         throw filter->error("is " + std::to_string(code) + ", expected 9728 or 9729");
     return {wrap_mode(value, "wrapS"), wrap_mode(value, "wrapT"), code == 9728};
-}
-
-glm::vec3 mean_linear(const Texture& texture) {
-    std::array<std::array<std::size_t, 256>, 3> histogram{};
-    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
-        for (std::size_t c = 0; c < 3; ++c) ++histogram[c][texture.rgba[i + c]];
-    glm::vec3 mean{0.0F};
-    const double texels = static_cast<double>(texture.rgba.size() / 4);
-    for (std::size_t c = 0; c < 3; ++c) {
-        double sum = 0.0;
-        for (std::size_t level = 0; level < 256; ++level)
-            sum += static_cast<double>(histogram[c][level]) *
-                   linear_from_srgb(static_cast<double>(level) / 255.0);
-        mean[static_cast<int>(c)] = static_cast<float>(sum / texels);
-    }
-    return mean;
 }
 
 }  // namespace
@@ -113,14 +94,6 @@ std::optional<int> GltfTextures::add(const JsonValue& reference) {
     texture.nearest = sampler.nearest;
     textures_.push_back(std::move(texture));
     return added_[key] = static_cast<int>(textures_.size() - 1);
-}
-
-glm::vec3 GltfTextures::mean_colour(const JsonValue& reference) {
-    const std::size_t index = reference.as_index(root_.size_of("textures"), "textures");
-    const std::optional<std::size_t> image = image_of(root_.at("textures").element(index));
-    if (!image) return glm::vec3{1.0F};
-    if (const auto known = means_.find(*image); known != means_.end()) return known->second;
-    return means_[*image] = mean_linear(decode(*image));
 }
 
 }  // namespace weft

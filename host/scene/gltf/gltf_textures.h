@@ -4,7 +4,6 @@
 #define WEFT_SCENE_GLTF_GLTF_TEXTURES_H
 
 #include <cstddef>
-#include <glm/glm.hpp>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -27,9 +26,6 @@ class GltfTextures {
     /// where the texture has no image that Weft can read. Throws Error (exit code 2).
     [[nodiscard]] std::optional<int> add(const JsonValue& reference);
 
-    /// Mean linear colour of that texture's image, read as sRGB; white where it has none.
-    [[nodiscard]] glm::vec3 mean_colour(const JsonValue& reference);
-
   private:
     [[nodiscard]] std::optional<std::size_t> image_of(const JsonValue& texture);
     [[nodiscard]] Texture decode(std::size_t image);
@@ -40,7 +36,6 @@ class GltfTextures {
     std::vector<Texture>& textures_;
     std::size_t decoded_bytes_ = 0;
     std::map<std::tuple<std::size_t, Wrap, Wrap, bool>, int> added_;
-    std::map<std::size_t, glm::vec3> means_;
 };
 
 }  // namespace weft

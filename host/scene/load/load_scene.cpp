@@ -6,7 +6,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "scene/default_light.h"
 #include "scene/gltf/gltf_reader.h"
 #include "scene/mitsuba/mitsuba_reader.h"
 #include "scene/obj/obj_reader.h"
@@ -36,10 +35,10 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics, DefaultLight light) {
     Scene scene = read_scene(path, diagnostics);
     validate_scene(scene);
-    add_default_light(scene, diagnostics);
+    add_default_light(scene, light, diagnostics);
     return scene;
 }
 

@@ -6,15 +6,17 @@
 #include <filesystem>
 
 #include "base/diagnostics.h"
+#include "scene/default_light.h"
 #include "scene/scene.h"
 
 namespace weft {
 
 /// Reads `.gltf`, `.glb` (glTF 2.0), `.xml` (Mitsuba 3 subset), `.obj` (Wavefront OBJ with MTL) or
-/// `.ply` (one mesh). A scene that names no light gets default ones. What the file asks for and
+/// `.ply` (one mesh), and adds the default light by `light`. What the file asks for and
 /// Weft does not simulate is named once in `diagnostics`. Throws Error (exit code 2) with file and
 /// place for anything broken.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics);
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
+                               DefaultLight light = DefaultLight::as_needed);
 
 }  // namespace weft
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
-#include "base/srgb.h"
 #include "scene/texture/image_file.h"
 
 namespace weft {
@@ -44,17 +42,8 @@ std::vector<std::string> split_names(std::string_view text) {
     return names;
 }
 
-glm::vec3 mean_linear(const Texture& texture) {
-    std::array<std::array<std::size_t, 256>, 3> histogram{};
-    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
-        for (std::size_t c = 0; c < 3; ++c) ++histogram[c][texture.rgba[i + c]];
-    glm::dvec3 sum(0.0);
-    for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t level = 0; level < 256; ++level)
-            sum[static_cast<int>(c)] +=
-                static_cast<double>(histogram[c][level]) *
-                static_cast<double>(linear_from_srgb(static_cast<float>(level) / 255.0F));
-    return glm::vec3(sum / static_cast<double>(texture.rgba.size() / 4));
+ObjUvs uvs_of(const MtlMap& map) {
+    return {map.scale, map.offset};
 }
 
 }  // namespace
@@ -143,21 +132,19 @@ ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial
     DiffuseSurface diffuse;
     if (source.diffuse_map) {
         diffuse.albedo_texture = add_texture(*source.diffuse_map);
-        surface.textured = diffuse.albedo_texture >= 0;
-        surface.uv_scale = source.diffuse_map->scale;
-        surface.uv_offset = source.diffuse_map->offset;
+        if (diffuse.albedo_texture >= 0) surface.diffuse_uvs = uvs_of(*source.diffuse_map);
     }
-    diffuse.albedo = source.diffuse.value_or(glm::vec3(surface.textured ? 1.0F : default_albedo));
-    if (surface.textured && diffuse.albedo == glm::vec3(0.0F)) {
+    const bool textured = surface.diffuse_uvs.has_value();
+    diffuse.albedo = source.diffuse.value_or(glm::vec3(textured ? 1.0F : default_albedo));
+    if (textured && diffuse.albedo == glm::vec3(0.0F)) {
         report_.once(source.place, "black Kd would hide the texture, it is taken as white");
         diffuse.albedo = glm::vec3(1.0F);
     }
     material.surface = diffuse;
     material.emission.radiance = source.emission;
     if (source.emission_map && source.emission != glm::vec3(0.0F)) {
-        report_.once(source.emission_map->place,
-                     "map_Ke is not simulated, its mean colour is emitted everywhere instead");
-        material.emission.radiance *= mean_colour(*source.emission_map);
+        material.emission.texture = add_texture(*source.emission_map);
+        if (material.emission.texture >= 0) surface.emission_uvs = uvs_of(*source.emission_map);
     } else if (source.emission_map) {
         report_.once(source.emission_map->place, "map_Ke without Ke is ignored");
     }
@@ -198,11 +185,6 @@ int ObjMaterials::add_texture(const MtlMap& map) {
     known->second = static_cast<int>(scene_.textures.size());
     scene_.textures.push_back(*std::move(texture));
     return known->second;
-}
-
-glm::vec3 ObjMaterials::mean_colour(const MtlMap& map) {
-    const std::optional<Texture> texture = read_map(map);
-    return texture ? mean_linear(*texture) : glm::vec3(1.0F);
 }
 
 }  // namespace weft

@@ -19,12 +19,19 @@
 
 namespace weft {
 
-/// A material of the scene, and how texture coordinates of the file become those of its texture.
+/// How texture coordinates of the file become those of a texture: times scale, plus offset.
+struct ObjUvs {
+    glm::dvec2 scale{1.0};
+    glm::dvec2 offset{0.0};
+
+    bool operator==(const ObjUvs&) const = default;
+};
+
+/// A material of the scene, and the coordinates of its textures.
 struct ObjSurface {
     std::uint32_t material = 0;
-    bool textured = false;
-    glm::dvec2 uv_scale{1.0};
-    glm::dvec2 uv_offset{0.0};
+    std::optional<ObjUvs> diffuse_uvs{};   ///< empty without texture
+    std::optional<ObjUvs> emission_uvs{};  ///< empty without texture
 };
 
 /// Makes materials of a scene from the MTL files of an OBJ file. Missing files and images are
@@ -56,7 +63,6 @@ class ObjMaterials {
     [[nodiscard]] ObjSurface make_surface(const std::string& name, const MtlMaterial& source);
     [[nodiscard]] std::optional<Texture> read_map(const MtlMap& map);
     [[nodiscard]] int add_texture(const MtlMap& map);
-    [[nodiscard]] glm::vec3 mean_colour(const MtlMap& map);
 
     std::filesystem::path obj_file_;
     WarningCollector& report_;

@@ -59,13 +59,26 @@ std::map<std::uint32_t, Part> parts_of(const ObjData& data, ObjMaterials& materi
     return parts;
 }
 
-/// Image coordinates run downwards in Weft, and upwards in the file.
-void fit_uvs(const ObjSurface& surface, Mesh& mesh) {
-    for (glm::vec2& uv : mesh.uvs) {
-        const glm::dvec2 placed = glm::dvec2(uv) * surface.uv_scale + surface.uv_offset;
+bool is_textured(const ObjSurface& surface) {
+    return surface.diffuse_uvs || surface.emission_uvs;
+}
+
+/// Coordinates for a texture from those of the file. Image coordinates run downwards in Weft, and
+/// upwards in the file.
+std::vector<glm::vec2> fitted(std::vector<glm::vec2> uvs, const ObjUvs& mapping) {
+    for (glm::vec2& uv : uvs) {
+        const glm::dvec2 placed = glm::dvec2(uv) * mapping.scale + mapping.offset;
         const glm::vec2 flipped(placed.x, 1.0 - placed.y);
         uv = is_finite(flipped) ? flipped : glm::vec2(0.0F);
     }
+    return uvs;
+}
+
+void fit_uvs(const ObjSurface& surface, Mesh& mesh) {
+    if (surface.emission_uvs && surface.emission_uvs != surface.diffuse_uvs)
+        mesh.emission_uvs = fitted(mesh.uvs, *surface.emission_uvs);
+    mesh.uvs = surface.diffuse_uvs ? fitted(std::move(mesh.uvs), *surface.diffuse_uvs)
+                                   : std::vector<glm::vec2>();
 }
 
 }  // namespace
@@ -79,7 +92,7 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
     for (const ObjLibrary& library : data.libraries) materials.read_library(library);
     ObjMeshMaker maker(data, report);
     for (const auto& [index, part] : parts_of(data, materials)) {
-        Mesh mesh = maker.make(part.faces, {part.surface.textured, true, true});
+        Mesh mesh = maker.make(part.faces, {is_textured(part.surface), true, true});
         if (mesh.triangles.empty()) continue;
         mesh.name = scene.materials[index].name;
         // Vertex colours are the whole albedo where no material adds its own.

@@ -126,17 +126,40 @@ TEST(GltfMaterials, AppliesTextureTransforms) {
     EXPECT_EQ(builder.read().meshes.at(0).uvs[2], glm::vec2(0.75F, 0.5F));
 }
 
-TEST(GltfMaterials, ReplacesAnEmissiveTextureByItsMean) {
+TEST(GltfMaterials, ReadsEmissiveTextures) {
     GltfBuilder builder = textured_triangle();
     builder.json["materials"][0]["emissiveFactor"] = {1, 1, 0.5};
     builder.json["materials"][0]["emissiveTexture"]["index"] = 0;
-    builder.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");
-    const Scene scene = builder.read();
-    // Each channel is full in two of the four texels.
-    EXPECT_LT(glm::length(scene.materials.at(0).emission.radiance - glm::vec3(0.5F, 0.5F, 0.25F)),
-              1e-6F);
+    const auto expect_emission = [&](const Scene& scene) {
+        EXPECT_EQ(scene.materials.at(0).emission.radiance, glm::vec3(1.0F, 1.0F, 0.5F));
+        EXPECT_EQ(scene.materials.at(0).emission.texture, 0);
+        EXPECT_EQ(scene.textures.size(), 1U) << "one image serves both";
+        EXPECT_TRUE(builder.diagnostics.warnings().empty());
+    };
+    Scene scene = builder.read();
+    expect_emission(scene);
+    EXPECT_TRUE(scene.meshes.at(0).emission_uvs.empty()) << "those of the base colour";
+    EXPECT_EQ(scene.meshes.at(0).uvs[1], glm::vec2(1.0F, 0.0F));
+    // Each texture by coordinates of its own.
+    builder.json["materials"][0]["emissiveTexture"]["texCoord"] = 1;
+    scene = builder.read();
+    expect_emission(scene);
+    EXPECT_EQ(scene.meshes.at(0).uvs[1], glm::vec2(1.0F, 0.0F));
+    EXPECT_EQ(scene.meshes.at(0).emission_uvs[2], glm::vec2(0.75F, 0.5F));
+    builder.json["materials"][0]["emissiveTexture"]["extensions"]["KHR_texture_transform"] = {
+        {"offset", {0.25, 0}}};
+    EXPECT_EQ(builder.read().meshes.at(0).emission_uvs[2], glm::vec2(1.0F, 0.5F));
+    // Without a texture of the base colour.
+    pbr(builder).erase("baseColorTexture");
+    scene = builder.read();
+    expect_emission(scene);
+    EXPECT_TRUE(scene.meshes.at(0).uvs.empty());
+    EXPECT_EQ(scene.meshes.at(0).emission_uvs[2], glm::vec2(1.0F, 0.5F));
+    // A factor of 0 switches the texture off.
+    builder.json["materials"][0].erase("emissiveFactor");
+    scene = builder.read();
+    EXPECT_EQ(scene.materials.at(0).emission.texture, -1);
     EXPECT_TRUE(scene.textures.empty());
-    EXPECT_TRUE(builder.warned("emissiveTexture: textured emission is not simulated"));
 }
 
 TEST(GltfMaterials, ReadsAndClampsVertexColours) {

@@ -175,14 +175,33 @@ TEST(ObjMaterial, ReadsAnImageOnce) {
     EXPECT_TRUE(reading.warnings.empty());
 }
 
-TEST(ObjMaterial, EmitsTheMeanOfAMap) {
-    const Reading reading =
-        read({{"m.mtl", "newmtl a\nKe 2 2 2\nmap_Ke p.tga"}, {"p.tga", red_above_blue()}});
-    const glm::vec3 emission = reading.scene.materials.at(0).emission.radiance;
-    EXPECT_NEAR(emission.r, 1.0F, 1e-6F);
-    EXPECT_NEAR(emission.g, 0.0F, 1e-6F);
-    EXPECT_NEAR(emission.b, 1.0F, 1e-6F);
-    EXPECT_EQ(reading.warnings.size(), 1U);
+TEST(ObjMaterial, EmitsByAMap) {
+    const std::string emits = "newmtl a\nKe 2 2 2\nmap_Ke ";
+    const Reading reading = read({{"m.mtl", emits + "p.tga"}, {"p.tga", red_above_blue()}});
+    const Emission& emission = reading.scene.materials.at(0).emission;
+    EXPECT_EQ(emission.radiance, glm::vec3(2.0F));
+    EXPECT_EQ(emission.texture, 0);
+    EXPECT_EQ(reading.scene.textures.size(), 1U);
+    EXPECT_TRUE(reading.warnings.empty());
+    const Mesh& mesh = reading.scene.meshes.at(0);
+    ASSERT_EQ(mesh.emission_uvs.size(), mesh.positions.size());
+    EXPECT_TRUE(mesh.uvs.empty());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        EXPECT_EQ(mesh.emission_uvs[i], glm::vec2(mesh.positions[i].x, 1.0F - mesh.positions[i].y));
+    // Maps that are placed differently have coordinates of their own.
+    const Reading both =
+        read({{"m.mtl", emits + "-o 0.5 0 0 p.tga\nmap_Kd p.tga\n"}, {"p.tga", red_above_blue()}});
+    const Mesh& placed = both.scene.meshes.at(0);
+    ASSERT_EQ(placed.uvs.size(), placed.emission_uvs.size());
+    for (std::size_t i = 0; i < placed.uvs.size(); ++i)
+        EXPECT_EQ(placed.emission_uvs[i], placed.uvs[i] + glm::vec2(0.5F, 0.0F));
+    const Reading alike =
+        read({{"m.mtl", emits + "p.tga\nmap_Kd p.tga\n"}, {"p.tga", red_above_blue()}});
+    EXPECT_TRUE(alike.scene.meshes.at(0).emission_uvs.empty());
+    // A map that cannot be read leaves the colour.
+    const Reading none = read({{"m.mtl", emits + "none.tga"}});
+    EXPECT_EQ(none.scene.materials.at(0).emission.texture, -1);
+    EXPECT_EQ(none.warnings.size(), 1U);
 }
 
 TEST(ObjMaterial, FindsItsFiles) {
