@@ -148,7 +148,7 @@ void read_compensation(const CLI::App& command, RenderOptions& options) {
     options.compensation = is_given(command, "--vpl-compensation");
     // The command line may choose an algorithm that does not support the preset's compensation.
     if (options.preset && options.preset->sampling.compensation &&
-        can_compensate(options.algorithm, options.indirect))
+        can_compensate(options.algorithm, options.indirect.value_or(IndirectSource::vpl)))
         options.compensation = true;
 }
 
@@ -185,8 +185,8 @@ void add_algorithm(CLI::App& render) {
                           "(default: {})",
                           to_string(default_algorithm)));
     add_value(render, "--indirect", "NAME",
-              "Of ais and amax: indirect light from vpl, or from the records of ic or tic "
-              "(default: vpl)");
+              "Of ais and amax: indirect light from vpl, from the records of ic or tic, or from "
+              "rays, a path through each pixel (default: vpl, of ais in open scenes rays)");
     add_value(render, "--cache-records", "N",
               "Of tic: most records that are kept from frame to frame (default: 262144)");
     add_value(render, "--cache-masks", "on|off",

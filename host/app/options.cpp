@@ -314,7 +314,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["resume"] = options.resume ? json_text(options.resume->string()) : nullptr;
     json["quality"] = options.preset ? nlohmann::json() : to_string(options.quality);
     json["preset"] = options.preset_file ? json_text(options.preset_file->string()) : nullptr;
-    json["indirect"] = to_string(options.indirect);
+    json["indirect"] = options.indirect ? nlohmann::json(to_string(*options.indirect)) : nullptr;
     json["cache_records"] = json_or_null(options.cache_records);
     json["cache_masks"] = options.cache_masks ? "on" : "off";
     json["cache_rays"] = json_or_null(options.cache_rays);

@@ -45,7 +45,8 @@ struct RenderOptions {
     Quality quality = Quality::preview;                ///< without a preset
     std::optional<std::filesystem::path> preset_file;  ///< of settings
     std::optional<Preset> preset;                      ///< content of preset_file
-    IndirectSource indirect = IndirectSource::vpl;     ///< of ais and amax
+    /// Of ais and amax; default: of ais rays in open scenes, else VPLs.
+    std::optional<IndirectSource> indirect;
     std::optional<std::uint32_t> cache_records;        ///< of tic: most records kept, 1 and up
     bool cache_masks = true;                           ///< of tic
     std::optional<std::uint32_t> cache_rays;           ///< of irradiance_cache: rays of a record
@@ -79,7 +80,7 @@ struct RenderOptions {
     [[nodiscard]] bool names_component(std::string_view name) const;
     /// Whether indirect light comes from irradiance records.
     [[nodiscard]] bool caches_indirect() const {
-        return weft::caches_indirect(algorithm, indirect);
+        return weft::caches_indirect(algorithm, indirect.value_or(IndirectSource::vpl));
     }
     /// Whether irradiance records outlast their frame.
     [[nodiscard]] bool keeps_records() const {

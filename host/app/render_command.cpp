@@ -45,6 +45,9 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     settings.sampling = options.preset ? options.preset->sampling : sampling_of(options.quality);
     settings.sampling.compensation = options.compensation;
     settings.sampling.cached = options.caches_indirect();
+    settings.sampling.bounce_rays = options.indirect == IndirectSource::rays;
+    settings.sampling.bounce_rays_if_open =
+        options.algorithm == Algorithm::ais && !options.indirect && !options.compensation;
     settings.sampling.temporal = options.keeps_records();
     settings.sampling.cache_masks = options.cache_masks;
     if (options.cache_records) settings.sampling.cache_records = *options.cache_records;

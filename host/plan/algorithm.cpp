@@ -33,7 +33,7 @@ std::string_view to_string(IndirectSource source) {
 }
 
 IndirectSource source_of(const SamplingSettings& sampling) {
-    if (!sampling.cached) return IndirectSource::vpl;
+    if (!sampling.cached) return sampling.bounce_rays ? IndirectSource::rays : IndirectSource::vpl;
     return sampling.temporal ? IndirectSource::tic : IndirectSource::ic;
 }
 

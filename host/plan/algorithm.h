@@ -13,7 +13,7 @@
 namespace weft {
 
 /// Where adaptive sampling takes indirect light from.
-enum class IndirectSource : std::uint8_t { vpl, ic, tic };
+enum class IndirectSource : std::uint8_t { vpl, ic, tic, rays };
 
 // Names on the command line and in files, in the order of the enumerations.
 inline constexpr std::array<std::string_view, 8> algorithm_names = {
@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 8> long_algorithm_names = {
     "adaptive",           "adaptive-maximum", "instant-global-illumination",
     "instant-radiosity",  "instant-caching",  "temporal-instant-caching",
     "irradiance-caching", "path-tracing"};
-inline constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "tic"};
+inline constexpr std::array<std::string_view, 4> source_names = {"vpl", "ic", "tic", "rays"};
 
 [[nodiscard]] std::string_view to_string(Algorithm algorithm);
 /// The short name of the algorithm that `name` is the long name of; any other text as it is.
@@ -40,7 +40,8 @@ inline constexpr std::array<std::string_view, 3> source_names = {"vpl", "ic", "t
 /// Whether indirect light comes from irradiance records.
 [[nodiscard]] constexpr bool caches_indirect(Algorithm algorithm, IndirectSource source) {
     return algorithm == Algorithm::ic || algorithm == Algorithm::tic ||
-           algorithm == Algorithm::irradiance_cache || source != IndirectSource::vpl;
+           algorithm == Algorithm::irradiance_cache || source == IndirectSource::ic ||
+           source == IndirectSource::tic;
 }
 
 /// Whether the residual, the light that virtual lights leave out, can be path traced

@@ -118,7 +118,11 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     // Paths may be scattered by media where no surface does.
     const bool scatters = scene.mean_reflectance > 0.0 || scene.scattering;
-    if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters)
+    plan.bounce_rays = settings.bounce_rays && !plan.cached && !scene.media && scene.indirect &&
+                       lights > 0 && scatters &&
+                       (algorithm == Algorithm::ais || algorithm == Algorithm::amax);
+    if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters &&
+        !plan.bounce_rays)
         plan_vpls(plan, settings, scene.mean_reflectance);
     if (hemispheres && lights > 0) plan_hemisphere(plan, settings, scene);
     plan.adaptive = algorithm == Algorithm::ais;

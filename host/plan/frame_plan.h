@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,12 @@ struct SamplingSettings {
     /// Of ais and ic: VPLs that would add less than this share of what a pixel's VPLs add on
     /// average are traced with Russian roulette.
     double roulette = 2.0;
-    bool cached = false;    ///< indirect light from irradiance records, as always with ic
+    bool cached = false;  ///< indirect light from irradiance records, as always with ic
+    /// Of ais and amax, without media: indirect light from a path through each pixel, not from
+    /// VPLs.
+    bool bounce_rays = false;
+    /// Of ais: the same wherever too few light paths meet a surface.
+    bool bounce_rays_if_open = false;
     bool temporal = false;  ///< records outlast their frame, as always with tic
     /// Of temporal: each record stores which VPLs it sees, so that only connections that something
     /// has moved through are traced again; otherwise all connections of such a record are.
@@ -100,9 +106,12 @@ struct FramePlan {
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
 
-    bool direct = false;            ///< surfaces gather direct light
-    bool indirect = false;          ///< surfaces gather indirect light
-    bool cached = false;            ///< indirect light comes from irradiance records
+    bool direct = false;       ///< surfaces gather direct light
+    bool indirect = false;     ///< surfaces gather indirect light
+    bool cached = false;       ///< indirect light comes from irradiance records
+    bool bounce_rays = false;  ///< indirect light comes from a path through each pixel
+    /// Share of the VPLs of a sample that have landed on a surface, where it has been measured.
+    std::optional<double> landed;
     bool temporal = false;          ///< records and VPLs outlast their frame
     bool media = false;             ///< light goes through participating media
     bool media_light = false;       ///< light that media scatter to the camera is gathered
@@ -145,10 +154,12 @@ struct FramePlan {
     /// Whether indirect light comes from rays that irradiance records trace.
     [[nodiscard]] bool traces_hemispheres() const { return cache_azimuths > 0; }
     [[nodiscard]] bool has_indirect() const {
-        return indirect && (has_vpls() || traces_hemispheres());
+        return indirect && (has_vpls() || traces_hemispheres() || bounce_rays);
     }
     /// Whether pixels or records gather VPLs for indirect light.
-    [[nodiscard]] bool gathers_vpls() const { return has_indirect() && !traces_hemispheres(); }
+    [[nodiscard]] bool gathers_vpls() const {
+        return has_indirect() && !traces_hemispheres() && !bounce_rays;
+    }
     [[nodiscard]] bool has_sampled_direct() const {
         return direct && (samples_per_set > 0 || environment_samples > 0);
     }
@@ -163,7 +174,7 @@ struct FramePlan {
     }
     /// Whether any light may go without samples at some pixels.
     [[nodiscard]] bool undersamples() const {
-        return adaptive && threshold > 0.0 && (has_indirect() || adapts_direct());
+        return adaptive && threshold > 0.0 && ((has_indirect() && !bounce_rays) || adapts_direct());
     }
     [[nodiscard]] bool has_exact_direct() const {
         return direct && (punctual_lights > 0 || directional_lights > 0);
@@ -178,6 +189,10 @@ struct FramePlan {
 /// uses all of them.
 [[nodiscard]] FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
                                     const SceneStatistics& scene);
+
+/// Share of VPLs that have landed below which a path through each pixel finds indirect light better
+/// than they do: so few would each stand for a large part of the scene, in bright spots.
+inline constexpr double least_landed = 0.5;
 
 /// Bound on the geometry term G of VPLs that stand for `area` together with `count` - 1 others
 /// (Kollig and Keller 2004): 1/d^2 at the distance d of `spacing` times the mean distance between

@@ -114,7 +114,8 @@ void read_source(const JsonValue& value, Preset& preset) {
     const auto source = static_cast<IndirectSource>(name_of(*member, source_names));
     if (source != IndirectSource::vpl && !has_indirect_source(preset.algorithm))
         throw member->error("is for adaptive sampling, expected the algorithm ais or amax");
-    preset.sampling.cached = source != IndirectSource::vpl;
+    preset.sampling.cached = source == IndirectSource::ic || source == IndirectSource::tic;
+    preset.sampling.bounce_rays = source == IndirectSource::rays;
     preset.sampling.temporal = source == IndirectSource::tic;
 }
 

@@ -11,6 +11,7 @@
 #include "film/film.h"
 #include "pipeline/edge_samples.h"
 #include "pipeline/view_media.h"
+#include "pipeline/virtual_lights.h"
 #include "render/camera_params.h"
 #include "render/surface_features.h"
 
@@ -118,6 +119,29 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene,
       scene_buffers_(std::move(uploaded)),
       budget_(plan_.adaptive ? settings.frame_time_ms : 0.0) {
     set_up();
+    choose_indirect();
+}
+
+void Renderer::choose_indirect() {
+    const bool is_open = settings_.sampling.bounce_rays_if_open && plan_.adaptive &&
+                         plan_.gathers_vpls() && !plan_.cached && !plan_.media;
+    if (!is_open) return;
+    const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
+    FrameContext frame(inputs, params_of_frame(0), {});
+    walk_vpls(frame, "indirect");
+    frame.wait();
+    const std::size_t count = std::size_t{plan_.sets} * plan_.vpls_per_set;
+    const auto vpls = read_buffer(executor_, buffers_.vpls, count);
+    const auto landed = std::count_if(vpls.begin(), vpls.end(), [](const shared::Vpl& vpl) {
+        return vpl.flux.x > 0.0F || vpl.flux.y > 0.0F || vpl.flux.z > 0.0F;
+    });
+    const double share = static_cast<double>(landed) / static_cast<double>(count);
+    settings_.sampling.bounce_rays = share < least_landed;
+    if (settings_.sampling.bounce_rays) {
+        plan_ = plan_for(scene_, settings_);
+        set_up();
+    }
+    plan_.landed = share;
 }
 
 void Renderer::set_up() {

@@ -79,6 +79,9 @@ class Renderer : public FrameRenderer {
   private:
     /// Builds the kernels and makes the buffers and components that depend on the plan.
     void set_up();
+    /// Where the settings leave it open, makes the VPLs of a sample, and plans anew without VPLs
+    /// where too few of them have landed.
+    void choose_indirect();
     void set_params(std::uint32_t features);
     void trace_primary(FrameContext& frame);
     void compose(FrameContext& frame);
