@@ -39,6 +39,10 @@ void add_flag(CLI::App& command, const std::string& name, const std::string& des
     command.add_flag(name, description)->disable_flag_override();
 }
 
+void add_verbose(CLI::App& command) {
+    add_flag(command, "--verbose", "Names every place of a warning, not only the first");
+}
+
 std::optional<std::string> value_of(const CLI::App& command, const std::string& name) {
     const std::vector<std::string>& results = values_of(command, name);
     if (results.empty()) return std::nullopt;

@@ -37,6 +37,9 @@ void add_values(CLI::App& command, const std::string& name, const std::string& d
 /// Adds an option without a value.
 void add_flag(CLI::App& command, const std::string& name, const std::string& description);
 
+/// Adds --verbose to a command that reads a scene.
+void add_verbose(CLI::App& command);
+
 /// The value given for an option, if any. Throws Error (exit code 1) where there are several, or it
 /// is empty.
 [[nodiscard]] std::optional<std::string> value_of(const CLI::App& command, const std::string& name);

@@ -117,6 +117,7 @@ std::string info_text(const nlohmann::json& info) {
 
 void info_command(const InfoOptions& options, Diagnostics& diagnostics) {
     const nlohmann::json info = info_json(load_scene(options.scene, diagnostics, options.light));
+    print_warnings(diagnostics, options.verbose);
     print_result(options.json ? json_document(info) : info_text(info));
 }
 

@@ -30,6 +30,18 @@ bool compiles_kernels(const weft::ParsedCommand& command) {
 }
 #endif
 
+/// Whether a command is to name every place of its warnings.
+bool is_verbose(const weft::ParsedCommand& command) {
+    return std::visit(
+        [](const auto& options) {
+            if constexpr (requires { options.verbose; })
+                return options.verbose;
+            else
+                return false;
+        },
+        command);
+}
+
 int exit_status(weft::ExitCode code) {
     return static_cast<int>(code);
 }
@@ -55,17 +67,13 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
     return weft::ExitCode::success;
 }
 
-void print_warnings(const weft::Diagnostics& diagnostics) {
-    for (const std::string& warning : diagnostics.warnings())
-        weft::print_message("warning: " + warning);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
     // Writing to a pipe whose reader has gone must fail as an error and not end the program.
     std::signal(SIGPIPE, SIG_IGN);
     weft::Diagnostics diagnostics;
+    bool verbose = false;
     try {
         const weft::ParsedCommand command = weft::parse_command_line(argc, argv);
 #if WEFT_HAS_OPENCL
@@ -73,11 +81,12 @@ int main(int argc, char** argv) {
         std::optional<weft::CompileServer> server;
         if (compiles_kernels(command)) server.emplace();
 #endif
+        verbose = is_verbose(command);
         const weft::ExitCode code = run(command, diagnostics);
-        print_warnings(diagnostics);
+        weft::print_warnings(diagnostics, verbose);
         return exit_status(code);
     } catch (const weft::Error& error) {
-        print_warnings(diagnostics);
+        weft::print_warnings(diagnostics, verbose);
         weft::print_message(error.what());
         return exit_status(error.code());
     } catch (const std::bad_alloc&) {

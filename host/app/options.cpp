@@ -73,6 +73,7 @@ void add_render(CLI::App& app) {
     add_overlays(render);
     add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
     add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
+    add_verbose(render);
 }
 
 void add_commands(CLI::App& app) {
@@ -90,6 +91,7 @@ void add_commands(CLI::App& app) {
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_light_choice(info);
     add_flag(info, "--json", "Prints JSON");
+    add_verbose(info);
     CLI::App& devices = add_command(app, "devices", "Lists what can render");
     add_flag(devices, "--json", "Prints JSON");
     add_selftest(app);
@@ -217,6 +219,7 @@ RenderOptions read_render(const CLI::App& command) {
     read_algorithm(command, options);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
     options.progress = read_progress(command);
+    options.verbose = is_given(command, "--verbose");
     const std::array<std::pair<const char*, fs::path>, 3> others{
         {{"--output", options.output},
          {"the scene", options.scene},
@@ -285,7 +288,7 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     if (command->get_name() == "selftest") return read_selftest(*command);
     if (command->get_name() == "info")
         return InfoOptions{*value_of(*command, "SCENE"), read_light_choice(*command),
-                           is_given(*command, "--json")};
+                           is_given(*command, "--json"), is_given(*command, "--verbose")};
     return DevicesOptions{is_given(*command, "--json")};
 }
 
@@ -328,6 +331,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["exposure"] = options.exposure_ev ? nlohmann::json(*options.exposure_ev) : "auto";
     json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
     json["progress"] = to_string(options.progress);
+    json["verbose"] = options.verbose;
     return json;
 }
 

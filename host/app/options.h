@@ -75,6 +75,7 @@ struct RenderOptions {
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
+    bool verbose = false;  ///< names every place of a warning
 
     /// Whether --components is given and lists this one.
     [[nodiscard]] bool names_component(std::string_view name) const;
@@ -93,6 +94,7 @@ struct InfoOptions {
     std::filesystem::path scene;
     DefaultLight light = DefaultLight::as_needed;
     bool json = false;
+    bool verbose = false;  ///< as RenderOptions::verbose
 };
 
 /// Options of `weft devices`.
@@ -172,6 +174,7 @@ struct TradeoffOptions {
     std::optional<std::filesystem::path> others;      ///< images by other renderers
     bool verify = false;
     ProgressMode progress = ProgressMode::automatic;
+    bool verbose = false;  ///< as RenderOptions::verbose
 };
 
 /// `--help` or `--version`: text for standard output, after which the program ends well.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "base/error.h"
 
@@ -23,6 +24,21 @@ void print_message(std::string_view text) noexcept {
     for (const std::string_view part : {std::string_view("weft: "), text, std::string_view("\n")})
         static_cast<void>(std::fwrite(part.data(), 1, part.size(), stderr));
     std::fflush(stderr);
+}
+
+void print_warnings(Diagnostics& diagnostics, bool verbose) {
+    constexpr std::string_view mark = "warning: ";
+    constexpr std::size_t room =
+        longest_warning_line - std::string_view("weft: ").size() - mark.size();
+    for (const Warning& warning : diagnostics.take_new()) {
+        std::vector<std::string> lines;
+        if (verbose)
+            lines = warning_details(warning);
+        else
+            lines.push_back(warning_line(warning, room));
+        lines.front().insert(0, mark);
+        for (const std::string& line : lines) print_message(line);
+    }
 }
 
 std::string json_document(const nlohmann::json& json) {

@@ -42,6 +42,10 @@ class Progress {
     /// Lets fractions count, from now on, within the part [begin, begin + size) of all work.
     void begin_part(double begin, double size);
 
+    /// Removes the bar from the terminal until the next update(), so that a message starts on a
+    /// clean line.
+    void clear_bar();
+
     /// Ends progress when all is done: removes the bar, or prints the last line with the whole
     /// time.
     void finish();
@@ -51,7 +55,6 @@ class Progress {
 
     void draw_bar(double fraction, double elapsed, std::string_view stage);
     void print_line(double fraction, double elapsed, std::string_view stage);
-    void clear_bar();
     void write(const std::string& text);
 
     std::FILE* stream_;

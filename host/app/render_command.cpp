@@ -312,9 +312,13 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
         diagnostics.warn(scene.source, "no light shines in the scene, the image will be dark");
     check_media(options, flat);
     check_frames(moving, camera, options, diagnostics);
+    progress.clear_bar();
+    print_warnings(diagnostics, options.verbose);
     times.read_scene_ms = watch.lap();
     progress.update(0.0, "opening device");
     std::unique_ptr<Executor> executor = choose_executor(options, diagnostics);
+    progress.clear_bar();
+    print_warnings(diagnostics, options.verbose);
     times.open_device_ms = watch.lap();
     progress.update(0.0, "building");
     const FrameRange frames = options.frames.value_or(FrameRange{});

@@ -282,6 +282,7 @@ void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics) 
     prepare_folder(options.output);
     const Scene scene = resting_scene(options, diagnostics);
     TradeoffRun run(options, scene, diagnostics);
+    print_warnings(diagnostics, options.verbose);
     const TradeoffResult result = run.run();
     write_tradeoff(options.output, result);
     print_result(tradeoff_text(result));

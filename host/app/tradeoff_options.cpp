@@ -117,6 +117,7 @@ void add_tradeoff(CLI::App& app) {
     add_light_choice(tradeoff);
     add_value(tradeoff, "--seed", "N", "First seed of the random numbers (default: 0)");
     add_value(tradeoff, "--progress", "MODE", "auto, plain or none (default: auto)");
+    add_verbose(tradeoff);
 }
 
 TradeoffOptions read_tradeoff(const CLI::App& command) {
@@ -138,6 +139,7 @@ TradeoffOptions read_tradeoff(const CLI::App& command) {
     if (const auto text = value_of(command, "--peers")) options.others = *text;
     options.verify = is_given(command, "--verify");
     options.progress = read_progress(command);
+    options.verbose = is_given(command, "--verbose");
     return options;
 }
 

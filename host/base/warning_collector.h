@@ -4,53 +4,48 @@
 #define WEFT_BASE_WARNING_COLLECTOR_H
 
 #include <cstddef>
-#include <map>
 #include <set>
 #include <string>
 
 #include "base/diagnostics.h"
 #include "base/limits.h"
+#include "base/warning.h"
 
 namespace weft {
 
-/// The warnings of one glTF file. A file with a million equal flaws gives one line, which names
-/// the first place.
+/// The warnings of one scene file. A file with a million equal flaws gives one line, which counts
+/// them and names the first place. Messages that quote a hostile file could be endless, so there
+/// are limits::max_warnings kinds.
 class WarningCollector {
   public:
     explicit WarningCollector(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-    /// Warns at the first place where `message` applies, and never again. Messages that quote a
-    /// hostile file could be endless, so there is a last one.
-    void once(const std::string& place, const std::string& message) {
-        if (said_.size() > limits::max_warnings || !said_.insert(message).second) return;
-        if (said_.size() <= limits::max_warnings)
-            diagnostics_.warn(place, message);
-        else
-            diagnostics_.warn(place, "further kinds of warnings are left out");
+    /// Reports `number` units at `place` that are not rendered as the file asks: `message` says
+    /// what is done instead, in at most 100 characters with a number of at most five digits and the
+    /// unit, which leaves room for the place. What lies before its first comma is its title.
+    void count(const std::string& place, WarningUnit unit, const std::string& message,
+               std::size_t number = 1) {
+        if (number > 0 && has_room(place, message))
+            diagnostics_.count(place, unit, message, number);
     }
 
-    /// Counts flaws of one kind; `flush` reports `first place: <total> <what>`.
-    void count(const std::string& place, const std::string& what, std::size_t number) {
-        if (number == 0) return;
-        counts_.try_emplace(what, Count{place, 0}).first->second.number += number;
-    }
-
-    /// Reports what was counted.
-    void flush() {
-        for (const auto& [what, count] : counts_)
-            diagnostics_.warn(count.place, std::to_string(count.number) + " " + what);
-        counts_.clear();
-    }
+    /// The same where there is nothing to count: `place: message`, with how many other places
+    /// there are.
+    void once(const std::string& place, const std::string& message) { count(place, {}, message); }
 
   private:
-    struct Count {
-        std::string place;
-        std::size_t number;
-    };
+    bool has_room(const std::string& place, const std::string& message) {
+        if (kinds_.contains(message)) return true;
+        if (is_full_) return false;
+        if (kinds_.size() < limits::max_warnings) return kinds_.insert(message).second;
+        is_full_ = true;
+        diagnostics_.count(place, {}, "further kinds of warnings are left out", 1);
+        return false;
+    }
 
     Diagnostics& diagnostics_;
-    std::set<std::string> said_;
-    std::map<std::string, Count> counts_;
+    std::set<std::string> kinds_;
+    bool is_full_ = false;
 };
 
 }  // namespace weft

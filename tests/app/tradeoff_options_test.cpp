@@ -80,7 +80,8 @@ TEST(TradeoffOptions, ReadsEveryOption) {
                                               "--references",
                                               "refs",
                                               "--progress",
-                                              "none"});
+                                              "none",
+                                              "--verbose"});
     EXPECT_EQ(options.output, "out");
     EXPECT_EQ(options.algorithms, (std::vector<std::string>{"ais", "path"}));
     EXPECT_EQ(options.measure, ErrorMeasure::vdp75_display);
@@ -98,6 +99,7 @@ TEST(TradeoffOptions, ReadsEveryOption) {
     EXPECT_EQ(options.seed, 9U);
     EXPECT_EQ(options.references, "refs");
     EXPECT_EQ(options.progress, ProgressMode::none);
+    EXPECT_TRUE(options.verbose);
 }
 
 TEST(TradeoffOptions, RefusesWhatMakesNoSense) {

@@ -127,6 +127,14 @@ class GltfBuilder {
         return false;
     }
 
+    /// Whether some warning of the last read() is `message`, first at the place that ends so.
+    [[nodiscard]] bool warned_at(std::string_view place, std::string_view message) const {
+        const std::vector<Warning>& list = diagnostics.list();
+        return std::any_of(list.begin(), list.end(), [&](const Warning& warning) {
+            return warning.message == message && warning.places.front().text.ends_with(place);
+        });
+    }
+
     Diagnostics diagnostics;
 };
 

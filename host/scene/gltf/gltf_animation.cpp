@@ -107,6 +107,8 @@ std::vector<float> read_values(const JsonValue& reference, const GltfAccessor& a
     return values;
 }
 
+constexpr WarningUnit channel_unit{"animation channel", "animation channels"};
+
 /// Reads the animations of one document, one after the other.
 class AnimationReader {
   public:
@@ -138,9 +140,8 @@ class AnimationReader {
         const JsonValue path = target.at("path");
         const std::string& name = path.as_string();
         if (name == "pointer") {
-            report_.once(target.place(),
-                         "an animation of pointer is not played, the value at rest is rendered "
-                         "instead");
+            report_.count(target.place(), channel_unit,
+                          "a pointer is not animated, the value at rest is rendered instead");
             return nullptr;
         }
         if (name != "translation" && name != "rotation" && name != "scale" && name != "weights")
@@ -148,7 +149,7 @@ class AnimationReader {
                              ", expected translation, rotation, scale or weights");
         const std::optional<JsonValue> reference = target.find("node");
         if (!reference) {
-            report_.once(target.place(), "a channel without a node is not played");
+            report_.count(target.place(), channel_unit, "no node is named, nothing is played");
             return nullptr;
         }
         const std::size_t index = reference->as_index(root_.size_of("nodes"), "nodes");
@@ -172,8 +173,8 @@ class AnimationReader {
             mesh ? count_gltf_targets(root_.at("meshes").element(mesh->as_index(meshes, "meshes")))
                  : 0;
         if (targets == 0) {
-            report_.once(target.place(),
-                         "an animation of weights of a node without morph targets is not played");
+            report_.count(target.place(), channel_unit,
+                          "the node has no morph targets whose weights could be played");
             return nullptr;
         }
         property = {Kind::weights, static_cast<std::uint32_t>(targets)};
@@ -197,8 +198,8 @@ class AnimationReader {
         if (*slot < 0)
             *slot = track.track;
         else
-            report_.once(target.place(),
-                         "a property of a node is animated twice, the later channel is ignored");
+            report_.count(target.place(), channel_unit,
+                          "an earlier channel animates the same property, the later is ignored");
     }
 
     int read_track(const JsonValue& sampler, const Property& property) {

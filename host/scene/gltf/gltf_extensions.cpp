@@ -56,7 +56,7 @@ void check_gltf_extensions(const GltfDocument& document, WarningCollector& repor
     for (std::size_t i = 0; used && i < used->size(); ++i) {
         const JsonValue name = used->element(i);
         if (!is_understood(name.as_string()) && name.as_string() != with_fallback)
-            report.once(name.place(), "the extension " + quote(name.as_string()) +
+            report.once(name.place(), "extension " + quote(name.as_string()) +
                                           " is not supported and is ignored");
     }
 }

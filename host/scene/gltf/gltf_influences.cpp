@@ -33,9 +33,9 @@ std::vector<JointSet> find_sets(GltfData& data, const JsonValue& attributes,
         const std::string weights_name = "WEIGHTS_" + std::to_string(s);
         if (!attributes.find(joints_name.c_str()) || !attributes.find(weights_name.c_str())) break;
         if (s == limits::max_joint_sets) {
-            report.once(attributes.place(),
-                        "more than " + std::to_string(4 * limits::max_joint_sets) +
-                            " joints of a vertex are not simulated, the others are ignored");
+            report.count(attributes.place(), {"mesh", "meshes"},
+                         "more than " + std::to_string(4 * limits::max_joint_sets) +
+                             " joints of a vertex are not simulated, the others are ignored");
             break;
         }
         const GltfAccessor* const joints =
@@ -88,11 +88,12 @@ void normalise(std::span<std::uint16_t> joints, std::span<float> weights, Weight
 }
 
 void report_flaws(const WeightFlaws& flaws, const std::string& place, WarningCollector& report) {
-    report.count(place, "joint weights are negative or not finite, zero is used instead",
-                 flaws.broken);
-    report.count(place, "vertices have joint weights whose sum is not 1, and are normalised",
+    constexpr WarningUnit unit{"vertex", "vertices"};
+    report.count(place, {"joint weight", "joint weights"},
+                 "negative or not finite, zero is used instead", flaws.broken);
+    report.count(place, unit, "joint weights have a sum that is not 1, they are normalised",
                  flaws.unequal);
-    report.count(place, "vertices have no joint weights and follow their first joint",
+    report.count(place, unit, "joint weights are missing, the first joint is followed",
                  flaws.orphaned);
 }
 

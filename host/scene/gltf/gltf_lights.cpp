@@ -39,7 +39,8 @@ glm::vec3 read_intensity(const JsonValue& value, WarningCollector& report) {
     const glm::dvec3 colour(rgb[0], rgb[1], rgb[2]);
     const glm::dvec3 clamped = glm::clamp(colour, 0.0, 1.0);
     if (clamped != colour)
-        report.once(value.place(), "colour of the light lies outside [0, 1] and is clamped");
+        report.count(value.place(), {"light", "lights"},
+                     "the colour lies outside [0, 1] and is clamped");
     return glm::vec3(clamped * intensity);
 }
 
@@ -71,9 +72,8 @@ std::optional<PunctualLight> read_gltf_light(const JsonValue& root, const GltfNo
     light.position = glm::dvec3(node.to_world[3]);
     light.direction = -glm::normalize(glm::dvec3(node.to_world[2]));
     if (value.find("range"))
-        report.once(value.place(),
-                    "range of a light is not simulated, it fades with the square of the distance "
-                    "only");
+        report.count(value.place(), {"light", "lights"},
+                     "range is not simulated, light fades with the square of the distance only");
     return light;
 }
 
@@ -85,7 +85,8 @@ std::optional<Camera> read_gltf_camera(const JsonValue& root, const GltfNode& no
     const JsonValue value = root.at("cameras").element(index);
     const JsonValue type = value.at("type");
     if (type.as_string() == "orthographic") {
-        report.once(value.place(), "orthographic camera is not simulated and is left out");
+        report.count(value.place(), {"orthographic camera", "orthographic cameras"},
+                     "not simulated, left out");
         return std::nullopt;
     }
     if (type.as_string() != "perspective")

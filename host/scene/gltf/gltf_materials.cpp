@@ -19,6 +19,8 @@ struct Unsimulated {
     const char* message;
 };
 
+constexpr WarningUnit material_unit{"material", "materials"};
+
 constexpr std::array unsimulated_extensions = {
     Unsimulated{"KHR_materials_unlit",
                 "unlit material is not simulated, a lit diffuse surface is rendered instead"},
@@ -120,14 +122,13 @@ DiffuseSurface GltfMaterials::base_colour(const JsonValue& value, GltfSurface& s
     const std::optional<JsonValue> pbr = value.find("pbrMetallicRoughness");
     const double metallic = pbr ? pbr->number_or("metallicFactor", 1.0) : 1.0;
     if (metallic > 0.0)
-        report_.once(value.place(),
-                     "metallic reflection is not simulated, a diffuse surface of the base colour "
-                     "is rendered instead");
+        report_.count(
+            value.place(), material_unit,
+            "metallic reflection is not simulated, a diffuse surface is rendered instead");
     if (!pbr) return diffuse;
     if (pbr->number_or("roughnessFactor", 1.0) < 1.0 || pbr->find("metallicRoughnessTexture"))
-        report_.once(value.place(),
-                     "roughness below 1 is not simulated, a diffuse surface of the base colour is "
-                     "rendered instead");
+        report_.count(value.place(), material_unit,
+                      "roughness below 1 is not simulated, a diffuse surface is rendered instead");
     const std::array<double, 4> factor =
         pbr->numbers_or<4>("baseColorFactor", {1.0, 1.0, 1.0, 1.0});
     diffuse.albedo = colour(*pbr, glm::dvec3(factor[0], factor[1], factor[2]), "baseColorFactor");
@@ -166,23 +167,26 @@ Emission GltfMaterials::emission(const JsonValue& value, GltfSurface& surface) {
 glm::vec3 GltfMaterials::colour(const JsonValue& place, const glm::dvec3& value, const char* what) {
     const glm::dvec3 clamped = glm::clamp(value, 0.0, 1.0);
     if (clamped != value)
-        report_.once(place.place(), std::string(what) + " lies outside [0, 1] and is clamped");
+        report_.count(place.place(), material_unit,
+                      std::string(what) + " lies outside [0, 1] and is clamped");
     return glm::vec3(clamped);
 }
 
 void GltfMaterials::report_unsimulated(const JsonValue& value) {
     for (const Unsimulated& extension : unsimulated_extensions)
-        if (value.extension(extension.key)) report_.once(value.place(), extension.message);
+        if (value.extension(extension.key))
+            report_.count(value.place(), material_unit, extension.message);
     if (value.find("normalTexture"))
-        report_.once(value.place(),
-                     "normal maps are not simulated, the unperturbed normals are used instead");
+        report_.count(value.place(), material_unit,
+                      "normal maps are not simulated, the unperturbed normals are used instead");
     if (value.find("occlusionTexture"))
-        report_.once(value.place(),
-                     "occlusion textures are not used, occlusion is simulated instead");
+        report_.count(value.place(), material_unit,
+                      "occlusion textures are not used, occlusion is simulated instead");
     const std::string mode = value.string_or("alphaMode", "OPAQUE");
     if (mode == "MASK" || mode == "BLEND")
-        report_.once(value.place(), "alphaMode " + mode +
-                                        " is not simulated, an opaque surface is rendered instead");
+        report_.count(
+            value.place(), material_unit,
+            "alphaMode " + mode + " is not simulated, an opaque surface is rendered instead");
     else if (mode != "OPAQUE")
         throw value.at("alphaMode").error("is " + quote(mode) + ", expected OPAQUE, MASK or BLEND");
 }

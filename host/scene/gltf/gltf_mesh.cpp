@@ -19,6 +19,8 @@
 namespace weft {
 namespace {
 
+constexpr WarningUnit primitive_unit{"primitive", "primitives"};
+
 std::size_t drop_nonfinite(const GltfAccessor& positions, GltfTriangles& triangles) {
     return std::erase_if(triangles, [&](const auto& triangle) {
         return !std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
@@ -61,9 +63,8 @@ void read_normals(const GltfAccessor& accessor, const std::vector<std::uint32_t>
         const glm::dvec3 unit = direction_of(fallback[i]);
         mesh.normals[i] = unit == glm::dvec3{0.0} ? glm::vec3{0.0F, 0.0F, 1.0F} : glm::vec3(unit);
     }
-    report.count(place,
-                 "normals are zero or not finite, the normals of the faces around them "
-                 "are used instead",
+    report.count(place, {"normal", "normals"},
+                 "zero or not finite, the normals of the faces around are used instead",
                  broken.size());
 }
 
@@ -77,9 +78,8 @@ std::vector<glm::vec2> read_uvs(GltfData& data, const JsonValue& attributes,
     const GltfAccessor* const accessor = find_gltf_attribute(
         data, attributes, "TEXCOORD_" + std::to_string(mapping->set), vertex_count, 2, 2);
     if (accessor == nullptr) {
-        report.once(attributes.place(),
-                    "the texture needs texture coordinates that are not there, its first texel "
-                    "is used everywhere instead");
+        report.count(attributes.place(), {"primitive", "primitives"},
+                     "texture coordinates are missing, the first texel is used everywhere");
         return uvs;
     }
     std::size_t broken = 0;
@@ -90,8 +90,8 @@ std::vector<glm::vec2> read_uvs(GltfData& data, const JsonValue& attributes,
         if (good) uvs[i] = uv;
         broken += good ? 0 : 1;
     }
-    report.count(attributes.place(), "texture coordinates are not finite, zero is used instead",
-                 broken);
+    report.count(attributes.place(), {"texture coordinate", "texture coordinates"},
+                 "not finite, zero is used instead", broken);
     return uvs;
 }
 
@@ -105,7 +105,7 @@ void read_colours(const GltfAccessor& accessor, const std::vector<std::uint32_t>
         for (int c = 0; c < 3; ++c) mesh.colours[i][c] = std::fmin(std::fmax(raw[c], 0.0F), 1.0F);
         clamped += mesh.colours[i] == raw ? 0 : 1;
     }
-    report.count(place, "vertex colours lie outside [0, 1] and are clamped", clamped);
+    report.count(place, {"vertex colour", "vertex colours"}, "outside of [0, 1], clamped", clamped);
 }
 
 void read_attributes(GltfData& data, const JsonValue& attributes, const GltfSurface& surface,
@@ -151,13 +151,13 @@ std::optional<GltfPrimitive> read_gltf_primitive(GltfData& data, const JsonValue
     if (mode > 6)
         throw primitive.at("mode").error("is " + std::to_string(mode) + ", expected 0 to 6");
     if (mode < 4) {
-        report.once(primitive.place(),
-                    "points and lines are not simulated, nothing is rendered instead");
+        report.count(primitive.place(), primitive_unit,
+                     "points and lines are not simulated, they are left out");
         return std::nullopt;
     }
     const JsonValue attributes = primitive.at("attributes");
     if (!attributes.find("POSITION")) {
-        report.once(primitive.place(), "primitive without POSITION is left out");
+        report.count(primitive.place(), primitive_unit, "POSITION is missing, left out");
         return std::nullopt;
     }
     const GltfAccessor& positions = *find_gltf_attribute(
@@ -165,10 +165,10 @@ std::optional<GltfPrimitive> read_gltf_primitive(GltfData& data, const JsonValue
     const std::size_t vertex_count = positions.count();
     GltfTriangles triangles =
         read_gltf_triangles(data, primitive, mode, vertex_count, read.triangles);
-    report.count(primitive.place(), "triangles use vertices that are not finite and are left out",
+    report.count(primitive.place(), {"triangle", "triangles"}, "a vertex is not finite, left out",
                  drop_nonfinite(positions, triangles));
     if (triangles.empty()) {
-        report.once(primitive.place(), "primitive without triangles is left out");
+        report.count(primitive.place(), primitive_unit, "no triangles are given, left out");
         return std::nullopt;
     }
     GltfPrimitive made;

@@ -33,7 +33,8 @@ std::vector<glm::vec3> read_deltas(GltfData& data, const JsonValue& target, cons
         broken += is_finite(delta) ? 0 : 1;
     }
     report.count(target.place(),
-                 "displacements by morph targets are not finite, zero is used instead", broken);
+                 {"displacement by a morph target", "displacements by morph targets"},
+                 "not finite, zero is used instead", broken);
     return deltas;
 }
 
@@ -76,8 +77,8 @@ std::vector<MorphTarget> read_gltf_targets(GltfData& data, const JsonValue& prim
             return read_deltas(data, target, name, vertex_count, vertices, report, deltas_read);
         };
         if (target.find("COLOR_0") || target.find("TEXCOORD_0") || target.find("TEXCOORD_1"))
-            report.once(target.place(),
-                        "morph targets of colours and texture coordinates are not simulated");
+            report.count(target.place(), {"morph target", "morph targets"},
+                         "displaced colours and texture coordinates are not simulated");
         targets[t].positions = read("POSITION");
         if (with_normals) targets[t].normals = read("NORMAL");
     }

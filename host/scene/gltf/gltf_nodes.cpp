@@ -164,8 +164,8 @@ std::vector<GltfNode> read_gltf_nodes(const GltfDocument& document,
 bool usable_transform(const glm::dmat4& to_world, const JsonValue& node, WarningCollector& report) {
     if (!is_finite(to_world)) throw node.error("the transform to world space is not finite");
     if (!is_singular(to_world)) return true;
-    report.count(node.place(),
-                 "objects are left out because their transform is singular (a scale of zero)", 1);
+    report.count(node.place(), {"node", "nodes"},
+                 "the transform is singular (a scale of zero), the object is left out");
     return false;
 }
 

@@ -28,6 +28,8 @@
 namespace weft {
 namespace {
 
+constexpr WarningUnit node_unit{"node", "nodes"};
+
 /// Fills a Scene from the nodes of a document.
 class GltfReader {
   public:
@@ -57,7 +59,6 @@ class GltfReader {
             scene_.outer_medium = static_cast<int>(scene_.media.size());
             scene_.media.push_back(*std::move(fog));
         }
-        report_.flush();
         return std::move(scene_);
     }
 
@@ -68,9 +69,8 @@ class GltfReader {
         const bool has_camera = node.value.find("camera").has_value();
         if (!mesh && !has_light && !has_camera) return;
         if (node.value.extension("EXT_mesh_gpu_instancing"))
-            report_.once(node.value.place(),
-                         "instancing by attributes is not simulated, one instance is rendered "
-                         "instead");
+            report_.count(node.value.place(), node_unit,
+                          "instancing by attributes is not simulated, one instance is rendered");
         if (mesh) add_mesh(node, *mesh);
         if ((!has_light && !has_camera) || !usable_transform(node.to_world, node.value, report_))
             return;
@@ -93,9 +93,8 @@ class GltfReader {
         const auto [skinnable, is_new] = skinnable_.try_emplace(index, false);
         if (is_new) skinnable->second = is_skinnable(root_.at("meshes").element(index));
         if (skinnable->second) return &found;
-        report_.once(node.value.place(),
-                     "a mesh without JOINTS_0 and WEIGHTS_0 has a skin, it is rendered unskinned "
-                     "instead");
+        report_.count(node.value.place(), node_unit,
+                      "the skin needs JOINTS_0 and WEIGHTS_0 of the mesh, it is left out");
         return nullptr;
     }
 
@@ -115,9 +114,8 @@ class GltfReader {
             const bool moves = motion.moves() || part.deforms;
             if (part.medium >= 0) {
                 if (moves)
-                    report_.once(node.value.place(),
-                                 "animations of media are not simulated, their pose at rest is "
-                                 "rendered instead");
+                    report_.count(node.value.place(), node_unit,
+                                  "a moving medium is not simulated, its pose at rest is rendered");
                 // A mirrored mesh has its faces turned inwards.
                 const int inside = part.mirrored ? -1 : part.medium;
                 const int outside = part.mirrored ? part.medium : -1;

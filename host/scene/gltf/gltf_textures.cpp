@@ -54,8 +54,8 @@ GltfTextures::GltfTextures(const GltfDocument& document, GltfData& data, Warning
 std::optional<std::size_t> GltfTextures::image_of(const JsonValue& texture) {
     const std::optional<JsonValue> source = texture.find("source");
     if (source) return source->as_index(root_.size_of("images"), "images");
-    report_.once(texture.place(),
-                 "texture has no PNG or JPEG image, it is rendered as plain white instead");
+    report_.count(texture.place(), {"texture", "textures"},
+                  "no PNG or JPEG image is given, plain white is rendered instead");
     return std::nullopt;
 }
 

@@ -131,8 +131,8 @@ int read_medium(Object& object, MediumReader& media) {
 void read_camera(const Element& sensor, Context& context, MediumReader& media, Scene& scene) {
     Object object(sensor, context);
     if (object.type() != "perspective" && object.type() != "thinlens") {
-        context.warnings.once(sensor,
-                              "sensor " + quote(object.type()) + " is not supported and left out");
+        context.warnings.count(sensor, {"sensor", "sensors"},
+                               "type " + quote(object.type()) + " is not supported, left out");
         return;
     }
     Camera camera;
@@ -144,7 +144,8 @@ void read_camera(const Element& sensor, Context& context, MediumReader& media, S
     (void)object.nested("sampler");
     object.ignore({"near_clip", "far_clip", "shutter_open", "shutter_close"});
     if (object.type() == "thinlens") {
-        context.warnings.once(sensor, "depth of field is not supported: sharp everywhere");
+        context.warnings.count(sensor, {"sensor", "sensors"},
+                               "depth of field is not supported, everything is sharp");
         object.ignore({"aperture_radius", "focus_distance"});
     }
     object.report_unused();
@@ -153,7 +154,8 @@ void read_camera(const Element& sensor, Context& context, MediumReader& media, S
         scene.camera_medium = medium;
     } else if (film.width != scene.film->width || film.height != scene.film->height ||
                medium != scene.camera_medium) {
-        context.warnings.once(sensor, "film size and medium of the first sensor are used for all");
+        context.warnings.count(sensor, {"sensor", "sensors"},
+                               "film size and medium differ, those of the first are used");
     }
     scene.cameras.push_back(std::move(camera));
 }

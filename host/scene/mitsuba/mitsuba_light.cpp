@@ -58,9 +58,8 @@ PunctualLight read_spot(Object& object, Context& context) {
     light.cos_inner = static_cast<float>(std::cos(glm::radians(beam)));
     light.cos_outer = static_cast<float>(std::cos(glm::radians(cutoff)));
     if (beam < cutoff)
-        context.warnings.once(object.element(),
-                              "the edge of a spot light falls off in its own "
-                              "way, not linearly with the angle");
+        context.warnings.count(object.element(), {"spot light", "spot lights"},
+                               "the edge falls off in its own way, not linearly with the angle");
     const glm::dmat4 to_world = object.transform("to_world");
     light.position = position_of(object, to_world);
     light.direction = direction_of(object, to_world, {0.0, 0.0, 1.0});
@@ -81,8 +80,8 @@ PunctualLight read_directional(Object& object) {
 void read_constant(Object& object, Context& context, Scene& scene) {
     const glm::vec3 radiance = object.colour("radiance", ColourUse::emission, glm::vec3(1.0F));
     if (scene.environment) {
-        context.warnings.once(object.element(),
-                              "more than one environment light: the first one is used");
+        context.warnings.count(object.element(), {"environment light", "environment lights"},
+                               "not the first, left out");
         return;
     }
     scene.environment = Environment{radiance};
@@ -105,7 +104,8 @@ void read_light(const Element& emitter, Context& context, Scene& scene) {
         read_constant(object, context, scene);
         object.ignore({"to_world"});
     } else {
-        context.warnings.once(emitter, "emitter " + quote(type) + " is not supported and left out");
+        context.warnings.count(emitter, {"emitter", "emitters"},
+                               "type " + quote(type) + " is not supported, left out");
         return;
     }
     object.report_unused();

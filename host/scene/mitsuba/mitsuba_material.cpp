@@ -91,13 +91,14 @@ void MaterialReader::read_twosided(Object& object, MitsubaSurface& surface) {
     surface = this->surface(sides[0]);
     surface.two_sided = true;
     if (sides.size() == 2)
-        context_.warnings.once(object.element(),
-                               "twosided with two bsdfs: the first one is used on both sides");
+        context_.warnings.count(object.element(), {"bsdf", "bsdfs"},
+                                "twosided holds two, the first is used on both sides");
 }
 
 void MaterialReader::read_unsupported(Object& object, MitsubaSurface& surface) {
-    context_.warnings.once(object.element(), "bsdf " + quote(object.type()) +
-                                                 " is not supported: rendered as diffuse");
+    context_.warnings.count(
+        object.element(), {"bsdf", "bsdfs"},
+        "type " + quote(object.type()) + " is not supported, rendered as diffuse");
     surface.two_sided = is_two_sided_type(object.type());
     for (const char* name :
          {"diffuse_reflectance", "base_color", "reflectance", "specular_reflectance"}) {
@@ -124,8 +125,9 @@ void MaterialReader::read_reflectance(const Element& element, MitsubaSurface& su
         texture.report_unused();
         return;
     }
-    context_.warnings.once(
-        element, "texture " + quote(texture.type()) + " is not supported: its mean colour is used");
+    context_.warnings.count(
+        element, {"texture", "textures"},
+        "type " + quote(texture.type()) + " is not supported, its mean colour is used");
     if (texture.type() != "checkerboard") return;
     const ColourUse use = ColourUse::reflectance;
     surface.albedo = 0.5F * (texture.colour("color0", use, glm::vec3(0.4F)) +

@@ -85,8 +85,9 @@ glm::vec3 MediumReader::read_volume(Object& object, const char* name, const glm:
                           fmt::format("a grid for {}, expected a constant: only the "
                                       "sigma_t of heterogeneous media may vary",
                                       quote(name)));
-    context_.warnings.once(*found, fmt::format("volume {} for {} is not supported: {} instead",
-                                               quote(volume.type()), quote(name), missing.r));
+    context_.warnings.count(*found, {"volume", "volumes"},
+                            fmt::format("type {} for {} is not supported, {} is used instead",
+                                        quote(volume.type()), quote(name), missing.r));
     return missing;
 }
 
@@ -109,9 +110,11 @@ void MediumReader::read_grid(const Element& volume, Medium& medium) {
     if (object.boolean("use_grid_bbox", false))
         medium.grid_to_world *= scene_.grids[static_cast<std::size_t>(medium.grid)].placement;
     if (object.text("filter_type").value_or("trilinear") != "trilinear")
-        context_.warnings.once(volume, "densities are trilinear whatever filter_type says");
+        context_.warnings.count(volume, {"volume", "volumes"},
+                                "filter_type is not supported, densities are trilinear");
     if (object.text("wrap_mode").value_or("clamp") != "clamp")
-        context_.warnings.once(volume, "densities are clamped whatever wrap_mode says");
+        context_.warnings.count(volume, {"volume", "volumes"},
+                                "wrap_mode is not supported, coordinates are clamped");
     object.ignore({"raw", "accel"});
     object.report_unused();
 }
@@ -126,8 +129,9 @@ void MediumReader::read_phase(Object& object, Medium& medium) {
                                   fmt::format("g = {}, expected more than -1 and less than 1", g));
             medium.anisotropy = static_cast<float>(g);
         } else if (phase.type() != "isotropic") {
-            context_.warnings.once(*element, "phase function " + quote(phase.type()) +
-                                                 " is not supported: isotropic instead");
+            context_.warnings.count(
+                *element, {"phase function", "phase functions"},
+                "type " + quote(phase.type()) + " is not supported, isotropic instead");
             continue;
         }
         phase.report_unused();

@@ -99,7 +99,7 @@ glm::vec3 Object::colour(std::string_view name, ColourUse use, const glm::vec3& 
     if (found == nullptr) return missing;
     if (is_colour(*found)) return parse_colour(*found, use, context_.warnings);
     context_.warnings.once(
-        *found, fmt::format("{} of {} {} as a <{}> is not supported and ignored", quote(name),
+        *found, fmt::format("{} of {} {} as a <{}> is not supported, ignored", quote(name),
                             element_.tag, quote(type()), found->tag));
     return missing;
 }
@@ -132,7 +132,7 @@ void Object::report_unused() {
         if (entry.used) continue;
         const std::string what = entry.name.empty() ? fmt::format("nested <{}>", entry.element->tag)
                                                     : "property " + quote(entry.name);
-        context_.warnings.once(*entry.element, fmt::format("{} of {} {} is not supported and "
+        context_.warnings.once(*entry.element, fmt::format("{} of {} {} is not supported, "
                                                            "ignored",
                                                            what, element_.tag, quote(type())));
     }

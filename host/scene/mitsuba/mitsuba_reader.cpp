@@ -49,7 +49,7 @@ Scene read_mitsuba(const std::filesystem::path& path, Diagnostics& diagnostics) 
         } else if (target.tag == "emitter") {
             mitsuba::read_light(target, context, scene);
         } else {
-            warnings.once(element, "<" + element.tag + "> is not supported here and ignored");
+            warnings.once(element, "<" + element.tag + "> is not supported here, ignored");
         }
     }
     return scene;

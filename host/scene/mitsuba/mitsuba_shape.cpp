@@ -24,6 +24,8 @@ namespace weft::mitsuba {
 
 namespace {
 
+constexpr WarningUnit shape_unit{"shape", "shapes"};
+
 bool is_supported(std::string_view type) {
     static constexpr std::array<std::string_view, 6> types = {"ply",  "obj",    "rectangle",
                                                               "cube", "sphere", "disk"};
@@ -83,8 +85,8 @@ ShapeReader::Source ShapeReader::read_source(Object& object) {
 void ShapeReader::read(const Element& element) {
     Object object(element, context_);
     if (!is_supported(object.type())) {
-        context_.warnings.once(element,
-                               "shape " + quote(object.type()) + " is not read yet and left out");
+        context_.warnings.count(element, shape_unit,
+                                "type " + quote(object.type()) + " is not supported, left out");
         return;
     }
     if (scene_.instances.size() + scene_.medium_boundaries.size() >= limits::max_nodes)
@@ -105,7 +107,8 @@ void ShapeReader::read(const Element& element) {
     if (boundary.interior >= 0 || boundary.exterior >= 0)
         add_boundary(object, source, mesh, surface, boundary);
     if (surface.invisible && emitter != nullptr)
-        context_.warnings.once(element, "an emitter with a null bsdf is rendered as opaque");
+        context_.warnings.count(element, shape_unit,
+                                "an emitter has a null bsdf, it is rendered as opaque");
     scene_.light_named = scene_.light_named || emitter != nullptr;
     if (!surface.invisible || emitter != nullptr) {
         const std::string& fallback = scene_.meshes[mesh].name;
@@ -119,7 +122,8 @@ void ShapeReader::read(const Element& element) {
 void ShapeReader::add_boundary(Object& object, const Source& source, std::uint32_t mesh,
                                const MitsubaSurface& surface, MediumBoundary boundary) {
     if (!surface.invisible) {
-        context_.warnings.once(object.element(), "a medium behind an opaque surface is ignored");
+        context_.warnings.count(object.element(), shape_unit,
+                                "a medium behind an opaque surface is ignored");
         return;
     }
     boundary.mesh = mesh;
@@ -169,9 +173,9 @@ Mesh ShapeReader::read_mesh_file(Object& object, const Source& source) {
     }
     if (source.face_normals) mesh.normals.clear();
     if (mesh.triangles.empty())
-        context_.warnings.once(object.element(), source.type == "ply"
-                                                     ? "a PLY file holds no triangles"
-                                                     : "an OBJ file holds no triangles");
+        context_.warnings.count(object.element(), shape_unit,
+                                source.type == "ply" ? "the PLY file holds no triangles"
+                                                     : "the OBJ file holds no triangles");
     return mesh;
 }
 

@@ -133,7 +133,8 @@ double mean_of_samples(const Element& element, const std::string& text) {
 glm::vec3 parse_spectrum(const Element& element, ColourUse use, Warnings& warnings) {
     const std::string* const value = element.attribute("value");
     if (value != nullptr && value->find(':') != std::string::npos) {
-        warnings.once(element, "spectra that vary with wavelength are replaced by their mean");
+        warnings.count(element, {"spectrum", "spectra"},
+                       "variation with wavelength is not simulated, the mean is used");
         return glm::vec3(static_cast<float>(mean_of_samples(element, *value)));
     }
     if (value != nullptr) {
@@ -146,8 +147,9 @@ glm::vec3 parse_spectrum(const Element& element, ColourUse use, Warnings& warnin
     if (type != nullptr && *type == "d65")
         return glm::vec3(static_cast<float>(child_number(element, "scale", 1.0)));
     const float grey = use == ColourUse::reflectance ? 0.5F : 1.0F;
-    warnings.once(element, fmt::format("spectrum {} is not supported: grey {} instead",
-                                       quote(type != nullptr ? *type : "from a file"), grey));
+    warnings.count(element, {"spectrum", "spectra"},
+                   fmt::format("type {} is not supported, grey {} is used instead",
+                               quote(type != nullptr ? *type : "from a file"), grey));
     return glm::vec3(grey);
 }
 

@@ -181,7 +181,7 @@ class Loader {
                 throw input_error(element.place(), "attribute " + quote(attribute.name()) +
                                                        " is given twice, expected it once");
             if (!allows(*rule, attribute.name())) {
-                warnings_.once(element, fmt::format("attribute {} of <{}> is not known and ignored",
+                warnings_.once(element, fmt::format("attribute {} of <{}> is not known, ignored",
                                                     quote(attribute.name()), element.tag));
                 continue;
             }
@@ -205,8 +205,7 @@ class Loader {
                     element.place(),
                     fmt::format("elements nested deeper than {} levels", limits::max_nesting));
             if (find_rule(element.tag) == nullptr) {
-                warnings_.once(element,
-                               "element " + quote(element.tag) + " is not known and ignored");
+                warnings_.once(element, "element " + quote(element.tag) + " is not known, ignored");
             } else if (element.tag == "default") {
                 parameters_.emplace(element.required("name"), element.required("value"));
             } else if (element.tag == "include") {
@@ -323,13 +322,12 @@ const Element& Document::resolve(const Element& element) const {
     return *found->second;
 }
 
+void Warnings::count(const Element& element, WarningUnit unit, const std::string& message) {
+    collector_.count(element.place(), unit, message);
+}
+
 void Warnings::once(const Element& element, const std::string& message) {
-    if (seen_.size() > limits::max_warnings || !seen_.insert(message).second) return;
-    if (seen_.size() > limits::max_warnings) {
-        diagnostics_.warn(*element.file, "further warnings about this file are not shown");
-    } else {
-        diagnostics_.warn(element.place(), message);
-    }
+    collector_.once(element.place(), message);
 }
 
 void load_document(const fs::path& path, Warnings& warnings, Document& document) {

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/warning_collector.h"
 
 namespace weft::mitsuba {
 
@@ -34,12 +34,16 @@ struct Element {
     [[nodiscard]] const std::string& required(const std::string& name) const;
 };
 
-/// Warnings of one scene file: each text once, at its first place, up to limits::max_warnings.
+/// Warnings of one scene file at the places of its elements; as those of WarningCollector.
 class Warnings {
   public:
-    explicit Warnings(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    explicit Warnings(Diagnostics& diagnostics)
+        : diagnostics_(diagnostics), collector_(diagnostics) {}
 
-    /// Reports `message` at the element's place unless the same message was reported before.
+    /// Reports one unit, the element, that is not rendered as the file asks.
+    void count(const Element& element, WarningUnit unit, const std::string& message);
+
+    /// The same where there is nothing to count.
     void once(const Element& element, const std::string& message);
 
     /// The diagnostics to which readers of other files report.
@@ -47,7 +51,7 @@ class Warnings {
 
   private:
     Diagnostics& diagnostics_;
-    std::set<std::string> seen_;
+    WarningCollector collector_;
 };
 
 /// A scene file with its includes, as a tree. Elements keep their address.

@@ -39,7 +39,8 @@ class ObjParser {
         while (lines_.next(statement)) read(statement);
         forget_missing_tables();
         check_references();
-        report_.count(first_small_, "faces with fewer than three corners left out", small_faces_);
+        report_.count(first_small_, {"face", "faces"}, "fewer than three corners, left out",
+                      small_faces_);
         return std::move(data_);
     }
 
@@ -59,10 +60,11 @@ class ObjParser {
         } else if (keyword == "mtllib") {
             data_.libraries.push_back({lines_.place(statement), std::string(statement.rest)});
         } else if (keyword == "l" || keyword == "p") {
-            report_.once(lines_.place(statement), "points and lines are left out");
+            report_.count(lines_.place(statement), {"statement", "statements"},
+                          "points and lines are not simulated, they are left out");
         } else if (!is_one_of(keyword, {"o", "g", "s", "mg", "usemap", "maplib", "lod"})) {
             report_.once(lines_.place(statement),
-                         "statement " + quote(keyword) + " is not known and ignored");
+                         "statement " + quote(keyword) + " is not known, ignored");
         }
     }
 
@@ -103,12 +105,15 @@ class ObjParser {
         data_.colours.resize(data_.positions.size(), glm::vec3(1.0F));
         if (!coloured) return;
         glm::vec3 colour = to_float(values[3], values[4], values[5]);
+        bool clamped = false;
         for (int i = 0; i < 3; ++i) {
             const float inside = colour[i] >= 0.0F ? std::min(colour[i], 1.0F) : 0.0F;
-            if (inside != colour[i])
-                report_.once(lines_.place(statement), "colours outside [0, 1] are clamped");
+            clamped = clamped || inside != colour[i];
             colour[i] = inside;
         }
+        if (clamped)
+            report_.count(lines_.place(statement), {"vertex colour", "vertex colours"},
+                          "outside of [0, 1], clamped");
         data_.colours.back() = linear_from_srgb(colour);
     }
 
@@ -118,8 +123,8 @@ class ObjParser {
         const glm::vec3 uv = to_float(values[0], values.size() > 1 ? values[1] : 0.0, 0.0);
         const bool usable = is_finite(glm::vec2(uv));
         if (!usable)
-            report_.once(lines_.place(statement),
-                         "texture coordinates that are not finite are replaced by zero");
+            report_.count(lines_.place(statement), {"texture coordinate", "texture coordinates"},
+                          "not finite, zero is used instead");
         data_.uvs.push_back(usable ? glm::vec2(uv) : glm::vec2(0.0F));
     }
 
@@ -130,8 +135,8 @@ class ObjParser {
         const double length = glm::length(normal);
         const bool usable = length > 0.0 && std::isfinite(length);
         if (!usable)
-            report_.once(lines_.place(statement),
-                         "normals that are zero or not finite are replaced by those of the faces");
+            report_.count(lines_.place(statement), {"normal", "normals"},
+                          "zero or not finite, the normals of the faces around are used instead");
         data_.normals.push_back(usable ? glm::vec3(normal / length) : glm::vec3(0.0F));
     }
 

@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float default_albedo = 0.8F;
+constexpr WarningUnit obj_material_unit{"material", "materials"};
 
 /// The words of an `mtllib`; a backslash keeps the blank behind it in the name.
 std::vector<std::string> split_names(std::string_view text) {
@@ -66,7 +67,7 @@ std::optional<fs::path> ObjMaterials::find_file(std::string_view reference,
     }
     std::error_code error;
     if (fs::exists(path, error)) return path;
-    why = "file " + quote(reference) + " is missing";
+    why = "the file is missing";
     return std::nullopt;
 }
 
@@ -93,14 +94,19 @@ void ObjMaterials::read_library(const ObjLibrary& library) {
     if (read_file_named(library.names, library.place, why)) return;
     const std::vector<std::string> names = split_names(library.names);
     if (names.size() == 1) {
-        if (!read_file_named(names[0], library.place, why))
-            report_.once(library.place, why + ", its materials are replaced by grey");
+        if (!read_file_named(names[0], library.place, why)) report_lost(library, names[0], why);
         return;
     }
     for (const std::string& name : names) {
-        if (!read_file_named(name, library.place, why))
-            report_.once(library.place, why + ", its materials are replaced by grey");
+        if (!read_file_named(name, library.place, why)) report_lost(library, name, why);
     }
+}
+
+void ObjMaterials::report_lost(const ObjLibrary& library, const std::string& name,
+                               const std::string& why) {
+    library_lost_ = true;
+    report_.count(library.place + " " + quote(name), {"MTL file", "MTL files"},
+                  why + ", its materials are replaced by grey");
 }
 
 const ObjSurface& ObjMaterials::default_surface() {
@@ -118,9 +124,10 @@ const ObjSurface& ObjMaterials::surface(const std::string& name, const std::stri
     const auto source = sources_.find(name);
     if (source != sources_.end())
         return surfaces_.emplace(name, make_surface(name, source->second)).first->second;
-    if (!name.empty() && !std::exchange(undefined_named_, true))
-        report_.once(place, "materials that no MTL file defines are replaced by grey, such as " +
-                                quote(name));
+    // That of a missing file is told already.
+    if (!name.empty() && !library_lost_)
+        report_.count(place + " " + quote(name), obj_material_unit,
+                      "no MTL file defines it, grey is rendered instead");
     return surfaces_.emplace(name, default_surface()).first->second;
 }
 
@@ -137,7 +144,8 @@ ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial
     const bool textured = surface.diffuse_uvs.has_value();
     diffuse.albedo = source.diffuse.value_or(glm::vec3(textured ? 1.0F : default_albedo));
     if (textured && diffuse.albedo == glm::vec3(0.0F)) {
-        report_.once(source.place, "black Kd would hide the texture, it is taken as white");
+        report_.count(source.place, obj_material_unit,
+                      "black Kd would hide the texture, it is taken as white");
         diffuse.albedo = glm::vec3(1.0F);
     }
     material.surface = diffuse;
@@ -146,7 +154,8 @@ ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial
         material.emission.texture = add_texture(*source.emission_map);
         if (material.emission.texture >= 0) surface.emission_uvs = uvs_of(*source.emission_map);
     } else if (source.emission_map) {
-        report_.once(source.emission_map->place, "map_Ke without Ke is ignored");
+        report_.count(source.emission_map->place, obj_material_unit,
+                      "map_Ke without Ke is ignored");
     }
     surface.material = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
@@ -160,12 +169,16 @@ std::optional<Texture> ObjMaterials::read_map(const MtlMap& map) {
     const std::optional<fs::path> path = find_file(map.file, why);
     Texture texture;
     try {
-        if (path) texture = read_image(*path, "image " + quote(map.file));
+        if (path) texture = read_image(*path, "");
     } catch (const Error& error) {
         why = error.what();
+        // The warning names the image behind its place.
+        const std::string place = path->string() + ": ";
+        if (why.starts_with(place)) why.erase(0, place.size());
     }
     if (texture.rgba.empty()) {
-        report_.once(map.place, why + ", the plain colour is used");
+        report_.count(map.place + " " + quote(map.file), {"texture", "textures"},
+                      why + ", the plain colour is used");
         return std::nullopt;
     }
     decoded_bytes_ += texture.rgba.size();

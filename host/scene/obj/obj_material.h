@@ -59,6 +59,7 @@ class ObjMaterials {
   private:
     [[nodiscard]] std::optional<std::filesystem::path> find_file(std::string_view reference,
                                                                  std::string& why) const;
+    void report_lost(const ObjLibrary& library, const std::string& name, const std::string& why);
     bool read_file_named(std::string_view reference, const std::string& place, std::string& why);
     [[nodiscard]] ObjSurface make_surface(const std::string& name, const MtlMaterial& source);
     [[nodiscard]] std::optional<Texture> read_map(const MtlMap& map);
@@ -73,7 +74,7 @@ class ObjMaterials {
     std::set<std::filesystem::path> libraries_;
     std::map<std::pair<std::string, bool>, int> textures_;
     std::size_t decoded_bytes_ = 0;
-    bool undefined_named_ = false;
+    bool library_lost_ = false;  ///< an MTL file could not be read
 };
 
 }  // namespace weft

@@ -36,7 +36,7 @@ void ObjMeshMaker::add_face(const ObjFace& face, const ObjMeshOptions& options, 
         polygon_.emplace_back(data_.positions[position]);
     }
     if (!all_finite(polygon_)) {
-        report_.count(data_.place(face), "faces with a vertex that is not finite left out", 1);
+        report_.count(data_.place(face), {"face", "faces"}, "a vertex is not finite, left out");
         return;
     }
     const auto first = static_cast<std::uint32_t>(keys_.size());
@@ -61,7 +61,8 @@ void ObjMeshMaker::add_face(const ObjFace& face, const ObjMeshOptions& options, 
     const std::size_t given_up = cutter_.given_up();
     for (const auto& [a, b, c] : cutter_.cut(polygon_))
         triangles_.push_back({first + a, first + b, first + c});
-    report_.count(data_.place(face), "concave polygons cut into fans, there are too many corners",
+    report_.count(data_.place(face), {"concave polygon", "concave polygons"},
+                  "too many corners to cut along, cut into a fan instead",
                   cutter_.given_up() - given_up);
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,8 @@
 
 namespace weft {
 namespace {
+
+constexpr WarningUnit mtl_material_unit{"material", "materials"};
 
 /// A statement that Weft does not simulate, and the numbers with which it has no effect.
 struct Unsimulated {
@@ -125,14 +128,15 @@ class MtlParser {
     }
 
     void begin_material(const ObjStatement& statement, const std::string& place) {
+        reported_.clear();
         const auto [found, added] = materials_.try_emplace(std::string(statement.rest));
         if (added) {
             found->second.place = place;
             current_ = &found->second;
             return;
         }
-        report_.once(place, "material " + quote(statement.rest) +
-                                " is defined before, the first definition is used");
+        report_.count(place + " " + quote(statement.rest), mtl_material_unit,
+                      "defined twice, the first definition is used");
         ignored_ = MtlMaterial();
         current_ = &ignored_;
     }
@@ -143,7 +147,8 @@ class MtlParser {
         std::string_view words = rest;
         const std::string first = lower(take_word(words));
         if (first == "spectral" || first == "xyz") {
-            report_.once(place, "colours as " + quote(first) + " are ignored, expected r g b");
+            report_.count(place, {"colour", "colours"},
+                          "given as " + quote(first) + ", ignored, expected r g b");
             return std::nullopt;
         }
         const std::vector<double> values = read_obj_numbers(rest, 3, place);
@@ -160,7 +165,8 @@ class MtlParser {
 
     [[nodiscard]] glm::vec3 clamped(const glm::vec3& colour, float most, const std::string& place) {
         const glm::vec3 inside = glm::clamp(colour, 0.0F, most);
-        if (inside != colour) report_.once(place, "colours outside their range are clamped");
+        if (inside != colour)
+            report_.count(place, {"colour", "colours"}, "outside of the range, clamped");
         return inside;
     }
 
@@ -193,7 +199,7 @@ class MtlParser {
         if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
             rest = rest.substr(1, rest.size() - 2);
         if (rest.empty()) {
-            report_.once(place, "a texture map without the name of a file is ignored");
+            report_.count(place, {"texture map", "texture maps"}, "no file is named, ignored");
             return std::nullopt;
         }
         map.file = rest;
@@ -205,7 +211,7 @@ class MtlParser {
                                        MtlMap& map) {
         if (option == "-o" || option == "-s" || option == "-t") {
             const std::vector<double> values = take_numbers(rest);
-            if (option == "-t") report_.once(map.place, "option '-t' of a texture map is ignored");
+            if (option == "-t") report_option(map, option);
             glm::dvec2& target = option == "-s" ? map.scale : map.offset;
             for (std::size_t i = 0; i < std::min<std::size_t>(values.size(), 2); ++i)
                 if (option != "-t") target[static_cast<int>(i)] = values[i];
@@ -220,9 +226,13 @@ class MtlParser {
                          [&](const MapOption& entry) { return entry.name == option; });
         if (known == map_options.end()) return false;
         for (std::size_t i = 0; i < known->words; ++i) static_cast<void>(take_word(rest));
-        if (!known->harmless)
-            report_.once(map.place, "option " + quote(option) + " of a texture map is ignored");
+        if (!known->harmless) report_option(map, option);
         return true;
+    }
+
+    void report_option(const MtlMap& map, const std::string& option) {
+        report_.count(map.place, {"texture map", "texture maps"},
+                      "option " + quote(option) + " is not simulated, ignored");
     }
 
     void report_unsimulated(const std::string& keyword, std::string_view rest,
@@ -232,7 +242,7 @@ class MtlParser {
                          [&](const Unsimulated& entry) { return entry.keyword == keyword; });
         if (known == unsimulated.end()) {
             if (std::find(passive.begin(), passive.end(), keyword) == passive.end())
-                report_.once(place, "statement " + quote(keyword) + " is not known and ignored");
+                report_.once(place, "statement " + quote(keyword) + " is not known, ignored");
             return;
         }
         bool neutral = !std::isnan(known->neutral);
@@ -241,13 +251,15 @@ class MtlParser {
             double value = 0.0;
             neutral = !read_obj_number(word, value) || value == known->neutral;
         }
-        if (!neutral) report_.once(place, known->message);
+        if (!neutral && reported_.insert(known->message).second)
+            report_.count(place, mtl_material_unit, known->message);
     }
 
     ObjLines lines_;
     WarningCollector& report_;
     Materials& materials_;
     MtlMaterial* current_ = nullptr;
+    std::set<std::string_view> reported_;  ///< of the current material
     MtlMaterial ignored_;
 };
 

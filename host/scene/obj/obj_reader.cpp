@@ -107,7 +107,6 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
         scene.meshes.push_back(std::move(mesh));
         scene.instances.push_back(std::move(instance));
     }
-    report.flush();
     if (scene.meshes.empty())
         throw input_error(scene.source, "holds no faces that can be rendered, expected a mesh");
     return scene;
@@ -124,7 +123,6 @@ Mesh read_obj_mesh(const std::filesystem::path& path, const std::string& place, 
     mesh.name = path.stem().string();
     if (flip_v)
         for (glm::vec2& uv : mesh.uvs) uv.y = 1.0F - uv.y;
-    report.flush();
     return mesh;
 }
 

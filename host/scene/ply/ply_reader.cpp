@@ -20,6 +20,7 @@
 #include "base/limits.h"
 #include "base/quote.h"
 #include "base/srgb.h"
+#include "base/warning_collector.h"
 #include "scene/ply/ply_header.h"
 #include "scene/ply/ply_source.h"
 
@@ -85,7 +86,7 @@ template <typename Source>
 class BodyReader {
   public:
     BodyReader(Source source, const PlyHeader& header, std::string file, Diagnostics& diagnostics)
-        : source_(source), header_(header), file_(std::move(file)), diagnostics_(diagnostics) {}
+        : source_(source), header_(header), file_(std::move(file)), report_(diagnostics) {}
 
     Mesh read() {
         check_elements();
@@ -98,7 +99,7 @@ class BodyReader {
                 skip_element(element);
             }
         }
-        if (source_.left() > 0) diagnostics_.warn(file_, "data after the last element is ignored");
+        if (source_.left() > 0) report_.once(file_, "data after the last element is ignored");
         drop_non_finite();
         repair_attributes();
         return std::move(mesh_);
@@ -238,8 +239,8 @@ class BodyReader {
             }
         }
         if (small_faces_ > 0)
-            diagnostics_.warn(
-                file_, fmt::format("{} faces with fewer than three corners dropped", small_faces_));
+            report_.count(file_, {"face", "faces"}, "fewer than three corners, left out",
+                          small_faces_);
     }
 
     void read_polygon(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
@@ -275,9 +276,8 @@ class BodyReader {
             });
         };
         const std::size_t dropped = std::erase_if(mesh_.triangles, broken);
-        if (dropped > 0)
-            diagnostics_.warn(
-                file_, fmt::format("{} triangles with a non-finite vertex dropped", dropped));
+        report_.count(file_, {"triangle", "triangles"}, "a vertex is not finite, left out",
+                      dropped);
         // Unused now, but bounding boxes are taken over all vertices.
         const auto good =
             std::find_if(mesh_.positions.begin(), mesh_.positions.end(),
@@ -316,29 +316,33 @@ class BodyReader {
     }
 
     void repair_attributes() {
-        std::size_t repaired = repair_normals();
+        report_.count(file_, {"normal", "normals"},
+                      "zero or not finite, the normals of the faces around are used instead",
+                      repair_normals());
+        std::size_t broken_uvs = 0;
         for (glm::vec2& uv : mesh_.uvs) {
             if (is_finite(uv)) continue;
             uv = glm::vec2(0.0F);
-            ++repaired;
+            ++broken_uvs;
         }
+        report_.count(file_, {"texture coordinate", "texture coordinates"},
+                      "not finite, zero is used instead", broken_uvs);
+        std::size_t clamped = 0;
         for (glm::vec3& colour : mesh_.colours) {
             if (is_finite(colour) && glm::all(glm::greaterThanEqual(colour, glm::vec3(0.0F))) &&
                 glm::all(glm::lessThanEqual(colour, glm::vec3(1.0F))))
                 continue;
             colour = is_finite(colour) ? glm::clamp(colour, 0.0F, 1.0F) : glm::vec3(1.0F);
-            ++repaired;
+            ++clamped;
         }
-        if (repaired > 0)
-            diagnostics_.warn(file_, fmt::format("{} normals, texture coordinates or colours "
-                                                 "out of range replaced",
-                                                 repaired));
+        report_.count(file_, {"vertex colour", "vertex colours"}, "outside of [0, 1], clamped",
+                      clamped);
     }
 
     Source source_;
     const PlyHeader& header_;
     std::string file_;
-    Diagnostics& diagnostics_;
+    WarningCollector report_;
     Mesh mesh_;
     std::uint64_t vertex_count_ = 0;
     std::uint64_t small_faces_ = 0;

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/warning_collector.h"
 #include "scene/volume/nanovdb_file.h"
 
 namespace weft {
@@ -230,8 +231,9 @@ DensityGrid read_tree(std::span<const std::byte> buffer, const nanovdb::Map& map
     tree.read(grid);
     validate_density_grid(grid, file);
     if (tree.background() > 0.0F)
-        diagnostics.warn(file, fmt::format("the background {} is not continued outside the grid",
-                                           tree.background()));
+        WarningCollector(diagnostics)
+            .once(file, fmt::format("the background {} is not continued outside the grid",
+                                    tree.background()));
     return grid;
 }
 

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/warning_collector.h"
 
 namespace weft {
 namespace {
@@ -73,10 +74,10 @@ glm::dmat4 read_placement(std::span<const std::byte> bytes, const std::string& f
         const double high = float_at(bytes, offset + 12);
         // Scenes are placed in single precision.
         if (!std::isfinite(static_cast<float>(high - low)) || !(low < high)) {
-            diagnostics.warn(file,
-                             fmt::format("bounding box from {} to {} along {}, expected finite "
-                                         "bounds in this order: the unit cube is used",
-                                         low, high, "xyz"[axis]));
+            WarningCollector(diagnostics)
+                .once(file, fmt::format("bounding box from {} to {} along {}, expected finite "
+                                        "bounds in this order, the unit cube is used",
+                                        low, high, "xyz"[axis]));
             return glm::dmat4(1.0);
         }
         placement[axis][axis] = high - low;
@@ -102,7 +103,7 @@ DensityGrid decode_vol(std::span<const std::byte> bytes, const std::string& file
     if (held < count)
         throw input_error(file, fmt::format("the file holds {} of {} voxels", held, count));
     if (bytes.size() - header_bytes > count * sizeof(float))
-        diagnostics.warn(file, "data after the last voxel is ignored");
+        WarningCollector(diagnostics).once(file, "data after the last voxel is ignored");
     grid.placement = read_placement(bytes, file, diagnostics);
     grid.densities.resize(count);
     for (std::size_t i = 0; i < count; ++i)

@@ -170,13 +170,14 @@ TEST(GltfAnimation, WarnsOfWhatIsNotPlayed) {
     const Scene scene = film.read();
     EXPECT_EQ(film.diagnostics.warnings().size(), 4U);
     EXPECT_TRUE(
-        film.warned("#/animations/0/channels/1/target: a property of a node is animated "
-                    "twice, the later channel is ignored"));
+        film.warned_at("#/animations/0/channels/1/target",
+                       "an earlier channel animates the same property, the later is ignored"));
+    EXPECT_TRUE(film.warned_at("#/animations/0/channels/3/target",
+                               "the node has no morph targets whose weights could be played"));
+    EXPECT_TRUE(film.warned_at("#/animations/0/channels/4/target",
+                               "a pointer is not animated, the value at rest is rendered instead"));
     EXPECT_TRUE(
-        film.warned("#/animations/0/channels/3/target: an animation of weights of a node without "
-                    "morph targets is not played"));
-    EXPECT_TRUE(film.warned("#/animations/0/channels/4/target: an animation of pointer is not"));
-    EXPECT_TRUE(film.warned("#/animations/0/channels/6/target: a channel without a node"));
+        film.warned_at("#/animations/0/channels/6/target", "no node is named, nothing is played"));
     EXPECT_EQ(scene.instances.at(0).to_world, glm::dmat4(1.0));
     EXPECT_EQ(scene.animation.tracks.size(), 3U);
     const MovingNode& node = scene.animation.nodes.at(0);

@@ -109,7 +109,8 @@ TEST(GltfMaterials, UsesTheSetOfCoordinatesThatTheTextureNames) {
     EXPECT_EQ(builder.read().meshes.at(0).uvs[2], glm::vec2(0.75F, 0.5F));
     pbr(builder)["baseColorTexture"]["texCoord"] = 2;
     EXPECT_EQ(builder.read().meshes.at(0).uvs, std::vector<glm::vec2>(3, glm::vec2(0.0F)));
-    EXPECT_TRUE(builder.warned("texture needs texture coordinates that are not there"));
+    EXPECT_TRUE(builder.warned(
+        "1 primitive: texture coordinates are missing, the first texel is used everywhere; at "));
 }
 
 TEST(GltfMaterials, AppliesTextureTransforms) {
@@ -171,14 +172,15 @@ TEST(GltfMaterials, ReadsAndClampsVertexColours) {
     EXPECT_EQ(scene.meshes.at(0).colours[0], glm::vec3(0.5F, 0.25F, 1));
     EXPECT_EQ(scene.meshes.at(0).colours[1], glm::vec3(1, 0, 0));
     EXPECT_EQ(scene.meshes.at(0).colours[2], glm::vec3(0, 0, 0));
-    EXPECT_TRUE(builder.warned("2 vertex colours lie outside [0, 1]"));
+    EXPECT_TRUE(builder.warned("2 vertex colours: outside of [0, 1], clamped; at "));
 }
 
 TEST(GltfMaterials, ClampsColoursWithAWarning) {
     GltfBuilder builder = textured_triangle();
     pbr(builder)["baseColorFactor"] = {2, -1, 0.5, 1};
     EXPECT_EQ(diffuse_albedo(builder.read().materials.at(0)), glm::vec3(1, 0, 0.5F));
-    EXPECT_TRUE(builder.warned("pbrMetallicRoughness: baseColorFactor lies outside [0, 1]"));
+    EXPECT_TRUE(builder.warned_at("pbrMetallicRoughness",
+                                  "baseColorFactor lies outside [0, 1] and is clamped"));
 }
 
 TEST(GltfMaterials, NamesEachUnsimulatedPropertyOnce) {
@@ -238,7 +240,8 @@ TEST(GltfMaterials, RendersTexturesWithoutAnImageWhite) {
     GltfBuilder builder = textured_triangle();
     builder.json["textures"][0].erase("source");
     EXPECT_EQ(albedo_texture(builder.read().materials.at(0)), -1);
-    EXPECT_TRUE(builder.warned("#/textures/0: texture has no PNG or JPEG image"));
+    EXPECT_TRUE(builder.warned_at(
+        "#/textures/0", "no PNG or JPEG image is given, plain white is rendered instead"));
 }
 
 }  // namespace

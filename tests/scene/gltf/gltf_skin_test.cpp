@@ -179,7 +179,8 @@ TEST(GltfSkin, ReadsIntegersAndFurtherSets) {
     limb.json["accessors"][Limb::joints]["bufferView"] = limb.add_view<std::uint16_t>(
         {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
     const Scene scene = limb.read();
-    EXPECT_TRUE(limb.warned("2 vertices have joint weights whose sum is not 1"));
+    EXPECT_TRUE(limb.warned(
+        "2 vertices: joint weights have a sum that is not 1, they are normalised; at "));
     expect_near(vertex(scene, 0, 0), {0, 0, 5});
     expect_near(vertex(scene, 0, 2), {0, 2, 5});
     expect_near(vertex(scene, 0, 4), {0, 3, 5});
@@ -194,9 +195,11 @@ TEST(GltfSkin, RepairsWeights) {
         limb.add_view<float>({nan,  0,    0, 0, 1, -1, infinity, 0, 0.5F, 0.5F, 0, 0,
                               0.7F, 0.7F, 0, 0, 0, 0,  0,        0, 3,    0,    0, 0});
     const Scene scene = limb.read();
-    EXPECT_TRUE(limb.warned("attributes: 3 joint weights are negative or not finite, zero is"));
-    EXPECT_TRUE(limb.warned("2 vertices have joint weights whose sum is not 1"));
-    EXPECT_TRUE(limb.warned("2 vertices have no joint weights and follow their first joint"));
+    EXPECT_TRUE(limb.warned("3 joint weights: negative or not finite, zero is used instead; at "));
+    EXPECT_TRUE(limb.warned(
+        "2 vertices: joint weights have a sum that is not 1, they are normalised; at "));
+    EXPECT_TRUE(
+        limb.warned("2 vertices: joint weights are missing, the first joint is followed; at "));
     expect_near(vertex(scene, 0, 0), {0, 0, 5});
     expect_near(vertex(scene, 0, 1), {1, 0, 5});
     expect_near(vertex(scene, 0, 3), {1, 2, 5});
@@ -236,7 +239,8 @@ TEST(GltfSkin, MeshesWithoutJointsAreRenderedUnskinned) {
     Limb limb;
     limb.primitive()["attributes"].erase("WEIGHTS_0");
     const Scene scene = limb.read();
-    EXPECT_TRUE(limb.warned("#/nodes/0: a mesh without JOINTS_0 and WEIGHTS_0 has a skin"));
+    EXPECT_TRUE(limb.warned_at(
+        "#/nodes/0", "the skin needs JOINTS_0 and WEIGHTS_0 of the mesh, it is left out"));
     expect_near(vertex(scene, 0, 0), {7, 7, 7});
 }
 
@@ -244,7 +248,7 @@ TEST(GltfSkin, ASkeletonOfScaleZeroHidesWhatItCarries) {
     Limb limb;
     limb.json["nodes"][Limb::stand]["scale"] = {0, 0, 0};
     EXPECT_TRUE(limb.read().instances.empty());
-    EXPECT_TRUE(limb.warned("objects are left out because their transform is singular"));
+    EXPECT_TRUE(limb.warned("the transform is singular (a scale of zero), the object is left out"));
 }
 
 /// The error of frame 1, at 1 s.

@@ -257,16 +257,16 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
     const Scene scene = folder.read(shape + again);
     EXPECT_EQ(scene.instances.size(), 2U);
     const Strings expected = {
-        "s.xml:2: attribute 'colour' of <shape> is not known and ignored",
-        "s.xml:4: element 'teapot' is not known and ignored",
-        "s.xml:2: text between elements is ignored",
-        "s.xml:5: property 'x' of bsdf 'diffuse' is not supported and ignored",
-        "s.xml:3: property 'gloss' of shape 'cube' is not supported and ignored",
-        "s.xml:6: shape 'hair' is not read yet and left out",
-        "s.xml:6: shape 'serialized' is not read yet and left out",
-        "s.xml:6: sensor 'orthographic' is not supported and left out",
-        "s.xml:6: emitter 'envmap' is not supported and left out",
-        "s.xml:6: emitter 'sunsky' is not supported and left out",
+        "s.xml:2: attribute 'colour' of <shape> is not known, ignored (and at 1 more place)",
+        "s.xml:4: element 'teapot' is not known, ignored (and at 1 more place)",
+        "s.xml:2: text between elements is ignored (and at 1 more place)",
+        "s.xml:5: property 'x' of bsdf 'diffuse' is not supported, ignored (and at 1 more place)",
+        "s.xml:3: property 'gloss' of shape 'cube' is not supported, ignored (and at 1 more place)",
+        "2 shapes: type 'hair' is not supported, left out; first: s.xml:6",
+        "2 shapes: type 'serialized' is not supported, left out; first: s.xml:6",
+        "2 sensors: type 'orthographic' is not supported, left out; first: s.xml:6",
+        "2 emitters: type 'envmap' is not supported, left out; first: s.xml:6",
+        "2 emitters: type 'sunsky' is not supported, left out; first: s.xml:6",
     };
     EXPECT_EQ(folder.warnings(), expected);
 }
@@ -277,7 +277,7 @@ TEST(MitsubaHostile, WarningsHaveAnEnd) {
     for (int i = 0; i < 50000; ++i) elements += "<x" + std::to_string(i) + "/>\n";
     (void)folder.read(elements);
     EXPECT_EQ(folder.warnings().size(), limits::max_warnings + 1);
-    EXPECT_EQ(folder.warnings().back(), "s.xml: further warnings about this file are not shown");
+    EXPECT_EQ(folder.warnings().back(), "s.xml:202: further kinds of warnings are left out");
 }
 
 }  // namespace

@@ -122,9 +122,10 @@ TEST(MitsubaMedia, GridsMayKeepTheirBox) {
     EXPECT_EQ(placed[1][1], 2.0);
     EXPECT_EQ(placed[2][2], 3.0);
     EXPECT_EQ(placed[3], glm::dvec4(6.0, 2.0, 3.0, 1.0));
-    EXPECT_EQ(folder.warnings(),
-              (Strings{"s.xml:2: densities are trilinear whatever filter_type says",
-                       "s.xml:2: densities are clamped whatever wrap_mode says"}));
+    EXPECT_EQ(
+        folder.warnings(),
+        (Strings{"1 volume: filter_type is not supported, densities are trilinear; at s.xml:2",
+                 "1 volume: wrap_mode is not supported, coordinates are clamped; at s.xml:2"}));
 }
 
 TEST(MitsubaMedia, RefusesBrokenGrids) {
@@ -159,7 +160,8 @@ TEST(MitsubaMedia, MediaBehindOpaqueSurfacesAreNamed) {
     const Scene scene = folder.read(cube("<medium name=\"interior\" type=\"homogeneous\"/>"));
     EXPECT_EQ(scene.instances.size(), 1U);
     EXPECT_TRUE(scene.medium_boundaries.empty());
-    EXPECT_EQ(folder.warnings(), Strings{"s.xml:2: a medium behind an opaque surface is ignored"});
+    EXPECT_EQ(folder.warnings(),
+              Strings{"1 shape: a medium behind an opaque surface is ignored; at s.xml:2"});
 }
 
 TEST(MitsubaMedia, RefusesWrongMedia) {

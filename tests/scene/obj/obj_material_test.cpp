@@ -46,7 +46,7 @@ Reading read(const std::map<std::string, std::string>& files,
     validate_scene(reading.scene);
     const std::string prefix = folder.path().string() + "/";
     for (std::string text : diagnostics.warnings()) {
-        if (text.starts_with(prefix)) text = text.substr(prefix.size());
+        if (text.find(prefix) != std::string::npos) text.erase(text.find(prefix), prefix.size());
         reading.warnings.push_back(text);
     }
     return reading;
@@ -95,11 +95,12 @@ TEST(ObjMaterial, SaysOnceWhatIsNotSimulated) {
                "map_Ks x.png\nd 0.5\nTr 0.5\nbump b.png\nmap_Bump b.png\nPm 0\nPm 1\nwhat 1\n"}});
     EXPECT_EQ(reading.warnings,
               (std::vector<std::string>{
-                  "m.mtl:9: specular reflection is not simulated",
-                  "m.mtl:11: transparency is not simulated, surfaces are opaque",
-                  "m.mtl:13: bump, normal and displacement maps are not simulated",
-                  "m.mtl:16: metals are not simulated, a diffuse surface is rendered instead",
-                  "m.mtl:17: statement 'what' is not known and ignored"}));
+                  "1 material: specular reflection is not simulated; at m.mtl:9",
+                  "1 material: transparency is not simulated, surfaces are opaque; at m.mtl:11",
+                  "1 material: bump, normal and displacement maps are not simulated; at m.mtl:13",
+                  "1 material: metals are not simulated, a diffuse surface is rendered instead; at "
+                  "m.mtl:16",
+                  "m.mtl:17: statement 'what' is not known, ignored"}));
 }
 
 TEST(ObjMaterial, PutsTheTopOfTheImageAtVOne) {
@@ -143,9 +144,10 @@ TEST(ObjMaterial, BlackUnderATextureCountsAsWhite) {
     const Reading reading =
         read({{"m.mtl", "newmtl a\nKd 0 0 0\nmap_Kd p.tga"}, {"p.tga", red_above_blue()}});
     EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(1.0F));
-    EXPECT_EQ(reading.warnings,
-              (std::vector<std::string>{
-                  "m.mtl:1: black Kd would hide the texture, it is taken as white"}));
+    EXPECT_EQ(
+        reading.warnings,
+        (std::vector<std::string>{
+            "1 material: black Kd would hide the texture, it is taken as white; at m.mtl:1"}));
     // Without a texture, black is black.
     EXPECT_EQ(diffuse_albedo(material_of("Kd 0 0 0")), glm::vec3(0.0F));
 }
@@ -159,8 +161,10 @@ TEST(ObjMaterial, LivesWithoutItsImages) {
         EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(0.3F));
         EXPECT_TRUE(reading.scene.textures.empty());
         ASSERT_EQ(reading.warnings.size(), 1U) << name;
-        EXPECT_TRUE(reading.warnings[0].starts_with("m.mtl:3: ")) << reading.warnings[0];
-        EXPECT_TRUE(reading.warnings[0].ends_with(", the plain colour is used"));
+        EXPECT_TRUE(reading.warnings[0].starts_with("1 texture: ")) << reading.warnings[0];
+        EXPECT_TRUE(reading.warnings[0].ends_with(", the plain colour is used; at m.mtl:3 '" +
+                                                  std::string(name) + "'"))
+            << reading.warnings[0];
     }
 }
 
@@ -217,7 +221,8 @@ TEST(ObjMaterial, FindsItsFiles) {
     EXPECT_EQ(diffuse_albedo(several.scene.materials.at(0)), glm::vec3(0.5F));
     EXPECT_EQ(several.warnings,
               (std::vector<std::string>{
-                  "m.obj:1: file 'none.mtl' is missing, its materials are replaced by grey"}));
+                  "1 MTL file: the file is missing, its materials are replaced by grey; at m.obj:1 "
+                  "'none.mtl'"}));
     for (const char* name : {"../m.mtl", "/m.mtl", "C:\\dir\\m.mtl"}) {
         const Reading refused = read({}, "mtllib " + std::string(name) + "\n");
         ASSERT_EQ(refused.warnings.size(), 1U) << name;
@@ -233,7 +238,7 @@ TEST(ObjMaterial, NamesMayHoldBlanksAndBeDefinedTwice) {
     EXPECT_EQ(reading.warnings,
               (std::vector<std::string>{
                   "m.mtl:1: statements before the first 'newmtl' are ignored",
-                  "m.mtl:4: material 'a #1' is defined before, the first definition is used"}));
+                  "1 material: defined twice, the first definition is used; at m.mtl:4 'a #1'"}));
 }
 
 }  // namespace

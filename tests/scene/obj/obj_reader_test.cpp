@@ -44,6 +44,14 @@ std::string after_name(const std::string& text) {
     return text.substr(std::min(text.find("m.obj"), text.size()));
 }
 
+/// A message without the folder of the file.
+std::string without_folder(const std::string& text) {
+    const std::size_t name = text.find("m.obj");
+    const std::size_t folder = text.find('/');
+    if (name == std::string::npos || folder > name) return text;
+    return text.substr(0, folder) + text.substr(name);
+}
+
 std::string error_of(const std::string& text) {
     try {
         (void)read(text);
@@ -197,17 +205,22 @@ TEST(ObjReader, CutsPolygonsThatCrossThemselvesOrHaveNoArea) {
 }
 
 TEST(ObjReader, MakesOneMeshOfAMaterialWhereverItsFacesAre) {
-    const Reading reading = read("mtllib m.mtl\n" + square +
-                                 "o a\nusemtl x\nf 1 2 3\no b\nusemtl y\nf 1 2 3\n"
-                                 "g c\nusemtl x\nf 1 3 4\nusemtl never used\nusemtl y\n");
+    const std::string text = square +
+                             "o a\nusemtl x\nf 1 2 3\no b\nusemtl y\nf 1 2 3\n"
+                             "g c\nusemtl x\nf 1 3 4\nusemtl never used\nusemtl y\n";
+    const Reading reading = read(text);
     // Neither is defined, so both are the default material.
     EXPECT_EQ(reading.scene.meshes.size(), 1U);
     EXPECT_EQ(reading.scene.materials.size(), 1U);
-    ASSERT_EQ(reading.warnings.size(), 2U);
-    EXPECT_EQ(after_name(reading.warnings[0]),
-              "m.obj:1: file 'm.mtl' is missing, its materials are replaced by grey");
-    EXPECT_EQ(after_name(reading.warnings[1]),
-              "m.obj:8: materials that no MTL file defines are replaced by grey, such as 'x'");
+    ASSERT_EQ(reading.warnings.size(), 1U);
+    EXPECT_EQ(without_folder(reading.warnings[0]),
+              "2 materials: no MTL file defines it, grey is rendered instead; first: m.obj:7 'x'");
+    // What follows from a missing file is not told again.
+    const Reading without_file = read("mtllib m.mtl\n" + text);
+    ASSERT_EQ(without_file.warnings.size(), 1U);
+    EXPECT_EQ(without_folder(without_file.warnings[0]),
+              "1 MTL file: the file is missing, its materials are replaced by grey; at m.obj:1 "
+              "'m.mtl'");
 }
 
 TEST(ObjReader, ReadsVertexColours) {
@@ -221,7 +234,8 @@ TEST(ObjReader, ReadsVertexColours) {
     EXPECT_EQ(mesh.colours[3], glm::vec3(1, 1, 1));
     EXPECT_EQ(diffuse_albedo(reading.scene.materials.at(0)), glm::vec3(1.0F));
     ASSERT_EQ(reading.warnings.size(), 1U);
-    EXPECT_EQ(after_name(reading.warnings[0]), "m.obj:3: colours outside [0, 1] are clamped");
+    EXPECT_EQ(without_folder(reading.warnings[0]),
+              "1 vertex colour: outside of [0, 1], clamped; at m.obj:3");
 }
 
 TEST(ObjReader, LeavesOutWhatIsNotFinite) {
@@ -229,8 +243,8 @@ TEST(ObjReader, LeavesOutWhatIsNotFinite) {
                                  "f 1 5 6\nf 2 5 6\nf 3 5 6\nf 4 6 7\n");
     EXPECT_EQ(reading.scene.meshes.at(0).triangles.size(), 1U);
     ASSERT_EQ(reading.warnings.size(), 1U);
-    EXPECT_EQ(after_name(reading.warnings[0]),
-              "m.obj:9: 3 faces with a vertex that is not finite left out");
+    EXPECT_EQ(without_folder(reading.warnings[0]),
+              "3 faces: a vertex is not finite, left out; first: m.obj:9");
 }
 
 TEST(ObjReader, WarnsOnceOfEachKind) {
@@ -238,15 +252,16 @@ TEST(ObjReader, WarnsOnceOfEachKind) {
                                  "l 1 2\np 1\nl 2 3\ncurv 0 1 1 2\ncurv 0 1 1 2\nbmat u 1\n"
                                  "f 1 2\nf 1\nf 1/1/1 2/2/2 3/3/3\ns 1\ng\no\n");
     std::vector<std::string> warnings;
-    for (const std::string& warning : reading.warnings) warnings.push_back(after_name(warning));
-    EXPECT_EQ(warnings,
-              (std::vector<std::string>{
-                  "m.obj:5: points and lines are left out",
-                  "m.obj:8: statement 'curv' is not known and ignored",
-                  "m.obj:10: statement 'bmat' is not known and ignored",
-                  "m.obj: faces name texture coordinates or normals of which the file has none, "
-                  "they are ignored",
-                  "m.obj:11: 2 faces with fewer than three corners left out"}));
+    for (const std::string& warning : reading.warnings) warnings.push_back(without_folder(warning));
+    EXPECT_EQ(
+        warnings,
+        (std::vector<std::string>{
+            "3 statements: points and lines are not simulated, they are left out; first: m.obj:5",
+            "m.obj:8: statement 'curv' is not known, ignored (and at 1 more place)",
+            "m.obj:10: statement 'bmat' is not known, ignored",
+            "m.obj: faces name texture coordinates or normals of which the file has none, "
+            "they are ignored",
+            "2 faces: fewer than three corners, left out; at m.obj:11"}));
     EXPECT_EQ(reading.scene.meshes.at(0).triangles.size(), 1U);
 }
 
