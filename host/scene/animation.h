@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 namespace weft {
@@ -67,8 +68,18 @@ struct Attachment {
     [[nodiscard]] bool moves() const noexcept { return node >= 0; }
 };
 
+/// One of the animations of a file. All of them play at once; where several move the same
+/// property, the first does.
+struct AnimationClip {
+    std::string name;
+    double duration = 0.0;            ///< seconds from 0 to its last key
+    std::size_t channels = 0;         ///< properties that it animates by the file
+    std::size_t channels_played = 0;  ///< those of them that move something
+};
+
 /// The animation of a scene.
 struct Animation {
+    std::vector<AnimationClip> clips;
     std::vector<KeyTrack> tracks;
     std::vector<MovingNode> nodes;  ///< parents before children
 };

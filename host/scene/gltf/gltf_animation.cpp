@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/gltf/gltf_animation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -113,8 +114,12 @@ constexpr WarningUnit channel_unit{"animation channel", "animation channels"};
 class AnimationReader {
   public:
     AnimationReader(const GltfDocument& document, GltfData& data, WarningCollector& report,
-                    std::vector<KeyTrack>& tracks)
-        : root_(document.root()), data_(data), report_(report), tracks_(tracks) {}
+                    Animation& animation)
+        : root_(document.root()),
+          data_(data),
+          report_(report),
+          tracks_(animation.tracks),
+          clips_(animation.clips) {}
 
     GltfAnimatedNodes read() {
         for (std::size_t i = 0; i < root_.size_of("animations"); ++i) {
@@ -122,8 +127,12 @@ class AnimationReader {
             const JsonValue channels = animation.at("channels");
             const JsonValue samplers = animation.at("samplers");
             std::map<std::size_t, Known> known;
+            AnimationClip clip;
+            clip.name = animation.name_or("animation " + std::to_string(i));
+            clip.channels = channels.size();
             for (std::size_t c = 0; c < channels.size(); ++c)
-                read_channel(channels.element(c), samplers, known);
+                read_channel(channels.element(c), samplers, known, clip);
+            clips_.push_back(std::move(clip));
         }
         return std::move(nodes_);
     }
@@ -182,7 +191,7 @@ class AnimationReader {
     }
 
     void read_channel(const JsonValue& channel, const JsonValue& samplers,
-                      std::map<std::size_t, Known>& known) {
+                      std::map<std::size_t, Known>& known, AnimationClip& clip) {
         const JsonValue reference = channel.at("sampler");
         const std::size_t sampler = reference.as_index(samplers.size(), "samplers");
         const JsonValue target = channel.at("target");
@@ -195,11 +204,14 @@ class AnimationReader {
         if (track.property.kind != property.kind || track.property.width != property.width)
             throw reference.error("sampler " + std::to_string(sampler) +
                                   " has values for another kind of property as well");
+        const KeyTrack& keys = tracks_[static_cast<std::size_t>(track.track)];
+        clip.duration = std::max(clip.duration, static_cast<double>(keys.times.back()));
+        clip.channels_played += *slot < 0 ? 1 : 0;
         if (*slot < 0)
             *slot = track.track;
         else
             report_.count(target.place(), channel_unit,
-                          "an earlier channel animates the same property, the later is ignored");
+                          "an earlier channel moves the same property, not played");
     }
 
     int read_track(const JsonValue& sampler, const Property& property) {
@@ -225,6 +237,7 @@ class AnimationReader {
     GltfData& data_;
     WarningCollector& report_;
     std::vector<KeyTrack>& tracks_;
+    std::vector<AnimationClip>& clips_;
     GltfAnimatedNodes nodes_;
     std::size_t keys_ = 0;
 };
@@ -232,8 +245,8 @@ class AnimationReader {
 }  // namespace
 
 GltfAnimatedNodes read_gltf_animations(const GltfDocument& document, GltfData& data,
-                                       WarningCollector& report, std::vector<KeyTrack>& tracks) {
-    return AnimationReader(document, data, report, tracks).read();
+                                       WarningCollector& report, Animation& animation) {
+    return AnimationReader(document, data, report, animation).read();
 }
 
 }  // namespace weft

@@ -28,11 +28,11 @@ struct GltfChannels {
 using GltfAnimatedNodes = std::map<std::size_t, GltfChannels>;
 
 /// Reads every animation of a document, all of which play at once from time 0 on, and appends its
-/// tracks. Of several channels for one property of a node, the first counts. Throws Error (exit
-/// code 2).
+/// clip and its tracks. Of several channels for one property of a node, the first counts. Throws
+/// Error (exit code 2).
 [[nodiscard]] GltfAnimatedNodes read_gltf_animations(const GltfDocument& document, GltfData& data,
                                                      WarningCollector& report,
-                                                     std::vector<KeyTrack>& tracks);
+                                                     Animation& animation);
 
 }  // namespace weft
 

@@ -52,7 +52,7 @@ class GltfReader {
         check_gltf_extensions(document_, report_);
         Animation& animation = scene_.animation;
         const GltfAnimatedNodes animated =
-            read_gltf_animations(document_, data_, report_, animation.tracks);
+            read_gltf_animations(document_, data_, report_, animation);
         nodes_ = read_gltf_nodes(document_, animated, animation, report_);
         for (const GltfNode& node : nodes_) add_node(node);
         if (std::optional<Medium> fog = read_gltf_outer_medium(root_, densities_)) {

@@ -169,9 +169,8 @@ TEST(GltfAnimation, WarnsOfWhatIsNotPlayed) {
     film.animation()["channels"].push_back({{"sampler", 0}, {"target", {{"path", "scale"}}}});
     const Scene scene = film.read();
     EXPECT_EQ(film.diagnostics.warnings().size(), 4U);
-    EXPECT_TRUE(
-        film.warned_at("#/animations/0/channels/1/target",
-                       "an earlier channel animates the same property, the later is ignored"));
+    EXPECT_TRUE(film.warned_at("#/animations/0/channels/1/target",
+                               "an earlier channel moves the same property, not played"));
     EXPECT_TRUE(film.warned_at("#/animations/0/channels/3/target",
                                "the node has no morph targets whose weights could be played"));
     EXPECT_TRUE(film.warned_at("#/animations/0/channels/4/target",
@@ -183,6 +182,29 @@ TEST(GltfAnimation, WarnsOfWhatIsNotPlayed) {
     const MovingNode& node = scene.animation.nodes.at(0);
     EXPECT_EQ(vector_at(scene.animation.tracks.at(static_cast<std::size_t>(node.translation)), 1.0),
               glm::dvec3(1, 0, 0));
+}
+
+TEST(GltfAnimation, ListsTheAnimationsOfTheFile) {
+    Film film;
+    film.json["animations"].push_back(film.json["animations"][0]);
+    film.animation()["name"] = "walk";
+    film.animate(1, "translation", {0.5F, 2}, {1, 0, 0, 5, 0, 0});
+    film.animate(1, "scale", {0, 1}, {1, 1, 1, 2, 2, 2});
+    // The second moves the same property, which the first keeps.
+    film.json["animations"][1]["samplers"] = film.animation()["samplers"];
+    film.json["animations"][1]["channels"] = {film.animation()["channels"][0]};
+    const Scene scene = film.read();
+    ASSERT_EQ(scene.animation.clips.size(), 2U);
+    const AnimationClip& walk = scene.animation.clips[0];
+    EXPECT_EQ(walk.name, "walk");
+    EXPECT_EQ(walk.duration, 2.0);
+    EXPECT_EQ(walk.channels, 2U);
+    EXPECT_EQ(walk.channels_played, 2U);
+    const AnimationClip& second = scene.animation.clips[1];
+    EXPECT_EQ(second.name, "animation 1");
+    EXPECT_EQ(second.duration, 2.0);
+    EXPECT_EQ(second.channels, 1U);
+    EXPECT_EQ(second.channels_played, 0U);
 }
 
 TEST(GltfAnimation, MovesMeshesBelowAnAnimatedNode) {

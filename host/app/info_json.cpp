@@ -1,0 +1,250 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/info_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "components/component.h"
+#include "render/camera_params.h"
+#include "render/renderer.h"
+
+namespace weft {
+namespace {
+
+using nlohmann::json;
+
+constexpr double pi = std::numbers::pi;
+constexpr double default_frame_rate = 30.0;  // that of --frame-rate
+
+/// The name that add_default_light() gives, which tells its lights from those of the file.
+constexpr std::string_view default_light_name = "default key light";
+
+/// Names of the effects that the scene needs.
+std::vector<std::string> effects_of(const FlatScene& flat) {
+    constexpr std::array<std::pair<std::uint32_t, const char*>, 9> names{{
+        {FEATURE_AREA_LIGHTS, "area lights"},
+        {FEATURE_PUNCTUAL_LIGHTS, "point lights"},
+        {FEATURE_DIRECTIONAL_LIGHTS, "directional lights"},
+        {FEATURE_ENVIRONMENT, "environment light"},
+        {FEATURE_TEXTURES, "textures"},
+        {FEATURE_VERTEX_COLOURS, "vertex colours"},
+        {FEATURE_SMOOTH_NORMALS, "smooth normals"},
+        {FEATURE_ONE_SIDED, "one-sided surfaces"},
+        {FEATURE_LOBES, "surfaces that are not Lambertian"},
+    }};
+    std::vector<std::string> effects;
+    for (const auto& [bit, name] : names)
+        if ((flat.features & bit) != 0) effects.emplace_back(name);
+    if (!flat.lights.empty() && flat.mean_reflectance > 0.0)
+        effects.emplace_back("diffuse interreflection");
+    if (flat.media.present()) effects.emplace_back("participating media");
+    return effects;
+}
+
+json numbers(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// Lowest and highest coordinates of everything that is placed, null where there is nothing.
+json bounds_of(const Scene& scene) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(infinity);
+    glm::dvec3 high(-infinity);
+    const auto include = [&](std::uint32_t mesh, const glm::dmat4& to_world) {
+        for (const glm::vec3& position : scene.meshes[mesh].positions) {
+            const glm::dvec3 placed(to_world * glm::dvec4(glm::dvec3(position), 1.0));
+            low = glm::min(low, placed);
+            high = glm::max(high, placed);
+        }
+    };
+    for (const Instance& instance : scene.instances) include(instance.mesh, instance.to_world);
+    for (const MediumBoundary& boundary : scene.medium_boundaries)
+        include(boundary.mesh, boundary.to_world);
+    if (!(low.x <= high.x)) return nullptr;
+    return {{"low", numbers(low)}, {"high", numbers(high)}, {"size", numbers(high - low)}};
+}
+
+std::string_view axis_name(FovAxis axis) {
+    switch (axis) {
+        case FovAxis::x:
+            return "horizontal";
+        case FovAxis::y:
+            return "vertical";
+        case FovAxis::diagonal:
+            return "diagonal";
+        case FovAxis::smaller:
+            return "smaller side";
+        case FovAxis::larger:
+            return "larger side";
+    }
+    return "";
+}
+
+json camera_json(const Camera& camera, bool fallback) {
+    return {{"name", camera.name},
+            {"kind", "perspective"},
+            {"field_of_view", glm::degrees(camera.fov)},
+            {"field_of_view_axis", axis_name(camera.fov_axis)},
+            {"animated", camera.motion.moves()},
+            {"fallback", fallback}};
+}
+
+json camera_list(const Scene& scene, const FlatScene& flat, Diagnostics& diagnostics) {
+    json list = json::array();
+    for (const Camera& camera : scene.cameras) list.push_back(camera_json(camera, false));
+    if (list.empty())
+        list.push_back(camera_json(choose_camera(scene, flat, "", diagnostics), true));
+    return list;
+}
+
+json light_json(const std::string& name, std::string_view kind, const glm::dvec3& power,
+                std::string_view unit, bool is_default) {
+    return {{"name", name},
+            {"kind", kind},
+            {"power", numbers(power)},
+            {"unit", unit},
+            {"default", is_default}};
+}
+
+json punctual_json(const PunctualLight& light, bool is_default) {
+    const glm::dvec3 intensity(light.intensity);
+    if (light.type == LightType::directional)
+        return light_json(light.name, "directional", intensity, "W/m^2", is_default);
+    if (light.type == LightType::point)
+        return light_json(light.name, "point", 4.0 * pi * intensity, "W", is_default);
+    // Between its cones the light falls off with the square of the share of the cosine.
+    const double inner = light.cos_inner;
+    const double outer = light.cos_outer;
+    const double solid_angle = 2.0 * pi * (1.0 - inner + (inner - outer) / 3.0);
+    return light_json(light.name, "spot", solid_angle * intensity, "W", is_default);
+}
+
+/// All lights that shine: surfaces, lights without area, then the environment.
+json light_list(const Scene& scene, const FlatScene& flat) {
+    json list = json::array();
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const std::uint32_t index = flat.instances[i].light;
+        if (index == INVALID_INDEX) continue;
+        const shared::LightRecord& light = flat.lights[index];
+        const double area = static_cast<double>(light.area) / (flat.units.scale * flat.units.scale);
+        const glm::dvec3 radiance(light.power.x, light.power.y, light.power.z);
+        json entry =
+            light_json(scene.instances[i].name, "area",
+                       pi * area * (light.both_sides != 0 ? 2.0 : 1.0) * radiance, "W", false);
+        entry["area"] = area;
+        entry["triangles"] = light.count;
+        list.push_back(std::move(entry));
+    }
+    bool has_default = false;
+    for (const PunctualLight& light : scene.lights) {
+        const bool is_default = light.name == default_light_name;
+        has_default = has_default || is_default;
+        if (luminance(light.intensity) > 0.0) list.push_back(punctual_json(light, is_default));
+    }
+    if (flat.environment != glm::vec3(0.0F))
+        list.push_back(light_json("environment", "environment", glm::dvec3(flat.environment),
+                                  "W/(m^2 sr)", has_default));
+    return list;
+}
+
+json animation_list(const Scene& scene) {
+    json list = json::array();
+    for (const AnimationClip& clip : scene.animation.clips) {
+        // A last key between two frames is shown by the frame before it. Rounding must not drop one
+        // on a frame.
+        constexpr double rounding = 1e-6;
+        const double steps =
+            std::min(std::floor(clip.duration * default_frame_rate * (1.0 + rounding)), 1e15);
+        list.push_back({{"name", clip.name},
+                        {"duration", clip.duration},
+                        {"frames", static_cast<std::uint64_t>(steps) + 1},
+                        {"channels", clip.channels},
+                        {"channels_played", clip.channels_played}});
+    }
+    return list;
+}
+
+/// Describes where a medium's density comes from.
+std::string density_of(const Scene& scene, const Medium& medium) {
+    if (medium.grid < 0) return "homogeneous";
+    const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.grid)];
+    return fmt::format("density grid of {} x {} x {} voxels up to {:g}", grid.size[0], grid.size[1],
+                       grid.size[2], greatest_density(grid));
+}
+
+/// Describes a medium in one line.
+std::string describe(const Scene& scene, const Medium& medium) {
+    const auto colour = [](const glm::vec3& c) {
+        return c.r == c.g && c.g == c.b ? fmt::format("{:g}", c.r)
+                                        : fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b);
+    };
+    const bool emits = medium.emission != glm::vec3(0.0F);
+    return fmt::format("{} ({}, extinction {}, albedo {}, g {:g}{})", medium.name,
+                       density_of(scene, medium), colour(medium.sigma_t * medium.scale),
+                       colour(medium.albedo), medium.anisotropy,
+                       emits ? ", emission " + colour(medium.emission) : "");
+}
+
+/// What the image lacks of what the file asks for.
+json approximations(const Diagnostics& diagnostics) {
+    json list = json::array();
+    for (const Warning& warning : diagnostics.list()) {
+        if (!warning.of_file) continue;
+        json places = json::array();
+        for (const Warning::Place& place : warning.places) places.push_back(place.text);
+        list.push_back({{"message", warning.message},
+                        {"title", warning_title(warning)},
+                        {"number", warning.number},
+                        {"unit", warning.number == 1 ? warning.unit.one : warning.unit.many},
+                        {"places", std::move(places)}});
+    }
+    return list;
+}
+
+}  // namespace
+
+json info_json(const Scene& scene, Diagnostics& diagnostics) {
+    const FlatScene flat = flatten(scene);
+    const FramePlan plan = plan_for(flat, RenderSettings{});
+    json active = json::array();
+    for (const ComponentKind& kind : components())
+        if (kind.is_enabled(plan)) active.push_back(kind.name);
+    json kernels = json::array();
+    for (const KernelId kernel : kernels_of(plan)) kernels.push_back(kernel_name(kernel));
+    json media = json::array();
+    for (const Medium& medium : scene.media) media.push_back(describe(scene, medium));
+    json cameras = json::array();
+    for (const Camera& camera : scene.cameras) cameras.push_back(camera.name);
+    return {{"scene", scene.source},
+            {"triangles", flat.triangles.size()},
+            {"meshes", scene.meshes.size()},
+            {"instances", scene.instances.size()},
+            {"materials", scene.materials.size()},
+            {"textures", scene.textures.size()},
+            {"bounds", bounds_of(scene)},
+            {"lights", flat.lights.size()},
+            {"light_list", light_list(scene, flat)},
+            {"media", scene.media.size()},
+            {"medium_list", media},
+            {"cameras", cameras},
+            {"camera_list", camera_list(scene, flat, diagnostics)},
+            {"animations", animation_list(scene)},
+            {"approximations", approximations(diagnostics)},
+            {"effects", effects_of(flat)},
+            {"components", active},
+            {"kernels", kernels}};
+}
+
+}  // namespace weft
