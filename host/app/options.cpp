@@ -22,6 +22,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "base/shell_word.h"
 #include "components/component.h"
 
 namespace weft {
@@ -86,7 +87,7 @@ void add_commands(CLI::App& app) {
     add_merge(app);
     add_compare(app);
     add_tradeoff(app);
-    CLI::App& info = add_command(app, "info", "Says what a scene holds");
+    CLI::App& info = add_command(app, "info", "Says what a scene holds, and what is approximated");
     add_value(info, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
     add_light_choice(info);
@@ -99,6 +100,10 @@ void add_commands(CLI::App& app) {
         command->group("Commands");
         command->add_flag("--version")->group("");  // works everywhere, listed once
     }
+    // After the commands, which would inherit it.
+    app.footer(
+        "To begin: weft render scene.gltf -o image.png\n"
+        "weft COMMAND --help lists the options of a command.");
 }
 
 /// The help of the command that is being parsed.
@@ -140,11 +145,29 @@ void check_values(const CLI::App& command) {
                 throw usage_error(option->get_name() + ": lacks its value");
 }
 
+bool is_scene_name(const fs::path& name) {
+    constexpr std::array<std::string_view, 5> extensions = {".gltf", ".glb", ".xml", ".obj",
+                                                            ".ply"};
+    return std::find(extensions.begin(), extensions.end(), extension_of(name)) != extensions.end();
+}
+
+/// Arguments in which `help` as the first word is --help as the last.
+std::vector<const char*> with_help_as_option(int argc, const char* const* argv) {
+    std::vector<const char*> arguments(argv, argv + argc);
+    if (argc < 2 || std::string_view(argv[1]) != "help") return arguments;
+    arguments.erase(arguments.begin() + 1);
+    arguments.push_back("--help");
+    return arguments;
+}
+
 /// Refuses arguments that CLI11 left over, and a missing scene.
 void check_command(const CLI::App& app, const CLI::App* command) {
     const std::vector<std::string> before = unknown_arguments(app);
     if (!before.empty()) {
         if (before[0][0] == '-' || command != nullptr) refuse_extra(app, before[0]);
+        if (is_scene_name(before[0]))
+            throw usage_error("unknown command " + quote(before[0]) + ", expected weft render " +
+                              shell_file(before[0]));
         throw usage_error("unknown command " + quote(before[0]) +
                           ", expected render, merge, compare, tradeoff, info, devices or selftest" +
                           did_you_mean(before[0], command_names));
@@ -264,11 +287,15 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     CLI::App app("Weft, a portable global-illumination renderer.", "weft");
     add_commands(app);
     try {
-        app.parse(argc, argv);
+        const std::vector<const char*> arguments = with_help_as_option(argc, argv);
+        app.parse(static_cast<int>(arguments.size()), arguments.data());
     } catch (const CLI::CallForHelp&) {
         return HelpText{help_text(app)};
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string message = error.what();
+        const std::size_t flag = message.find(" was given a disallowed flag override");
+        if (flag != std::string::npos)
+            throw usage_error("--" + message.substr(0, flag) + ": takes no value");
         if (message.find(" required ") == std::string::npos) throw usage_error(message);
         throw usage_error(message.substr(0, message.find(':')) + ": lacks its value");
     } catch (const CLI::ParseError& error) {

@@ -72,6 +72,10 @@ TEST(Options, InfoAndDevices) {
     EXPECT_EQ(info.scene, "a.xml");
     EXPECT_TRUE(info.json);
     EXPECT_FALSE(std::get<InfoOptions>(parse({"info", "a.xml"})).json);
+    EXPECT_FALSE(info.verbose);
+    EXPECT_TRUE(std::get<InfoOptions>(parse({"info", "a.xml", "--verbose"})).verbose);
+    EXPECT_TRUE(render({"--verbose"}).verbose);
+    EXPECT_EQ(refusal({"info", "a.xml", "--verbose=1"}), "--verbose: takes no value");
     EXPECT_TRUE(std::get<DevicesOptions>(parse({"devices", "--json"})).json);
     EXPECT_FALSE(std::get<DevicesOptions>(parse({"devices"})).json);
 }
@@ -97,7 +101,9 @@ TEST(Options, HelpNamesAllThatExistsAndNothingElse) {
     for (const char* name : {"render", "merge", "compare", "tradeoff", "info", "devices",
                              "selftest", "--help", "--version"})
         EXPECT_NE(top.find(name), std::string::npos) << name;
+    EXPECT_NE(top.find("To begin: weft render scene.gltf -o image.png\n"), std::string::npos);
     const std::string help = std::get<HelpText>(parse({"render", "--help"})).text;
+    EXPECT_EQ(help.find("To begin"), std::string::npos) << "only where one begins";
     for (const char* name : {"SCENE",
                              "-o,--output",
                              "--algorithm",
@@ -271,6 +277,20 @@ TEST(Options, SuggestsNearMisses) {
               "or selftest");
 }
 
+TEST(Options, HelpMayBeAWord) {
+    const auto help = [](std::initializer_list<const char*> line) {
+        return std::get<HelpText>(parse(line)).text;
+    };
+    EXPECT_EQ(help({"help"}), help({"--help"}));
+    EXPECT_EQ(help({"help", "render"}), help({"render", "--help"}));
+    EXPECT_EQ(std::get<RenderOptions>(parse({"render", "help"})).scene, "help");
+}
+
+TEST(Options, ASceneWithoutACommandSaysWhichToUse) {
+    EXPECT_EQ(refusal({"my room.GLB"}),
+              "unknown command 'my room.GLB', expected weft render 'my room.GLB'");
+}
+
 TEST(Options, RefusesBadLines) {
     EXPECT_EQ(refusal({}).find("no command given"), 0u);
     EXPECT_EQ(refusal({""}).find("unknown command"), 0u);
@@ -302,6 +322,7 @@ TEST(Options, JsonHoldsEveryOption) {
     EXPECT_EQ(defaults["seed"], 0);
     EXPECT_EQ(defaults["exposure"], 0.0);
     EXPECT_EQ(defaults["progress"], "auto");
+    EXPECT_EQ(defaults["verbose"], false);
 
     const nlohmann::json given = options_json(render(
         {"--backend",  "embree", "--device",     "2",      "--threads",  "3",   "--size", "6x4",

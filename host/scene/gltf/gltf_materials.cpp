@@ -179,9 +179,6 @@ void GltfMaterials::report_unsimulated(const JsonValue& value) {
     if (value.find("normalTexture"))
         report_.count(value.place(), material_unit,
                       "normal maps are not simulated, the unperturbed normals are used instead");
-    if (value.find("occlusionTexture"))
-        report_.count(value.place(), material_unit,
-                      "occlusion textures are not used, occlusion is simulated instead");
     const std::string mode = value.string_or("alphaMode", "OPAQUE");
     if (mode == "MASK" || mode == "BLEND")
         report_.count(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <system_error>
 
 #include "base/error.h"
 #include "scene/gltf/gltf_reader.h"
@@ -28,6 +29,9 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
     if (extension == ".xml") return read_mitsuba(path, diagnostics);
     if (extension == ".obj") return read_obj(path, diagnostics);
     if (extension == ".ply") return read_ply_scene(path, diagnostics);
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+        throw input_error(path.string(), "is a folder, expected a scene file");
     throw input_error(path.string(),
                       "is not a known kind of scene file, expected glTF 2.0 (.gltf, .glb), "
                       "Mitsuba 3 (.xml), OBJ (.obj) or PLY (.ply)");

@@ -43,6 +43,8 @@ TEST(LoadScene, NamesTheKnownFormats) {
 
 TEST(LoadScene, SaysThatAFileIsMissing) {
     const TemporaryFolder folder;
+    EXPECT_EQ(error_of(folder.path()),
+              folder.path().string() + ": is a folder, expected a scene file");
     const std::string path = (folder.path() / "none.gltf").string();
     EXPECT_EQ(error_of(path), path + ": cannot be opened: No such file or directory");
 }
