@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/json_text.h"
 #include "base/limits.h"
 #include "base/quote.h"
 
@@ -49,16 +50,14 @@ class Watch {
     std::vector<std::set<std::string>> keys_;  ///< of the objects that are open
 };
 
-/// The error for a syntax error right after `before`, the start of a file.
-Error syntax_error(const std::string& path, std::string_view before) {
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    return input_error(path + ":" + std::to_string(line), "JSON syntax error");
+Error syntax_error(const std::string& path, std::string_view text, std::size_t byte) {
+    return input_error(line_place(path, text, byte), "JSON syntax error");
 }
 
 Json parse(const std::string& path, std::string_view text) {
     // The parser takes NUL for the end, and would silently ignore what follows.
     const std::size_t nul = text.find('\0');
-    if (nul != std::string_view::npos) throw syntax_error(path, text.substr(0, nul));
+    if (nul != std::string_view::npos) throw syntax_error(path, text, nul);
     Watch watch(path);
     const auto take = [&](int depth, Json::parse_event_t event, const Json& value) {
         watch(depth, event, value);
@@ -67,9 +66,9 @@ Json parse(const std::string& path, std::string_view text) {
     try {
         return Json::parse(text.begin(), text.end(), take);
     } catch (const Json::parse_error& error) {
-        throw syntax_error(path, text.substr(0, error.byte > 0 ? error.byte - 1 : 0));
+        throw syntax_error(path, text, error.byte > 0 ? error.byte - 1 : 0);
     } catch (const Json::exception&) {
-        throw input_error(path, "JSON holds a number that is too large for a double");
+        throw number_too_large(path, text);
     }
 }
 

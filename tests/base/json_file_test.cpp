@@ -99,9 +99,14 @@ TEST_F(JsonFile, NamesTheLineOfASyntaxError) {
 }
 
 TEST_F(JsonFile, RefusesNumbersBeyondADouble) {
-    for (const char* const text : {"1e400", "[-1e999]", R"({"a": 123e4567})"})
-        EXPECT_EQ(refusal(text), "a.json: JSON holds a number that is too large for a double")
-            << text;
+    const auto too_large = [](const std::string& place, const std::string& number) {
+        return place + ": the number '" + number + "' is too large, expected at most 1.8e308";
+    };
+    EXPECT_EQ(refusal("1e400"), too_large("a.json:1", "1e400"));
+    EXPECT_EQ(refusal("[\n\n1, -1e999]"), too_large("a.json:3", "-1e999"));
+    EXPECT_EQ(refusal("{\"a\": 1,\n\"b\": 123e4567\n}\n"), too_large("a.json:2", "123e4567"));
+    EXPECT_EQ(refusal("[\n1" + std::string(400, '0') + "]"),
+              too_large("a.json:2", "1" + std::string(79, '0') + "..."));
     EXPECT_EQ(read("1e-400"), 0.0);
 }
 

@@ -184,7 +184,7 @@ TEST(SceneEditsHostile, RefuseFilesThatAreNone) {
     EXPECT_EQ(refusal_of_text(R"({"edits": [], "more": 1})"),
               "#: has the unknown key 'more', expected 'edits'");
     EXPECT_EQ(refusal_of_text(R"({"edits": [{"frame": 1e999}]})"),
-              ": JSON holds a number that is too large for a double");
+              ":1: the number '1e999' is too large, expected at most 1.8e308");
     const std::string deep = ": JSON is nested deeper than 128 levels";
     EXPECT_EQ(refusal_of_text(std::string(1000000, '[')), deep);
     EXPECT_EQ(refusal_of_text(std::string(129, '[') + std::string(129, ']')), deep);

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/json_text.h"
 #include "base/limits.h"
 #include "base/quote.h"
 
@@ -37,13 +38,6 @@ std::string_view as_text(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// `file:line` of a byte of the JSON text.
-std::string line_place(const std::filesystem::path& path, std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(byte, text.size()));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    return path.string() + ":" + std::to_string(line);
-}
-
 /// Walks the text once without recursion, so that neither the parser nor the tree it makes can
 /// exhaust stack or memory.
 void check_extent(const std::filesystem::path& path, std::string_view text) {
@@ -65,11 +59,11 @@ void check_extent(const std::filesystem::path& path, std::string_view text) {
         if (c == '[' || c == '{' || c == ',') ++values;
         if (depth > limits::max_nesting)
             throw input_error(
-                line_place(path, text, i),
+                line_place(path.string(), text, i),
                 "JSON is nested deeper than " + std::to_string(limits::max_nesting) + " levels");
         if (values > limits::max_json_values)
             throw input_error(
-                line_place(path, text, i),
+                line_place(path.string(), text, i),
                 "JSON holds more than " + std::to_string(limits::max_json_values) + " values");
     }
 }
@@ -84,10 +78,10 @@ nlohmann::json parse(const std::filesystem::path& path, std::string_view text) {
         const std::size_t newline = before.rfind('\n');
         const std::size_t column =
             before.size() - (newline == std::string_view::npos ? 0 : newline + 1) + 1;
-        throw input_error(line_place(path, text, byte),
+        throw input_error(line_place(path.string(), text, byte),
                           "JSON syntax error at column " + std::to_string(column));
     } catch (const nlohmann::json::exception&) {
-        throw input_error(path.string(), "JSON holds a number that is too large for a double");
+        throw number_too_large(path.string(), text);
     }
 }
 

@@ -72,6 +72,7 @@ class HeaderParser {
         }
         if (!has_format_) throw error("the header ends without a format line");
         header_.body_offset = offset_;
+        header_.lines = line_;
         return std::move(header_);
     }
 

@@ -42,6 +42,7 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;
     std::vector<PlyElement> elements;
     std::size_t body_offset = 0;  ///< bytes before the data
+    std::size_t lines = 0;        ///< before the data
 };
 
 /// Reads the header at the start of `text`. `file` names it in errors, which are Errors with

@@ -106,8 +106,10 @@ class BodyReader {
     }
 
   private:
-    /// Place of the face that is being read, for error messages.
+    /// Place of what is being read, for error messages: its line, or in a binary file its number.
     [[nodiscard]] std::string item_place(const PlyElement& element, std::uint64_t index) const {
+        if (const std::optional<std::size_t> line = source_.line())
+            return fmt::format("{}:{}", file_, header_.lines + *line + 1);
         const bool known = element.name == "vertex" || element.name == "face";
         return fmt::format("{}: {} {}", file_, known ? element.name : quote(element.name), index);
     }
@@ -149,12 +151,14 @@ class BodyReader {
                                 "most {}",
                                 element.count, quote(element.name), source_.capacity(least)));
             if (element.name == "vertex") vertex_count_ = element.count;
+            if (vertex_count_ > limits::max_vertices)
+                throw input_error(element.place, fmt::format("{} vertices, expected at most {}",
+                                                             vertex_count_, limits::max_vertices));
             has_faces = has_faces || element.name == "face";
         }
-        if (vertex_count_ > limits::max_vertices)
-            throw input_error(file_, fmt::format("{} vertices, expected at most {}", vertex_count_,
-                                                 limits::max_vertices));
-        if (!has_faces) throw input_error(file_, "no faces, expected an element 'face'");
+        if (!has_faces)
+            throw input_error(fmt::format("{}:{}", file_, header_.lines),
+                              "no faces, expected an element 'face'");
     }
 
     void skip_property(const PlyElement& element, std::uint64_t index,

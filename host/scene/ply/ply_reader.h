@@ -16,7 +16,7 @@ namespace weft {
 /// linear); faces as lists `vertex_indices` or `vertex_index`, polygons cut into fans. All else is
 /// skipped. Triangles that use a non-finite vertex and faces of fewer than three corners are
 /// dropped with a warning. `place` is where the file is referred to, for a file that cannot be
-/// read; other errors name `file.ply:line` or `file.ply: face 17` (exit code 2).
+/// read; other errors name `file.ply:line`, or `file.ply: face 17` in binary data (exit code 2).
 [[nodiscard]] Mesh read_ply(const std::filesystem::path& path, const std::string& place,
                             Diagnostics& diagnostics);
 

@@ -63,6 +63,9 @@ class PlyBinarySource {
     /// Bytes after the values read so far.
     [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
+    /// There are no lines.
+    [[nodiscard]] static std::optional<std::size_t> line() { return std::nullopt; }
+
   private:
     template <typename Value>
     std::optional<double> take() {
@@ -81,10 +84,12 @@ class PlyBinarySource {
 /// Values of an ascii PLY body, separated by blanks and line ends.
 class PlyAsciiSource {
   public:
-    explicit PlyAsciiSource(std::string_view body) : rest_(body) { skip_blanks(); }
+    explicit PlyAsciiSource(std::string_view body) : body_(body), rest_(body) { skip_blanks(); }
 
     /// The next value; nothing where the file ends or holds no number.
     std::optional<double> next(PlyType /*type*/) {
+        // Where the file ends, the last value stays the place of what is wrong.
+        if (!rest_.empty()) last_ = body_.size() - rest_.size();
         if (!rest_.empty() && rest_.front() == '+') rest_.remove_prefix(1);
         double value = 0.0;
         const char* const end = rest_.data() + rest_.size();
@@ -118,6 +123,12 @@ class PlyAsciiSource {
     /// Bytes after the values read so far, without blanks.
     [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
+    /// Line of the body, from 0, of the value that was read last or is no number.
+    [[nodiscard]] std::optional<std::size_t> line() const {
+        const std::string_view before = body_.substr(0, last_);
+        return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    }
+
   private:
     static constexpr std::string_view blanks = " \t\r\n\v\f";
 
@@ -125,7 +136,9 @@ class PlyAsciiSource {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));
     }
 
+    std::string_view body_;
     std::string_view rest_;
+    std::size_t last_ = 0;  ///< byte at which the value that was read last begins
 };
 
 }  // namespace weft

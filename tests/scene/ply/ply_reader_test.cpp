@@ -265,7 +265,7 @@ TEST(PlyReader, RefusesHeadersThatDeclareTooMuch) {
                                         "element face 4000000000\n" + face_properties),
                      "m.ply:7: 4000000000 'face' elements do not fit");
         expect_error(header(format, "element face 1\n" + face_properties) + "\x7F\x01",
-                     "m.ply: face 0");
+                     format == std::string("ascii") ? "m.ply:6: bad value" : "m.ply: face 0: ");
     }
     // An element without properties takes no bytes, whatever its count.
     const Reading reading =
@@ -283,7 +283,7 @@ TEST(PlyReader, RefusesElementsOfTheWrongShape) {
                      "1 2\n",
                  "m.ply:3: vertices without a position");
     expect_error(header("ascii", "element vertex 1\n" + position_properties) + "1 2 3\n",
-                 "m.ply: no faces");
+                 "m.ply:7: no faces");
     expect_error(header("ascii", "element vertex 0\n" + position_properties +
                                      "element face 1\nproperty int vertex_indices\n") +
                      "1\n",
@@ -294,21 +294,43 @@ TEST(PlyReader, RefusesElementsOfTheWrongShape) {
                  "m.ply:7: faces without corners");
 }
 
-TEST(PlyReader, NamesTheFaceOrVertexOfEveryBodyFault) {
+TEST(PlyReader, NamesTheLineOfEveryBodyFault) {
     const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
     expect_error(triangle_header() + vertices + "3 0 1 3\n",
-                 "m.ply: face 0: vertex index 3, expected an integer from 0 to below 3");
-    expect_error(triangle_header() + vertices + "3 0 1 -1\n", "m.ply: face 0: vertex index -1");
-    expect_error(triangle_header() + vertices + "3 0 1 1.5\n", "m.ply: face 0: vertex index 1.5");
-    expect_error(triangle_header() + vertices + "3 0 1 nan\n", "m.ply: face 0: vertex index nan");
-    expect_error(triangle_header() + vertices + "300 0 1 2\n", "m.ply: face 0: list length 300");
-    expect_error(triangle_header() + vertices + "-1 0 1 2\n", "m.ply: face 0: list length -1");
-    expect_error(triangle_header() + vertices + "3 0 1   ", "m.ply: face 0: the file ends here");
-    expect_error(triangle_header() + vertices + "3 0 11111", "m.ply: face 0: vertex index 11111");
-    expect_error(triangle_header() + "0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n",
-                 "m.ply: vertex 1: bad value");
-    expect_error(triangle_header() + "0 0 0\n1 0x1 0\n0 1 0\n3 0 1 2\n",
-                 "m.ply: vertex 1: bad value");
+                 "m.ply:13: vertex index 3, expected an integer from 0 to below 3");
+    expect_error(triangle_header() + vertices + "3 0 1 -1\n", "m.ply:13: vertex index -1");
+    expect_error(triangle_header() + vertices + "3 0 1 1.5\n", "m.ply:13: vertex index 1.5");
+    expect_error(triangle_header() + vertices + "3 0 1 nan\n", "m.ply:13: vertex index nan");
+    expect_error(triangle_header() + vertices + "300 0 1 2\n", "m.ply:13: list length 300");
+    expect_error(triangle_header() + vertices + "-1 0 1 2\n", "m.ply:13: list length -1");
+    expect_error(triangle_header() + vertices + "3 0 1   ", "m.ply:13: the file ends here");
+    expect_error(triangle_header() + vertices + "3 0 11111", "m.ply:13: vertex index 11111");
+    expect_error(triangle_header() + "0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "m.ply:11: bad value");
+    expect_error(triangle_header() + "0 0 0\n1 0x1 0\n0 1 0\n3 0 1 2\n", "m.ply:11: bad value");
+}
+
+TEST(PlyReader, NamesTheLineOfTheValueThatIsWrong) {
+    const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+    expect_error(triangle_header() + vertices + "3 0\n\n 3\n\n1\n", "m.ply:15: vertex index 3");
+    expect_error(triangle_header() + "0 0 0 1 0 0 0 1 0 3 0 3 1\n", "m.ply:10: vertex index 3");
+    expect_error(triangle_header() + vertices + "3 0 1\n\n\n", "m.ply:13: the file ends here");
+    expect_error(triangle_header(), "m.ply:3: 3 'vertex' elements do not fit");
+}
+
+TEST(PlyReader, NamesTheItemOfABinaryFileThatIsWrong) {
+    for (const bool big_endian : {false, true}) {
+        std::string bytes = header(
+            big_endian ? "binary_big_endian" : "binary_little_endian",
+            "element vertex 1\n" + position_properties + "element face 2\n" + face_properties);
+        for (const float value : {0.F, 0.F, 0.F}) put(bytes, value, big_endian);
+        for (const std::int32_t last : {0, 1}) {
+            put(bytes, std::uint8_t{3}, big_endian);
+            for (const std::int32_t index : {0, 0, last}) put(bytes, index, big_endian);
+        }
+        expect_error(bytes, "m.ply: face 1: vertex index 1, expected an integer");
+        bytes.resize(bytes.size() - 2);
+        expect_error(bytes, "m.ply: face 1: list length 3 of 'vertex_indices'");
+    }
 }
 
 TEST(PlyReader, RefusesEveryTruncationOfABinaryFile) {
