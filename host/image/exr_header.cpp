@@ -134,6 +134,14 @@ constexpr std::array<AttributeSize, 24> attribute_sizes = {{
     {"v3i", 12},        {"v3f", 12},      {"v3d", 24},
 }};
 
+/// Files of several parts must have a type, files of a single one may.
+void check_part_type(std::string_view type, std::span<const std::byte> value,
+                     const std::string& place) {
+    const std::string_view text(reinterpret_cast<const char*>(value.data()), value.size());
+    if (type != "string" || text != "scanlineimage")
+        throw input_error(place, "holds " + quote(text) + ", expected 'scanlineimage'");
+}
+
 bool is_string_list(Cursor value) {
     while (value.left() > 0) {
         if (value.left() < 4) return false;
@@ -181,7 +189,8 @@ void check_exr_header(std::span<const std::byte> bytes, const std::string& place
         if (name.empty()) break;
         const std::string_view type = header.read_name();
         const std::uint32_t size = header.read_uint();
-        const Cursor value(header.take(size), place);
+        const std::span<const std::byte> content = header.take(size);
+        const Cursor value(content, place);
         check_size(type, size, value, place);
         if (type == "chlist") check_channels(value, place);  // each is read up to its end mark
         if (name == "dataWindow" && type == "box2i") {
@@ -197,7 +206,7 @@ void check_exr_header(std::span<const std::byte> bytes, const std::string& place
                                   "RLE, ZIPS, ZIP or PIZ");
             has_compression = true;
         } else if (name == "type") {
-            throw input_error(place, "has a part type, expected a plain scan-line file");
+            check_part_type(type, content, place);
         }
     }
     if (!has_window || !has_channels || !has_compression)

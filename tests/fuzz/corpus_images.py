@@ -214,6 +214,8 @@ def exr_files():
             (b"chromaticities", b"chromaticities", struct.pack("<8f", *[0.3] * 8)),
             (b"owner", b"string", b"nobody"), (b"m", b"m44f", bytes(64))]),
         "piz.exr": exr(4, 32, rgb, 4),
+        "type.exr": exr(2, 2, rgb, extra=[(b"type", b"string", b"scanlineimage"),
+                                          (b"chunkCount", b"int", struct.pack("<i", 2))]),
         "badlossy.exr": exr(4, 3, rgb)[:-3],
         "badtype.exr": exr(2, 2, rgb, extra=[(b"type", b"string", b"tiledimage")]),
     }

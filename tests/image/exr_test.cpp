@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/exr.h"
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <gtest/gtest.h>
+#include <half.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <bit>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -78,6 +84,42 @@ ExitCode read_code(const fs::path& path) {
         return error.code();
     }
     return ExitCode::success;
+}
+
+// What images of other programs hold at pixel i.
+float lossy_value(std::size_t i) {
+    return 0.5f + 0.25f * std::sin(static_cast<float>(i % 37) * 0.1f);
+}
+
+std::uint32_t lossy_word(std::size_t i) {
+    return static_cast<std::uint32_t>(i) * 2654435761u;
+}
+
+/// Writes a smooth image of halves and floats, and a plane of integers, as other programs do.
+void write_with(const fs::path& path, Imf::Header header) {
+    const Imath::V2i size = header.dataWindow().size() + Imath::V2i(1);
+    const auto width = static_cast<std::size_t>(size.x);
+    const std::size_t pixels = width * static_cast<std::size_t>(size.y);
+    std::vector<half> halves(pixels);
+    std::vector<float> floats(pixels);
+    std::vector<std::uint32_t> words(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        halves[i] = half(lossy_value(i));
+        floats[i] = lossy_value(i);
+        words[i] = lossy_word(i);
+    }
+    Imf::FrameBuffer frame;
+    const auto add = [&](const char* name, Imf::PixelType type, auto& values) {
+        header.channels().insert(name, Imf::Channel(type));
+        frame.insert(name, Imf::Slice(type, reinterpret_cast<char*>(values.data()),
+                                      sizeof(values[0]), width * sizeof(values[0])));
+    };
+    for (const char* name : {"R", "G", "B"}) add(name, Imf::HALF, halves);
+    add("depth.Z", Imf::FLOAT, floats);
+    add("weft.sums.00.Y", Imf::UINT, words);
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(size.y);
 }
 
 ExitCode write_code(const fs::path& path, const Image& image) {
@@ -220,6 +262,23 @@ TEST_F(Exr, RefusesHugeAndUnsupportedHeaders) {
     EXPECT_EQ(patched(5, std::string(1, '\x08')), ExitCode::bad_input) << "deep";
     EXPECT_EQ(patched(5, std::string(1, '\x10')), ExitCode::bad_input) << "several parts";
     EXPECT_EQ(patched(good.find("compression") + 28, std::string(1, '\x06')), ExitCode::bad_input);
+}
+
+// Some programs name the type of a file that has a single part, too.
+TEST_F(Exr, ReadsSinglePartsThatNameTheirType) {
+    Imf::Header header(6, 4);
+    header.setType("scanlineimage");
+    header.setName("beauty");
+    write_with(file("typed.exr"), header);
+    const std::string good = slurp(file("typed.exr"));
+    const std::size_t type = good.find("scanlineimage");
+    ASSERT_NE(type, std::string::npos);
+    EXPECT_EQ(read_exr(file("typed.exr")).layers.size(), 3u);
+    for (const char* other : {"tiledimage\0\0\0", "deepscanline\0", "scanlineimagE"}) {
+        std::string bytes = good;
+        spill(file("other.exr"), bytes.replace(type, 13, other, 13));
+        EXPECT_EQ(read_code(file("other.exr")), ExitCode::bad_input) << other;
+    }
 }
 
 TEST_F(Exr, MissingFilesAndFoldersAreInputErrors) {
