@@ -40,10 +40,18 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view channel_order = "RGBAXYZ";
 
-// Most decoded bytes that a byte of the file can encode: a property of deflate (1032), and a
-// generous bound for PIZ, whose blocks of zeros have almost constant size.
-constexpr std::size_t max_zip_expansion = 1100;
-constexpr std::size_t max_piz_expansion = 65536;
+/// Most decoded bytes that a byte of the file can encode, where a value counts as two.
+std::size_t exr_expansion(Imf::Compression compression) {
+    switch (compression) {
+        case Imf::PIZ_COMPRESSION:
+            return 65536;  // generous: blocks of zeros have almost constant size
+        case Imf::DWAA_COMPRESSION:
+        case Imf::DWAB_COMPRESSION:
+            return 131072;  // a run of 128 bytes, or 64 equal values, are two bytes before deflate
+        default:
+            return 1100;  // deflate: 1032
+    }
+}
 
 /// An output stream that records a failed write: Imf::OutputFile swallows the failures of its
 /// destructor, which writes the table of line offsets.
@@ -206,8 +214,7 @@ Image read_pixels(Imf::InputFile& file, std::size_t file_bytes, const std::strin
     std::size_t total = 0;
     for (const Layer& layer : image.layers) total += layer.channels.size() * pixels;
     // A value has at least two bytes, so the file must have at least this many.
-    const bool piz = file.header().compression() == Imf::PIZ_COMPRESSION;
-    const std::size_t expansion = piz ? max_piz_expansion : max_zip_expansion;
+    const std::size_t expansion = exr_expansion(file.header().compression());
     if (total > limits::max_exr_values || total / expansion > file_bytes / 2)
         throw input_error(place, "claims " + std::to_string(total) +
                                      " values, more than the file can hold or the limit of " +

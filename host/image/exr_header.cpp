@@ -21,7 +21,7 @@ constexpr std::uint32_t tiled_flag = 0x200;
 constexpr std::uint32_t deep_flag = 0x800;
 constexpr std::uint32_t multi_part_flag = 0x1000;
 constexpr std::uint32_t known_flags = 0x1E00;
-constexpr std::uint32_t last_lossless_compression = 4;  // none, RLE, ZIPS, ZIP, PIZ
+constexpr std::uint32_t last_compression = 9;  // DWAB
 constexpr std::size_t max_name_length = 255;
 
 /// Reads little-endian fields one after another, never past the end.
@@ -134,6 +134,13 @@ constexpr std::array<AttributeSize, 24> attribute_sizes = {{
     {"v3i", 12},        {"v3f", 12},      {"v3d", 24},
 }};
 
+void check_compression(Cursor value, const std::string& place) {
+    if (std::to_integer<std::uint32_t>(value.take(1)[0]) > last_compression)
+        throw input_error(place,
+                          "uses an unknown compression, expected none, RLE, ZIPS, ZIP, PIZ, PXR24, "
+                          "B44, B44A, DWAA or DWAB");
+}
+
 /// Files of several parts must have a type, files of a single one may.
 void check_part_type(std::string_view type, std::span<const std::byte> value,
                      const std::string& place) {
@@ -199,11 +206,7 @@ void check_exr_header(std::span<const std::byte> bytes, const std::string& place
         } else if (name == "channels" && type == "chlist") {
             has_channels = true;
         } else if (name == "compression" && type == "compression") {
-            Cursor field = value;
-            if (std::to_integer<std::uint32_t>(field.take(1)[0]) > last_lossless_compression)
-                throw input_error(place,
-                                  "uses a lossy or unknown compression, expected none, "
-                                  "RLE, ZIPS, ZIP or PIZ");
+            check_compression(value, place);
             has_compression = true;
         } else if (name == "type") {
             check_part_type(type, content, place);

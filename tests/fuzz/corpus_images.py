@@ -135,7 +135,8 @@ def image_files():
 
 
 def exr(width, height, channels, compression=0, extra=(), origin=(0, 0)):
-    """channels: (name, type) with type 0 integer, 1 half, 2 float. compression 0, 2 or 3."""
+    """channels: (name, type) with type 0 integer, 1 half, 2 float. compression: 0 to 9, where the
+    lossy ones 6 to 9 take halves alone."""
 
     def attribute(name, kind, data):
         return name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
@@ -156,11 +157,12 @@ def exr(width, height, channels, compression=0, extra=(), origin=(0, 0)):
     for item in extra:
         head += attribute(*item)
     head += b"\0"
-    lines = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32}[compression]
+    lines = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256}[compression]
     chunks = []
     for first in range(0, height, lines):
         raw = b""
-        for row in range(first, min(first + lines, height)):
+        rows = range(first, min(first + lines, height))
+        for row in rows:
             for _, kind in channels:
                 value = {0: struct.pack("<I", row), 1: struct.pack("<H", 0x3C00 + row),
                          2: struct.pack("<f", row + 0.5)}[kind]
@@ -170,6 +172,12 @@ def exr(width, height, channels, compression=0, extra=(), origin=(0, 0)):
             data = _exr_runs(_exr_shuffled(raw))
         elif compression in (2, 3):
             data = zlib.compress(_exr_shuffled(raw), 9)
+        elif compression == 5:
+            data = _exr_pxr24(width, rows, channels)
+        elif compression in (6, 7):
+            data = _exr_b44(width, rows, channels, compression == 7)
+        elif compression in (8, 9):
+            data = _exr_dwa(width, rows, channels)
         chunks.append(struct.pack("<iI", y + first, min(len(data), len(raw))) +
                       (data if len(data) < len(raw) else raw))
     offset = len(head) + 8 * len(chunks)
@@ -199,10 +207,60 @@ def _exr_runs(data):
     return result
 
 
+def _exr_pxr24(width, rows, channels):
+    """Differences along each row, as planes of bytes; floats lose their last eight bits."""
+    data = b""
+    for row in rows:
+        for _, kind in channels:
+            value = {0: row, 1: 0x3C00 + row,
+                     2: struct.unpack("<I", struct.pack("<f", row + 0.5))[0] >> 8}[kind]
+            size = {0: 4, 1: 2, 2: 3}[kind]
+            differences = [value] + [0] * (width - 1)
+            for byte in reversed(range(size)):
+                data += bytes(d >> 8 * byte & 255 for d in differences)
+    return zlib.compress(data, 9)
+
+
+def _exr_b44(width, rows, channels, flat):
+    """Blocks of 4x4 halves of one value: its bits and, unless flat, differences of nothing."""
+    data = b""
+    for _ in channels:
+        for row in range(rows.start, rows.stop, 4):
+            ordered = struct.pack(">H", 0x3C00 + row | 0x8000)
+            block = ordered + b"\xfc" if flat else \
+                ordered + bytes.fromhex("02 08 20 82 08 20 82 08 20 82 08 20")
+            data += block * ((width + 3) // 4)
+    return data
+
+
+def _exr_dwa(width, rows, channels):
+    """Blocks of 8x8 halves of one value, which is their first coefficient: all others are left out.
+    Channels other than R, G and B are deflated (A in runs)."""
+    blocks = (width + 7) // 8 * ((len(rows) + 7) // 8)
+    colours = [name for name, _ in channels if name in (b"R", b"G", b"B")]
+    rules = b"".join(name + b"\0" + struct.pack("<BB", ((i + 1) << 4) | 1 << 2, 1)
+                     for i, name in enumerate((b"R", b"G", b"B")))
+    rules += b"A\0" + struct.pack("<BB", 2 << 2, 1)
+    rules = struct.pack("<H", len(rules) + 2) + rules
+    others = [name for name, _ in channels if name not in (b"R", b"G", b"B", b"A")]
+    plain = b"".join(struct.pack("<H", 0x3C00) * width for _ in rows for _ in others)
+    ac = struct.pack("<H", 0xFF00) * blocks * len(colours)
+    dc = struct.pack("<H", 0x4000) * blocks * len(colours)
+    alpha = bytes(width * len(rows)) + b"\x3c" * (width * len(rows)) \
+        if (b"A", 1) in channels else b""
+    runs = _exr_runs(alpha)
+    packed = [zlib.compress(data, 9) if data else b""
+              for data in (plain, ac, _exr_shuffled(dc) if dc else b"", runs)]
+    sizes = struct.pack("<11Q", 2, len(plain), len(packed[0]), len(packed[1]), len(packed[2]),
+                        len(packed[3]), len(runs), len(alpha), len(ac) // 2, len(dc) // 2, 1)
+    return sizes + rules + b"".join(packed)
+
+
 def exr_files():
     rgb = [(b"R", 2), (b"G", 2), (b"B", 2)]
     layers = [(b"R", 1), (b"G", 1), (b"B", 1), (b"A", 1), (b"Z", 2), (b"direct.R", 2),
               (b"direct.G", 2), (b"direct.B", 2), (b"ids", 0), (b"normal.X", 1)]
+    halves = [(b"R", 1), (b"G", 1), (b"B", 1), (b"A", 1), (b"direct.Z", 1)]
     note = (b"weft", b"string", b"a text")
     return {
         "plain.exr": exr(4, 3, rgb),
@@ -214,9 +272,16 @@ def exr_files():
             (b"chromaticities", b"chromaticities", struct.pack("<8f", *[0.3] * 8)),
             (b"owner", b"string", b"nobody"), (b"m", b"m44f", bytes(64))]),
         "piz.exr": exr(4, 32, rgb, 4),
+        "pxr24.exr": exr(8, 20, layers, 5),
+        "b44.exr": exr(9, 34, halves, 6),
+        "b44a.exr": exr(9, 34, halves, 7),
+        "dwaa.exr": exr(64, 40, halves, 8),
+        "dwab.exr": exr(64, 40, halves, 9),
         "type.exr": exr(2, 2, rgb, extra=[(b"type", b"string", b"scanlineimage"),
                                           (b"chunkCount", b"int", struct.pack("<i", 2))]),
-        "badlossy.exr": exr(4, 3, rgb)[:-3],
+        "badcut.exr": exr(4, 3, rgb)[:-3],
+        "badcompression.exr": exr(4, 3, rgb).replace(b"compression\0\1\0\0\0\0",
+                                                     b"compression\0\1\0\0\0\x0a"),
         "badtype.exr": exr(2, 2, rgb, extra=[(b"type", b"string", b"tiledimage")]),
     }
 
