@@ -32,6 +32,7 @@ namespace fs = std::filesystem;
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
+constexpr std::array<std::string_view, 3> tone_names = {"none", "filmic", "agx"};
 constexpr std::array<std::string_view, 7> command_names = {
     "render", "merge", "compare", "tradeoff", "info", "devices", "selftest"};
 constexpr double max_exposure_ev = 100.0;
@@ -71,6 +72,7 @@ void add_render(CLI::App& app) {
     add_value(render, "--frame-time", "T", "Of ais: wall time of each frame, such as 300ms");
     add_value(render, "--seed", "N", "Seed of all random numbers (default: 0)");
     add_value(render, "--exposure", "EV|auto", "Exposure of a PNG in stops (default: 0)");
+    add_value(render, "--tone", "NAME", "Tone curve of a PNG: none, filmic or agx (default: none)");
     add_overlays(render);
     add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
     add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
@@ -228,6 +230,8 @@ void read_image(const CLI::App& command, RenderOptions& options) {
             options.exposure_ev =
                 parse_number("--exposure", *text, -max_exposure_ev, max_exposure_ev);
     }
+    if (const auto text = value_of(command, "--tone"))
+        options.tone = static_cast<ToneCurve>(parse_name("--tone", *text, tone_names));
     options.output = output_path(value_of(command, "--output"), options.scene);
 }
 
@@ -276,6 +280,10 @@ ProgressMode read_progress(const CLI::App& command) {
 
 std::string_view to_string(ProgressMode mode) {
     return progress_names.at(static_cast<std::size_t>(mode));
+}
+
+std::string_view to_string(ToneCurve curve) {
+    return tone_names.at(static_cast<std::size_t>(curve));
 }
 
 bool RenderOptions::names_component(std::string_view name) const {
@@ -356,6 +364,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["seed"] = options.seed;
     json["overlays"] = options.overlays;
     json["exposure"] = options.exposure_ev ? nlohmann::json(*options.exposure_ev) : "auto";
+    json["tone"] = to_string(options.tone);
     json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
     json["progress"] = to_string(options.progress);
     json["verbose"] = options.verbose;

@@ -18,6 +18,7 @@
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "film/film_sums.h"
+#include "image/tone.h"
 #include "plan/preset.h"
 
 namespace CLI {
@@ -34,6 +35,8 @@ enum class Backend { opencl, embree, native };
 [[nodiscard]] std::string_view to_string(Backend backend);
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(ProgressMode mode);
+/// The name the command line uses.
+[[nodiscard]] std::string_view to_string(ToneCurve curve);
 /// Reads --progress of a command. Throws Error (exit code 1).
 [[nodiscard]] ProgressMode read_progress(const CLI::App& command);
 
@@ -73,6 +76,7 @@ struct RenderOptions {
     std::uint32_t seed = 0;
     bool overlays = false;                    ///< of ais: PNG images of what was sampled, and why
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
+    ToneCurve tone = ToneCurve::none;         ///< for PNG
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
     bool verbose = false;  ///< names every place of a warning

@@ -165,6 +165,7 @@ class CommandOutput : public FileOutput {
                   RunTimes& times, Diagnostics& diagnostics)
         : FileOutput({.file = options.output,
                       .exposure_ev = options.exposure_ev,
+                      .tone = options.tone,
                       .overlays = options.overlays,
                       .sums = options.resume,
                       .with_sums = options.samples.has_value(),

@@ -81,13 +81,14 @@ class PngWriter {
     PngWriter& operator=(const PngWriter&) = delete;
 
     [[nodiscard]] std::vector<std::byte> encode(const Image& image, const ColourPlanes& colour,
-                                                double exposure_ev) {
+                                                double exposure_ev, ToneCurve tone) {
         width_ = image.width;
         height_ = image.height;
         row_.resize(std::size_t{width_} * 3);
         for (const auto& [key, value] : image.metadata) add_text(key, value);
         const double scale = std::exp2(exposure_ev);
-        const bool written = encode_rows([&](std::uint32_t y) { fill_row(colour, scale, y); });
+        const bool written =
+            encode_rows([&](std::uint32_t y) { fill_row(colour, scale, tone, y); });
         if (out_of_memory_) throw std::bad_alloc();
         if (!written) throw std::runtime_error(message_.data());
         return std::move(bytes_);
@@ -105,13 +106,17 @@ class PngWriter {
         text_.push_back(text);
     }
 
-    void fill_row(const ColourPlanes& colour, double scale, std::uint32_t y) {
+    void fill_row(const ColourPlanes& colour, double scale, ToneCurve tone, std::uint32_t y) {
         const std::size_t first = std::size_t{y} * width_;
         for (std::uint32_t x = 0; x < width_; ++x) {
             const double threshold = dither_threshold(x, y);
-            for (std::size_t c = 0; c < 3; ++c)
-                row_[std::size_t{x} * 3 + c] =
-                    encode_value(scale * double{colour.plane[c][first + x]}, threshold);
+            glm::dvec3 exposed(0.0);
+            for (glm::length_t c = 0; c < 3; ++c)
+                exposed[c] = scale * double{colour.plane[static_cast<std::size_t>(c)][first + x]};
+            if (tone != ToneCurve::none) exposed = toned(tone, glm::vec3(exposed));
+            for (glm::length_t c = 0; c < 3; ++c)
+                row_[std::size_t{x} * 3 + static_cast<std::size_t>(c)] =
+                    encode_value(exposed[c], threshold);
         }
     }
 
@@ -188,18 +193,18 @@ double mean_log2(std::span<const float> luminances) {
 
 }  // namespace
 
-std::vector<std::byte> png_bytes(const Image& image, double exposure_ev) {
+std::vector<std::byte> png_bytes(const Image& image, double exposure_ev, ToneCurve tone) {
     const ColourPlanes colour = find_colour(image);
     if (colour.pixels == 0 || image.width > limits::max_film_edge ||
         image.height > limits::max_film_edge)
         throw std::invalid_argument("the image has no colour layer, expected RGB or Y");
-    return PngWriter().encode(image, colour, exposure_ev);
+    return PngWriter().encode(image, colour, exposure_ev, tone);
 }
 
-void write_png(const fs::path& path, const Image& image, double exposure_ev) {
+void write_png(const fs::path& path, const Image& image, double exposure_ev, ToneCurve tone) {
     std::vector<std::byte> bytes;
     try {
-        bytes = png_bytes(image, exposure_ev);
+        bytes = png_bytes(image, exposure_ev, tone);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "image/tone.h"
+
 namespace weft {
 
 /// An image as a display gets it.
@@ -28,6 +30,8 @@ class DisplayDriver {
     virtual void show(const DisplayFrame& frame) = 0;
     /// Exposure of the next frame, in stops.
     [[nodiscard]] virtual double exposure_ev() const { return 0.0; }
+    /// Tone curve of the next frame.
+    [[nodiscard]] virtual ToneCurve tone() const { return ToneCurve::none; }
 };
 
 }  // namespace weft

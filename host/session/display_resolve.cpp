@@ -21,7 +21,7 @@ void DisplayResolve::show(const FilmView& film, DisplayDriver& display) {
         colours_ = allocate<kinds::DisplayColours>(executor_, pixels, "colours of the display");
     const auto exposure = static_cast<float>(film.unit * std::exp2(display.exposure_ev()) /
                                              static_cast<double>(film.samples));
-    if (!resolve(film, exposure, pixels)) return;
+    if (!resolve(film, exposure, display.tone(), pixels)) return;
     executor_.with_mapped(*colours_, Access::read, [&](std::span<std::byte> data) {
         display.show({camera.width, camera.height,
                       std::span(reinterpret_cast<const std::uint32_t*>(data.data()), pixels),
@@ -29,15 +29,19 @@ void DisplayResolve::show(const FilmView& film, DisplayDriver& display) {
     });
 }
 
-bool DisplayResolve::resolve(const FilmView& film, float exposure, std::uint32_t pixels) {
+bool DisplayResolve::resolve(const FilmView& film, float exposure, ToneCurve tone,
+                             std::uint32_t pixels) {
+    const auto curve = static_cast<std::uint32_t>(tone);
     if (film.sums)
-        return run_kernel(executor_, film.params,
-                          kernels::resolve_display_sums{
-                              .exposure = exposure, .film_sums = film.sums, .colours = colours_},
-                          pixels);
+        return run_kernel(
+            executor_, film.params,
+            kernels::resolve_display_sums{
+                .exposure = exposure, .tone = curve, .film_sums = film.sums, .colours = colours_},
+            pixels);
     return run_kernel(executor_, film.params,
                       kernels::resolve_display{.samples = static_cast<std::uint32_t>(film.samples),
                                                .exposure = exposure,
+                                               .tone = curve,
                                                .film_high = film.high,
                                                .film_low = film.low,
                                                .colours = colours_},

@@ -13,8 +13,9 @@
 
 namespace weft {
 
-/// Turns films into 8-bit images on the device: the mean of the samples, exposed, sRGB encoded and
-/// dithered as PNG files are. Builds no kernel and holds no memory before the first one.
+/// Turns films into 8-bit images on the device: the mean of the samples, exposed, under a tone
+/// curve, sRGB encoded and dithered as PNG files are. Builds no kernel and holds no memory before
+/// the first one.
 class DisplayResolve {
   public:
     /// `executor` must outlive it.
@@ -25,7 +26,7 @@ class DisplayResolve {
 
   private:
     /// Fills colours_; returns false where that was cancelled.
-    bool resolve(const FilmView& film, float exposure, std::uint32_t pixels);
+    bool resolve(const FilmView& film, float exposure, ToneCurve tone, std::uint32_t pixels);
 
     Executor& executor_;
     std::set<std::pair<KernelId, std::uint32_t>> built_;  ///< kernels with their features

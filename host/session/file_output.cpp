@@ -35,7 +35,8 @@ void FileOutput::write(SessionImage rendered) {
     image.metadata["seed"] = std::to_string(rendered.seed);
     if (is_png(settings_.file)) {
         write_png(settings_.file, image,
-                  settings_.exposure_ev ? *settings_.exposure_ev : auto_exposure(image));
+                  settings_.exposure_ev ? *settings_.exposure_ev : auto_exposure(image),
+                  settings_.tone);
     } else {
         write_exr(settings_.file, image);
     }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "image/tone.h"
 #include "session/output_driver.h"
 
 namespace weft {
@@ -16,6 +17,7 @@ namespace weft {
 struct FileOutputSettings {
     std::filesystem::path file;         ///< a PNG file where it ends in .png, in any case, else EXR
     std::optional<double> exposure_ev;  ///< stops, for PNG; empty means automatic
+    ToneCurve tone = ToneCurve::none;   ///< for PNG
     bool overlays = false;              ///< of ais: also what was sampled, and why
     std::optional<std::filesystem::path> sums;  ///< EXR file that path tracing saves its sums to
     bool with_sums = false;                     ///< of path tracing: `file` gets its sums, too

@@ -348,12 +348,14 @@
 #define ARGUMENTS_resolve_display(X)                   \
     X(VALUE, uint, samples)                            \
     X(VALUE, float, exposure)                          \
+    X(VALUE, uint, tone)                               \
     X(READS, FilmHigh, film_high)                      \
     X(READS, FilmLow, film_low)                        \
     X(WRITES, DisplayColours, colours)
 
 #define ARGUMENTS_resolve_display_sums(X)              \
     X(VALUE, float, exposure)                          \
+    X(VALUE, uint, tone)                               \
     X(READS, FilmSums, film_sums)                      \
     X(WRITES, DisplayColours, colours)
 

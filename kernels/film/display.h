@@ -1,7 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Linear colours to the 8-bit sRGB that displays take, dithered as PNG files are
+// Exposed linear colours to the 8-bit sRGB that displays take, dithered as PNG files are
 // (host/image/png.cpp).
 #ifndef WEFT_KERNELS_FILM_DISPLAY_H
 #define WEFT_KERNELS_FILM_DISPLAY_H
@@ -9,6 +9,7 @@
 #include "kernels/core/maths.h"
 #include "kernels/core/types.h"
 #include "kernels/core/vector.h"
+#include "kernels/film/tone.h"
 
 /// The sRGB transfer function of a value in [0, 1].
 static inline float srgb_encoded(float linear) {
@@ -34,8 +35,11 @@ static inline uint display_code(float linear, float threshold) {
     return (uint)m_min(255.0f, m_floor(value + threshold));
 }
 
-/// The colour of a pixel as one word: red in the lowest byte, then green, blue and 255.
-static inline uint display_colour(const RenderParams* params, uint pixel, float3 linear) {
+/// The colour of a pixel under a tone curve (TONE_*), as one word: red in the lowest byte, then
+/// green, blue and 255.
+static inline uint display_colour(const RenderParams* params, uint pixel, uint tone,
+                                  float3 exposed) {
+    float3 linear = toned(tone, exposed);
     float threshold = dither_threshold(pixel % params->camera.width, pixel / params->camera.width);
     return display_code(linear.x, threshold) | display_code(linear.y, threshold) << 8 |
            display_code(linear.z, threshold) << 16 | 255u << 24;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Converts the film of previews to colours for a display: the mean of the compensated sums,
-// exposed. The film holds `samples` samples; `exposure` is what a sum is multiplied with. One
-// work-item per pixel.
+// exposed, under the tone curve `tone`. The film holds `samples` samples; `exposure` is what a sum
+// is multiplied with. One work-item per pixel.
 #include "kernels/core/kernel.h"
 #include "kernels/film/display.h"
 
@@ -40,5 +40,5 @@ WEFT_KERNEL(resolve_display)
     light.x = film_light(&params, samples, film_high, film_low, pixel, 0u) * exposure;
     light.y = film_light(&params, samples, film_high, film_low, pixel, 1u) * exposure;
     light.z = film_light(&params, samples, film_high, film_low, pixel, 2u) * exposure;
-    colours[pixel] = display_colour(&params, pixel, light);
+    colours[pixel] = display_colour(&params, pixel, tone, light);
 }

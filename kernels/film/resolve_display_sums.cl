@@ -1,9 +1,9 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Converts the film of path tracing to colours for a display: the mean of the exact sums, exposed.
-// `exposure` is what the nearest float of a sum, in its unit, is multiplied with. One work-item per
-// pixel.
+// Converts the film of path tracing to colours for a display: the mean of the exact sums, exposed,
+// under the tone curve `tone`. `exposure` is what the nearest float of a sum, in its unit, is
+// multiplied with. One work-item per pixel.
 #include "kernels/core/kernel.h"
 #include "kernels/film/display.h"
 
@@ -59,5 +59,5 @@ WEFT_KERNEL(resolve_display_sums)
     light.x = sums_light(film_sums, pixels, pixel, 0u) * exposure;
     light.y = sums_light(film_sums, pixels, pixel, 1u) * exposure;
     light.z = sums_light(film_sums, pixels, pixel, 2u) * exposure;
-    colours[pixel] = display_colour(&params, pixel, light);
+    colours[pixel] = display_colour(&params, pixel, tone, light);
 }

@@ -26,6 +26,7 @@ TEST(Options, RenderDefaults) {
     EXPECT_EQ(options.tile, 64u);
     EXPECT_EQ(options.seed, 0u);
     EXPECT_EQ(options.exposure_ev, 0.0);
+    EXPECT_EQ(options.tone, ToneCurve::none);
     EXPECT_EQ(options.progress, ProgressMode::automatic);
     EXPECT_FALSE(options.backend || options.device || options.threads || options.size ||
                  options.camera || options.components || options.spp || options.time_seconds ||
@@ -61,6 +62,8 @@ TEST(Options, RenderReadsEveryOption) {
 TEST(Options, ValuesMayFollowAnEqualsSignAndScenesMayStartWithADash) {
     EXPECT_EQ(render({"--spp=4"}).spp, 4u);
     EXPECT_EQ(render({"--exposure=auto"}).exposure_ev, std::nullopt);
+    EXPECT_EQ(render({"--tone", "filmic"}).tone, ToneCurve::filmic);
+    EXPECT_EQ(render({"--tone=agx"}).tone, ToneCurve::agx);
     EXPECT_EQ(render({"--device", "GeForce RTX"}).device, "GeForce RTX");
     EXPECT_EQ(std::get<RenderOptions>(parse({"render", "--", "-a.xml"})).scene, "-a.xml");
     EXPECT_EQ(std::get<RenderOptions>(parse({"render", "info"})).scene, "info");
@@ -321,6 +324,7 @@ TEST(Options, JsonHoldsEveryOption) {
     EXPECT_EQ(defaults["tile"], 64);
     EXPECT_EQ(defaults["seed"], 0);
     EXPECT_EQ(defaults["exposure"], 0.0);
+    EXPECT_EQ(defaults["tone"], "none");
     EXPECT_EQ(defaults["progress"], "auto");
     EXPECT_EQ(defaults["verbose"], false);
 

@@ -14,8 +14,8 @@ using test::KeptDisplay;
 using test::TestBackend;
 
 /// The 8-bit values of an image as a PNG file has them.
-std::vector<png_byte> png_values(const Image& image, double exposure_ev) {
-    const std::vector<std::byte> bytes = png_bytes(image, exposure_ev);
+std::vector<png_byte> png_values(const Image& image, double exposure_ev, ToneCurve tone) {
+    const std::vector<std::byte> bytes = png_bytes(image, exposure_ev, tone);
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return {};
@@ -29,16 +29,17 @@ std::vector<png_byte> png_values(const Image& image, double exposure_ev) {
 /// precision, displays in float: where a value lies on the step between two codes they may choose
 /// different ones, which must be rare.
 void expect_png_colours(TestBackend backend, const Scene& scene, const ImageSettings& settings,
-                        std::uint32_t samples, double exposure) {
+                        std::uint32_t samples, double exposure, ToneCurve tone = ToneCurve::none) {
     auto made = test::counted_session(backend, scene, test::room_camera(), settings);
     KeptDisplay display;
     display.exposure = exposure;
+    display.curve = tone;
     made.session->set_display(&display);
     RenderBudget budget;
     budget.samples = samples;
     ASSERT_EQ(made.session->render(budget), SessionEnd::complete);
     const Image image = made.session->image().image;
-    const std::vector<png_byte> expected = png_values(image, exposure);
+    const std::vector<png_byte> expected = png_values(image, exposure, tone);
     ASSERT_EQ(expected.size(), 3 * display.colours.size());
     std::size_t different = 0;
     std::size_t lit = 0;
@@ -77,6 +78,16 @@ TEST(Display, GetsPathTracingThatAPngFileWouldHold) {
         for (const double exposure : {0.0, -1.7})
             expect_png_colours(backend, test::moving_room(2).scene, test::small_path(61, 47, 5), 5,
                                exposure);
+}
+
+TEST(Display, GetsTheToneCurveOfAPngFile) {
+    for (const TestBackend backend : test::backends())
+        for (const ToneCurve tone : {ToneCurve::filmic, ToneCurve::agx}) {
+            expect_png_colours(backend, test::moving_room(2).scene,
+                               test::small_settings(Algorithm::igi, 61, 47), 1, 2.0, tone);
+            expect_png_colours(backend, test::moving_room(2).scene, test::small_path(31, 23, 5), 5,
+                               2.0, tone);
+        }
 }
 
 }  // namespace

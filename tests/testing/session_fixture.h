@@ -32,10 +32,12 @@ class KeptDisplay : public DisplayDriver {
         samples.push_back(frame.samples);
     }
     [[nodiscard]] double exposure_ev() const override { return exposure; }
+    [[nodiscard]] ToneCurve tone() const override { return curve; }
 
     std::vector<std::uint32_t> colours;  ///< of the last frame
     std::vector<std::uint64_t> samples;  ///< of each frame
     double exposure = 0.0;
+    ToneCurve curve = ToneCurve::none;
 };
 
 /// A session, and what it asks of its device.
