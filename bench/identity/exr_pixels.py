@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares the pixels of two OpenEXR files as Weft writes them, bit by bit, with Python alone.
 
-Scanline files of one part without compression or with ZIP are read. All channels count; what else
-the headers say, such as how long rendering took, does not.
+Scanline files of one part without compression, with RLE or with ZIP are read. All channels count;
+what else the headers say, such as how long rendering took, does not, nor how pixels are compressed.
 """
 
 import array
@@ -15,7 +15,8 @@ import zlib
 
 MAGIC = 20000630
 TILED_OR_PARTS = 0x200 | 0x800 | 0x1000
-LINES_OF = {0: 1, 2: 1, 3: 16}  # lines a block by compression: none, ZIPS, ZIP
+RLE = 1
+LINES_OF = {0: 1, RLE: 1, 2: 1, 3: 16}  # lines a block by compression: none, RLE, ZIPS, ZIP
 TYPE_BYTES = {0: 4, 1: 2, 2: 4}  # words, half floats, floats
 WORDS, HALVES, FLOATS = 0, 1, 2
 
@@ -68,6 +69,21 @@ def unpredicted(data):
     return bytes(joined)
 
 
+def runs_expanded(data):
+    """Undoes run-length encoding: a count below zero, and as many bytes as they are; or a count of
+    repetitions less one, and the byte."""
+    whole, at = bytearray(), 0
+    while at < len(data):
+        count = data[at] - 256 if data[at] > 127 else data[at]
+        if count < 0:
+            whole += data[at + 1:at + 1 - count]
+            at += 1 - count
+        else:
+            whole += data[at + 1:at + 2] * (count + 1)
+            at += 2
+    return bytes(whole)
+
+
 class Image:
     """The channels of a file and its blocks of lines, which are decoded on demand."""
 
@@ -96,17 +112,30 @@ class Image:
             raise ValueError("lines are missing")
 
     def shape(self):
-        return self.width, self.height, self.compression, self.channels
+        return self.width, self.height, [name for name, _ in self.channels]
 
     def lines_of(self, y):
         """The bytes of the block that begins with line y: of each line the channels in turn."""
         size = self.line_bytes * min(self.lines, self.height - y)
         data = self.blocks[y]
-        if len(data) != size:  # what ZIP does not make smaller is kept as it is
-            data = unpredicted(zlib.decompress(data))
+        if len(data) != size:  # what compression does not make smaller is kept as it is
+            expand = runs_expanded if self.compression == RLE else zlib.decompress
+            data = unpredicted(expand(data))
         if len(data) != size:
             raise NotReadable("has a block of another size than its lines")
         return data
+
+    def all_lines(self):
+        """Of each line in turn the name, type and bytes of each channel."""
+        for y in sorted(self.blocks):
+            lines, at = self.lines_of(y), 0
+            while at < len(lines):
+                line = []
+                for name, kind in self.channels:
+                    end = at + TYPE_BYTES[kind] * self.width
+                    line.append((name, kind, lines[at:end]))
+                    at = end
+                yield line
 
 
 def values(data, kind):
@@ -128,6 +157,19 @@ def distance(one, other):
     return math.inf if math.isnan(apart) else apart
 
 
+def places_of(one, kind, other, other_kind, width):
+    """Where two channels of a line differ, and how far: in any bit, or in their values where they
+    are of different types."""
+    if kind == other_kind and one == other:
+        return []
+    step = TYPE_BYTES[kind]
+    pairs = list(zip(values(one, kind), values(other, other_kind)))
+    if kind != other_kind:
+        return [(x, distance(*pair)) for x, pair in enumerate(pairs) if pair[0] != pair[1]]
+    return [(x, distance(*pairs[x])) for x in range(width)
+            if one[step * x:step * (x + 1)] != other[step * x:step * (x + 1)]]
+
+
 class Difference:
     """What differs between two images of one shape: `pixels` in all, and the largest difference
     of each layer that is not the same."""
@@ -136,18 +178,14 @@ class Difference:
         self.pixels = 0
         self.layers = {}
 
-    def add_line(self, first, second, channels, width):
-        changed, at = set(), 0
-        for name, kind in channels:
-            step = TYPE_BYTES[kind]
-            one, other = (line[at:at + step * width] for line in (first, second))
-            at += step * width
-            if one == other:
-                continue
-            pairs = zip(values(one, kind), values(other, kind))
-            places = [(x, distance(*pair)) for x, pair in enumerate(pairs)
-                      if one[step * x:step * (x + 1)] != other[step * x:step * (x + 1)]]
+    def add_line(self, first, second, width):
+        """Adds a line of both images: pairs of name and bytes of each channel, and its type."""
+        changed = set()
+        for (name, kind, one), (_, other_kind, other) in zip(first, second):
+            places = places_of(one, kind, other, other_kind, width)
             changed.update(x for x, _ in places)
+            if not places:
+                continue
             layer = layer_of(name)
             largest = max(apart for _, apart in places)
             self.layers[layer] = max(self.layers.get(layer, 0.0), largest)
@@ -168,11 +206,9 @@ def compare(first, second):
     if one.shape() != other.shape():
         return {"shape": "size or channels differ"}
     difference = Difference()
-    for y, block in one.blocks.items():
-        if block == other.blocks[y]:
-            continue
-        lines, other_lines = one.lines_of(y), other.lines_of(y)
-        for start in range(0, len(lines), one.line_bytes):
-            pair = (data[start:start + one.line_bytes] for data in (lines, other_lines))
-            difference.add_line(*pair, one.channels, one.width)
+    same_header = (one.compression, one.channels) == (other.compression, other.channels)
+    if same_header and one.blocks == other.blocks:
+        return None
+    for line, other_line in zip(one.all_lines(), other.all_lines()):
+        difference.add_line(line, other_line, one.width)
     return difference.report() if difference.pixels else None

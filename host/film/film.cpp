@@ -26,8 +26,8 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     image.width = width;
     image.height = height;
     const auto add = [&](const char* name, const char* channels,
-                         const std::vector<std::size_t>& planes) {
-        Layer layer{name, channels, {}};
+                         const std::vector<std::size_t>& planes, bool half = false) {
+        Layer layer{name, channels, {}, false, half};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
             for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
@@ -45,8 +45,8 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     add("indirect", "RGB", {FILM_INDIRECT});
     if (media) add("media", "RGB", {FILM_MEDIA});
     add("emission", "RGB", {FILM_EMISSION});
-    add("albedo", "RGB", {FILM_ALBEDO});
-    add("normal", "XYZ", {FILM_NORMAL});
+    add("albedo", "RGB", {FILM_ALBEDO}, true);
+    add("normal", "XYZ", {FILM_NORMAL}, true);
     add("depth", "Z", {FILM_DEPTH});
     return image;
 }

@@ -127,8 +127,9 @@ Image resolve_sums(const FilmSums& sums) {
     Image image;
     image.width = sums.width;
     image.height = sums.height;
-    const auto add = [&](const char* name, const char* channels, const auto& value) {
-        Layer layer{name, channels, {}};
+    const auto add = [&](const char* name, const char* channels, const auto& value,
+                         bool half = false) {
+        Layer layer{name, channels, {}, false, half};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
             for (std::size_t pixel = 0; pixel < pixels; ++pixel)
@@ -146,8 +147,8 @@ Image resolve_sums(const FilmSums& sums) {
     add("direct", "RGB", mean(FILM_DIRECT, light));
     add("indirect", "RGB", mean(FILM_INDIRECT, light));
     add("emission", "RGB", mean(FILM_EMISSION, light));
-    add("albedo", "RGB", mean(FILM_ALBEDO, 1.0));
-    add("normal", "XYZ", mean(FILM_NORMAL, 1.0));
+    add("albedo", "RGB", mean(FILM_ALBEDO, 1.0), true);
+    add("normal", "XYZ", mean(FILM_NORMAL, 1.0), true);
     add("depth", "Z", mean(FILM_DEPTH, 1.0 / sums.depth_unit));
     add("variance", "RGB", [&](std::size_t c, std::size_t pixel) {
         return variance_of_mean(sums, c, pixel) * light * light;

@@ -12,6 +12,7 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <half.h>
 
 #include <algorithm>
 #include <cctype>
@@ -115,9 +116,22 @@ void check_image(const Image& image, const std::string& place) {
         throw refuse("the image has no channels or too many");
 }
 
+Imf::PixelType type_in_file(const Layer& layer) {
+    return layer.words ? Imf::UINT : layer.half ? Imf::HALF : Imf::FLOAT;
+}
+
+/// How the pixels of a file are compressed. ZIP takes four times as long to write as RLE, most of
+/// it on the noise of light, which it makes hardly any smaller. Exact sums, the largest files by
+/// far, are written seldom.
+Imf::Compression compression_of(const Image& image) {
+    const bool sums = std::any_of(image.layers.begin(), image.layers.end(),
+                                  [](const Layer& layer) { return layer.words; });
+    return sums ? Imf::ZIP_COMPRESSION : Imf::RLE_COMPRESSION;
+}
+
 Imf::Header make_header(const Image& image, const std::string& place) {
     Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
-    header.compression() = Imf::ZIP_COMPRESSION;
+    header.compression() = compression_of(image);
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec.709 with D65
     for (const auto& [key, value] : image.metadata) {
         // These strings have a meaning of their own to readers of multi-part files.
@@ -131,7 +145,7 @@ Imf::Header make_header(const Image& image, const std::string& place) {
     for (const Layer& layer : image.layers)
         for (const char channel : layer.channels)
             header.channels().insert(channel_name(layer, channel),
-                                     Imf::Channel(layer.words ? Imf::UINT : Imf::FLOAT));
+                                     Imf::Channel(type_in_file(layer)));
     return header;
 }
 
@@ -145,6 +159,42 @@ Imf::Slice plane_slice(const Layer& layer, const float* plane, std::size_t width
     return {layer.words ? Imf::UINT : Imf::FLOAT, reinterpret_cast<char*>(address), sizeof(float),
             width * sizeof(float)};
 }
+
+/// The values of a layer as 16-bit floats; those beyond the largest become it.
+std::vector<half> halves_of(const Layer& layer) {
+    std::vector<half> values;
+    values.reserve(layer.values.size());
+    for (const float value : layer.values)
+        values.emplace_back(std::clamp(value, -float{HALF_MAX}, float{HALF_MAX}));
+    return values;
+}
+
+/// The planes of an image as the library reads them, which live as long as this does.
+class WrittenPlanes {
+  public:
+    explicit WrittenPlanes(const Image& image) {
+        const std::size_t pixels = std::size_t{image.width} * image.height;
+        for (const Layer& layer : image.layers) {
+            if (layer.half) halves_.push_back(halves_of(layer));
+            for (std::size_t c = 0; c < layer.channels.size(); ++c)
+                frame_.insert(channel_name(layer, layer.channels[c]),
+                              layer.half ? half_slice(c * pixels, image.width)
+                                         : plane_slice(layer, layer.values.data() + c * pixels,
+                                                       image.width, {0, 0}));
+        }
+    }
+
+    [[nodiscard]] const Imf::FrameBuffer& frame() const { return frame_; }
+
+  private:
+    Imf::Slice half_slice(std::size_t first, std::size_t width) {
+        return {Imf::HALF, reinterpret_cast<char*>(halves_.back().data() + first), sizeof(half),
+                width * sizeof(half)};
+    }
+
+    std::vector<std::vector<half>> halves_;
+    Imf::FrameBuffer frame_;
+};
 
 std::vector<std::byte> read_head(const fs::path& path, const std::string& place) {
     std::error_code error;
@@ -250,18 +300,12 @@ void write_exr(const fs::path& path, const Image& image) {
     const std::string place = path.string();
     check_image(image, place);
     const Imf::Header header = make_header(image, place);
+    const WrittenPlanes planes(image);
     write_file_atomically(path, [&](const fs::path& temporary) {
         CheckedStream stream(temporary);
         {
             Imf::OutputFile file(stream, header);
-            Imf::FrameBuffer frame;
-            const std::size_t pixels = std::size_t{image.width} * image.height;
-            for (const Layer& layer : image.layers)
-                for (std::size_t c = 0; c < layer.channels.size(); ++c)
-                    frame.insert(
-                        channel_name(layer, layer.channels[c]),
-                        plane_slice(layer, layer.values.data() + c * pixels, image.width, {0, 0}));
-            file.setFrameBuffer(frame);
+            file.setFrameBuffer(planes.frame());
             file.writePixels(static_cast<int>(image.height));
         }
         stream.close();

@@ -19,6 +19,7 @@ struct Layer {
     std::vector<float> values;
     bool words = false;  ///< the values are the bits of unsigned integers, for layers named
                          ///< word_layer_prefix
+    bool half = false;   ///< files hold the values as 16-bit floats, for layers of no light
 };
 
 /// Names of layers of words begin with this and a dot.

@@ -34,11 +34,25 @@ def attribute(name, kind, value):
     return name + b"\0" + kind + b"\0" + struct.pack("<i", len(value)) + value
 
 
-def exr_bytes(planes, compression, note=b"", packed=True):
-    """A file of two channels of floats; `packed` false keeps the bytes of ZIP as they are."""
-    lines_of = {0: 1, 3: 16}[compression]
-    channels = b"".join(name.encode() + b"\0" + struct.pack("<iiii", 2, 0, 1, 1)
-                        for name in CHANNELS) + b"\0"
+def runs(data):
+    """Run-length encoding: repetitions of up to 128, and single bytes."""
+    packed = b""
+    for byte, group in itertools.groupby(data):
+        count = len(list(group))
+        while count > 0:
+            length = min(count, 128)
+            packed += bytes([length - 1, byte]) if length > 1 else bytes([255, byte])
+            count -= length
+    return packed
+
+
+def exr_bytes(planes, compression, note=b"", packed=True, halves=False):
+    """A file of two channels, the first of floats or halves, the second of floats; `packed` false
+    keeps the bytes of ZIP or RLE as they are."""
+    lines_of = {0: 1, 1: 1, 3: 16}[compression]
+    kinds = [1 if halves else 2, 2]
+    channels = b"".join(name.encode() + b"\0" + struct.pack("<iiii", kind, 0, 1, 1)
+                        for name, kind in zip(CHANNELS, kinds)) + b"\0"
     head = struct.pack("<ii", exr_pixels.MAGIC, 2) + b"".join([
         attribute(b"channels", b"chlist", channels), attribute(b"note", b"string", note),
         attribute(b"compression", b"compression", bytes([compression])),
@@ -46,10 +60,11 @@ def exr_bytes(planes, compression, note=b"", packed=True):
         b"\0"])
     blocks = []
     for first in range(0, HEIGHT, lines_of):
-        data = b"".join(struct.pack(f"<{WIDTH}I", *plane[WIDTH * y:WIDTH * (y + 1)])
-                        for y in range(first, min(first + lines_of, HEIGHT)) for plane in planes)
+        data = b"".join(line_bytes(plane[WIDTH * y:WIDTH * (y + 1)], kind)
+                        for y in range(first, min(first + lines_of, HEIGHT))
+                        for plane, kind in zip(planes, kinds))
         if compression and packed:
-            shorter = zlib.compress(predicted(data))
+            shorter = (runs if compression == 1 else zlib.compress)(predicted(data))
             data = shorter if len(shorter) < len(data) else data
         blocks.append(struct.pack("<ii", first, len(data)) + data)
     start = len(head) + 8 * len(blocks)
@@ -59,6 +74,14 @@ def exr_bytes(planes, compression, note=b"", packed=True):
 
 def bits(value):
     return struct.unpack("<I", struct.pack("<f", value))[0]
+
+
+def line_bytes(words, kind):
+    """A line of a channel: the bits of floats, or the halves next to them."""
+    data = struct.pack(f"<{len(words)}I", *words)
+    if kind == 2:
+        return data
+    return struct.pack(f"<{len(words)}e", *struct.unpack(f"<{len(words)}f", data))
 
 
 class Pixels(unittest.TestCase):
@@ -84,9 +107,20 @@ class Pixels(unittest.TestCase):
         second = exr_bytes(self.planes, 3, b"another", packed=False)
         self.assertNotEqual(len(first), len(second))
         self.assertIsNone(self.compared(first, second))
+        for compression in (0, 1):
+            third = exr_bytes(self.planes, compression)
+            self.assertIsNone(self.compared(first, third), compression)
+
+    def test_channels_of_other_types_are_compared_by_value(self):
+        halves = exr_bytes(self.planes, 1, halves=True)
+        self.assertIsNone(self.compared(exr_bytes(self.planes, 3), halves))
+        self.assertIsNone(self.compared(halves, halves))
+        planes = self.changed((0, 8, bits(1.0 + 2.0 ** -12)))
+        self.assertEqual(self.compared(exr_bytes(planes, 3), exr_bytes(planes, 1, halves=True)),
+                         {"pixels": 1, "layers": [{"layer": "beauty", "largest": 2.0 ** -12}]})
 
     def test_any_bit_of_any_channel_counts(self):
-        for compression in (0, 3):
+        for compression in (0, 1, 3):
             for index in (0, 1, WIDTH * 16 - 1, WIDTH * HEIGHT - 1):
                 for bit in (0, 31):
                     planes = self.changed((1, index, bits(7.0) ^ (1 << bit)))
@@ -110,8 +144,10 @@ class Pixels(unittest.TestCase):
                                                          {"layer": "depth", "largest": 0.5}]})
 
     def test_another_kind_of_file_is_not_compared(self):
-        self.assertIn("shape", self.compared(exr_bytes(self.planes, 3), exr_bytes(self.planes, 0)))
         whole = exr_bytes(self.planes, 0)
+        other = whole.replace(CHANNELS[1].encode() + b"\0",
+                              b"x" * len(CHANNELS[1]) + b"\0", 1)
+        self.assertIn("shape", self.compared(whole, other))
         tiled = whole[:5] + b"\x02" + whole[6:]
         for data in (whole[:-1], whole[:20], b"", b"\x89PNG" + whole[4:], tiled):
             with self.assertRaises(exr_pixels.NotReadable):

@@ -153,8 +153,36 @@ TEST_F(Exr, KeepsEveryLayerBitForBit) {
     for (const auto& [key, value] : image.metadata) EXPECT_EQ(read.metadata.at(key), value);
 }
 
-TEST_F(Exr, WritesFloatChannelsWithZipAndPlainBeautyNames) {
-    write_exr(file("a.exr"), sample_image());
+TEST_F(Exr, HalfLayersAreRoundedToNearestAndStayFinite) {
+    Image image = sample_image();
+    image.layers[1].half = true;
+    image.layers[2].half = true;
+    image.layers[2].values[0] = 1.0F + 0x1p-11F + 0x1p-20F;
+    image.layers[2].values[1] = -1e9F;
+    write_exr(file("a.exr"), image);
+    const Image read = read_exr(file("a.exr"));
+    EXPECT_EQ(read.find("normal")->values[0], 1.0F + 0x1p-10F);
+    EXPECT_EQ(read.find("normal")->values[1], -65504.0F);
+    for (std::size_t i = 2; i < 105; ++i)
+        EXPECT_NEAR(read.find("normal")->values[i], image.layers[2].values[i],
+                    0x1p-11F * std::abs(image.layers[2].values[i]));
+    for (const float value : read.find("direct")->values) EXPECT_EQ(value, 65504.0F);
+    EXPECT_EQ(read.find("")->values, image.layers[0].values);
+    EXPECT_EQ(read.find("depth")->values, image.layers[3].values);
+}
+
+TEST_F(Exr, SumsAreZipped) {
+    Image image = sample_image();
+    image.layers.push_back({std::string(word_layer_prefix) + ".00", "Y", ramp(35, 0.0F), true});
+    write_exr(file("a.exr"), image);
+    const std::string compression("compression\0compression\0\1\0\0\0\3", 29);
+    EXPECT_NE(slurp(file("a.exr")).find(compression), std::string::npos);
+}
+
+TEST_F(Exr, WritesChannelsOfTheirTypesWithRleAndPlainBeautyNames) {
+    Image image = sample_image();
+    image.layers[2].half = true;
+    write_exr(file("a.exr"), image);
     const std::string bytes = slurp(file("a.exr"));
     const std::string channels = bytes.substr(bytes.find("chlist") + 11, 300);
     const auto type_of = [&](const std::string& name) {
@@ -162,11 +190,13 @@ TEST_F(Exr, WritesFloatChannelsWithZipAndPlainBeautyNames) {
         const std::size_t at = ('\0' + channels).find(entry);
         return at == std::string::npos ? -1 : int{channels[at + entry.size() - 1]};
     };
+    constexpr int half_type = 1;
     constexpr int float_type = 2;
-    for (const char* name : {"B", "G", "R", "depth.Z", "direct.R", "normal.X"})
+    for (const char* name : {"B", "G", "R", "depth.Z", "direct.R"})
         EXPECT_EQ(type_of(name), float_type) << name;
+    EXPECT_EQ(type_of("normal.X"), half_type);
     EXPECT_EQ(type_of("beauty.R"), -1);
-    const std::string compression("compression\0compression\0\1\0\0\0\3", 29);
+    const std::string compression("compression\0compression\0\1\0\0\0\1", 29);
     EXPECT_NE(bytes.find(compression), std::string::npos);
     const std::string red_x("chromaticities\0chromaticities\0\x20\0\0\0\x0a\xd7\x23\x3f", 38);
     EXPECT_NE(bytes.find(red_x), std::string::npos) << "red primary at x = 0.64";
