@@ -159,6 +159,7 @@ json materials_json(const Scene& scene, const FlatScene& flat) {
              {"reflectance", colour_json(record.albedo)},
              {"texture", texture},
              {"radiance", emits ? colour_json(record.emission) : json{0, 0, 0}},
+             {"textured_emission", emits && record.emission_texture != INVALID_INDEX},
              {"emits_both_sides", emits && (record.flags & MATERIAL_EMITS_BOTH_SIDES) != 0},
              {"two_sided", (record.flags & MATERIAL_TWO_SIDED) != 0}});
     }

@@ -10,16 +10,19 @@ class NotExpressible(ValueError):
 
 def refuse(scene, kinds):
     """Raises NotExpressible where the scene holds any of these, keys of `held`, or surfaces that
-    are not Lambertian, which no renderer's program has been taught yet."""
+    are not Lambertian or emit by a texture, which no renderer's program has been taught yet."""
     held = {"lights without area": bool(scene.lights),
             "textures": bool(scene.textures),
             "vertex colours": any(mesh.colours is not None for mesh in scene.meshes),
             # Exports that do not tell were made when there was no other lobe.
             "surfaces that are not Lambertian": not all(material.get("lambertian", True)
                                                         for material in scene.materials),
+            "textured emission": any(material.get("textured_emission", False)
+                                     for material in scene.materials),
             "media": bool(scene.media),
             "media with density grids": any(not medium["homogeneous"] for medium in scene.media),
             "media that shine": any(max(medium["emission"]) > 0.0 for medium in scene.media)}
-    found = [kind for kind in (*kinds, "surfaces that are not Lambertian") if held[kind]]
+    found = [kind for kind in (*kinds, "surfaces that are not Lambertian", "textured emission")
+             if held[kind]]
     if found:
         raise NotExpressible(", ".join(found))

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "components/component.h"
+#include "device/native/native_executor.h"
 #include "render/camera_params.h"
 #include "render/renderer.h"
 
@@ -28,17 +30,15 @@ using nlohmann::json;
 constexpr double pi = std::numbers::pi;
 constexpr double default_frame_rate = 30.0;  // that of --frame-rate
 
-/// The name that add_default_light() gives, which tells its lights from those of the file.
-constexpr std::string_view default_light_name = "default key light";
-
 /// Names of the effects that the scene needs.
 std::vector<std::string> effects_of(const FlatScene& flat) {
-    constexpr std::array<std::pair<std::uint32_t, const char*>, 9> names{{
+    constexpr std::array<std::pair<std::uint32_t, const char*>, 10> names{{
         {FEATURE_AREA_LIGHTS, "area lights"},
         {FEATURE_PUNCTUAL_LIGHTS, "point lights"},
         {FEATURE_DIRECTIONAL_LIGHTS, "directional lights"},
         {FEATURE_ENVIRONMENT, "environment light"},
         {FEATURE_TEXTURES, "textures"},
+        {FEATURE_EMISSION_TEXTURES, "textured emission"},
         {FEATURE_VERTEX_COLOURS, "vertex colours"},
         {FEATURE_SMOOTH_NORMALS, "smooth normals"},
         {FEATURE_ONE_SIDED, "one-sided surfaces"},
@@ -101,11 +101,10 @@ json camera_json(const Camera& camera, bool fallback) {
             {"fallback", fallback}};
 }
 
-json camera_list(const Scene& scene, const FlatScene& flat, Diagnostics& diagnostics) {
+json camera_list(const Scene& scene, const Camera& chosen) {
     json list = json::array();
     for (const Camera& camera : scene.cameras) list.push_back(camera_json(camera, false));
-    if (list.empty())
-        list.push_back(camera_json(choose_camera(scene, flat, "", diagnostics), true));
+    if (list.empty()) list.push_back(camera_json(chosen, true));
     return list;
 }
 
@@ -131,6 +130,30 @@ json punctual_json(const PunctualLight& light, bool is_default) {
     return light_json(light.name, "spot", solid_angle * intensity, "W", is_default);
 }
 
+/// The part of an area light that shines, in scene units.
+struct Shining {
+    double area = 0.0;
+    std::size_t triangles = 0;
+    glm::dvec3 light{0.0};  ///< radiance times area
+};
+
+Shining shining_of(const FlatScene& flat, std::size_t instance, const shared::LightRecord& light) {
+    const glm::dvec3 radiance(light.power.x, light.power.y, light.power.z);
+    const double square = flat.units.scale * flat.units.scale;
+    Shining shining;
+    for (std::uint32_t k = 0; k < light.count; ++k) {
+        const shared::EmissiveTriangle& entry = flat.emissive[light.first + k];
+        if (!(entry.probability > 0.0F)) continue;
+        const double area = triangle_area(flat, flat.triangles[entry.triangle]) / square;
+        const glm::dvec3 mean =
+            light.textured != 0 ? glm::dvec3(flat.emission_means[instance][k]) : glm::dvec3(1.0);
+        shining.area += area;
+        shining.light += area * radiance * mean;
+        ++shining.triangles;
+    }
+    return shining;
+}
+
 /// All lights that shine: surfaces, lights without area, then the environment.
 json light_list(const Scene& scene, const FlatScene& flat) {
     json list = json::array();
@@ -138,24 +161,22 @@ json light_list(const Scene& scene, const FlatScene& flat) {
         const std::uint32_t index = flat.instances[i].light;
         if (index == INVALID_INDEX) continue;
         const shared::LightRecord& light = flat.lights[index];
-        const double area = static_cast<double>(light.area) / (flat.units.scale * flat.units.scale);
-        const glm::dvec3 radiance(light.power.x, light.power.y, light.power.z);
+        const Shining shining = shining_of(flat, i, light);
+        const double sides = light.both_sides != 0 ? 2.0 : 1.0;
         json entry =
-            light_json(scene.instances[i].name, "area",
-                       pi * area * (light.both_sides != 0 ? 2.0 : 1.0) * radiance, "W", false);
-        entry["area"] = area;
-        entry["triangles"] = light.count;
+            light_json(scene.instances[i].name, "area", pi * sides * shining.light, "W", false);
+        entry["area"] = shining.area;
+        entry["triangles"] = shining.triangles;
+        entry["textured"] = light.textured != 0;
         list.push_back(std::move(entry));
     }
-    bool has_default = false;
     for (const PunctualLight& light : scene.lights) {
-        const bool is_default = light.name == default_light_name;
-        has_default = has_default || is_default;
+        const bool is_default = scene.default_light && &light == &scene.lights.back();
         if (luminance(light.intensity) > 0.0) list.push_back(punctual_json(light, is_default));
     }
     if (flat.environment != glm::vec3(0.0F))
         list.push_back(light_json("environment", "environment", glm::dvec3(flat.environment),
-                                  "W/(m^2 sr)", has_default));
+                                  "W/(m^2 sr)", scene.default_sky));
     return list;
 }
 
@@ -197,6 +218,22 @@ std::string describe(const Scene& scene, const Medium& medium) {
                        emits ? ", emission " + colour(medium.emission) : "");
 }
 
+json landed_json(const FramePlan& plan) {
+    return plan.landed ? json(*plan.landed) : json();
+}
+
+/// The plan of an image without options. Whether the scene is open takes light paths to find out.
+FramePlan plan_by_default(const FlatScene& flat, const Camera& camera) {
+    RenderSettings settings;
+    FramePlan plan = plan_for(flat, settings);
+    if (!plan.gathers_vpls() || plan.media) return plan;
+    settings.sampling.bounce_rays_if_open = true;
+    settings.width = settings.height = 8;
+    const std::unique_ptr<Executor> executor = make_native_executor(NativeTraversal::embree, 0);
+    plan = Renderer(*executor, flat, camera, settings).plan();
+    return plan;
+}
+
 /// What the image lacks of what the file asks for.
 json approximations(const Diagnostics& diagnostics) {
     json list = json::array();
@@ -217,7 +254,8 @@ json approximations(const Diagnostics& diagnostics) {
 
 json info_json(const Scene& scene, Diagnostics& diagnostics) {
     const FlatScene flat = flatten(scene);
-    const FramePlan plan = plan_for(flat, RenderSettings{});
+    const Camera camera = choose_camera(scene, flat, "", diagnostics);
+    const FramePlan plan = plan_by_default(flat, camera);
     json active = json::array();
     for (const ComponentKind& kind : components())
         if (kind.is_enabled(plan)) active.push_back(kind.name);
@@ -226,7 +264,7 @@ json info_json(const Scene& scene, Diagnostics& diagnostics) {
     json media = json::array();
     for (const Medium& medium : scene.media) media.push_back(describe(scene, medium));
     json cameras = json::array();
-    for (const Camera& camera : scene.cameras) cameras.push_back(camera.name);
+    for (const Camera& each : scene.cameras) cameras.push_back(each.name);
     return {{"scene", scene.source},
             {"triangles", flat.triangles.size()},
             {"meshes", scene.meshes.size()},
@@ -239,10 +277,11 @@ json info_json(const Scene& scene, Diagnostics& diagnostics) {
             {"media", scene.media.size()},
             {"medium_list", media},
             {"cameras", cameras},
-            {"camera_list", camera_list(scene, flat, diagnostics)},
+            {"camera_list", camera_list(scene, camera)},
             {"animations", animation_list(scene)},
             {"approximations", approximations(diagnostics)},
             {"effects", effects_of(flat)},
+            {"indirect", {{"method", indirect_method(plan)}, {"vpls_landed", landed_json(plan)}}},
             {"components", active},
             {"kernels", kernels}};
 }

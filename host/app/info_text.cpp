@@ -161,6 +161,18 @@ std::string bounds_block(const json& bounds) {
                                         triple(bounds["high"], ", "))});
 }
 
+/// Where indirect light comes from, and why.
+std::string indirect_text(const json& indirect) {
+    const std::string method = indirect["method"];
+    const json& landed = indirect["vpls_landed"];
+    const std::string share =
+        landed.is_null() ? ""
+                         : fmt::format(", of which {:.0f} % land", 100.0 * landed.get<double>());
+    if (method == "rays") return "a path through each pixel, not virtual lights" + share;
+    if (method == "vpl") return "virtual lights" + share;
+    return "none";
+}
+
 }  // namespace
 
 std::string info_text(const json& info) {
@@ -180,6 +192,7 @@ std::string info_text(const json& info) {
                   2);
     text += named_block("animations", info["animations"], animation_text);
     text += approximation_block(info["approximations"]);
+    text += block("indirect", {indirect_text(info["indirect"])});
     for (const char* label : {"effects", "components", "kernels"})
         text += joined_block(label, info[label]);
     return text;

@@ -58,7 +58,9 @@ void add_render(CLI::App& app) {
     add_value(render, "--components", "LIST",
               fmt::format("Any of {} (default: {})", fmt::join(choosable_components(), ","),
                           fmt::join(choosable_components(Choice::by_default), ",")));
-    add_value(render, "--spp", "N", "Samples per pixel (default: 1, or what fits into --time)");
+    add_value(
+        render, "--spp", "N",
+        "Samples per pixel (default: 6 of ais, 64 of path, else 1, or what fits into --time)");
     add_value(render, "--samples", "A:B",
               "Only samples A to B - 1 of a path-traced image, for `weft merge`");
     add_value(render, "--target-error", "E",

@@ -33,6 +33,16 @@
 namespace weft {
 namespace {
 
+/// Samples per pixel: those given, or so many that a single image is clean; empty where something
+/// else ends rendering.
+std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scene& scene) {
+    if (options.spp || options.time_seconds || options.algorithm == Algorithm::path)
+        return options.spp;
+    const bool single_image = !options.frames && !options.frame_seconds && !options.preset;
+    if (options.algorithm != Algorithm::ais || !single_image) return 1;
+    return samples_of(options.quality, !scene.media.empty());
+}
+
 RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     RenderSettings settings;
     settings.algorithm = options.algorithm;
@@ -292,8 +302,9 @@ double kernel_build_ms(const Executor& executor) {
 
 }  // namespace
 
-ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) {
+ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     Stopwatch watch;
+    RenderOptions options = given;
     check_output(options.frames ? numbered_output(options.output, options.frames->first)
                                 : options.output);
     if (options.stats) check_output(*options.stats);
@@ -306,6 +317,7 @@ ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics) 
     MovingScene moving = read_moving_scene(options, diagnostics);
     const Scene& scene = moving.at_rest();
     const FlatScene& flat = moving.flat();
+    options.spp = samples_of(given, scene);
     const RenderSettings settings = settings_of(options, scene);
     const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
     const bool media_shine = flat.media.radiance > 0.0;

@@ -82,17 +82,8 @@ Preset settings_of(const RenderSettings& settings, const RenderSession& session)
     return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples)};
 }
 
-/// Where indirect light comes from.
-const char* indirect_of(const FramePlan& plan) {
-    if (!plan.has_indirect()) return "none";
-    if (plan.traces_hemispheres()) return "hemispheres";
-    if (plan.bounce_rays) return "rays";
-    if (!plan.cached) return "vpl";
-    return plan.temporal ? "tic" : "ic";
-}
-
 nlohmann::json plan_json(const FramePlan& plan) {
-    return {{"indirect", indirect_of(plan)},
+    return {{"indirect", indirect_method(plan)},
             {"vpls_landed", plan.landed ? nlohmann::json(*plan.landed) : nlohmann::json()},
             {"sets", plan.sets},
             {"interleave", plan.interleave},

@@ -79,6 +79,14 @@ double bound_growth(std::uint32_t frame) {
     return std::sqrt(static_cast<double>(frame) + 1.0);
 }
 
+std::string_view indirect_method(const FramePlan& plan) {
+    if (!plan.has_indirect()) return "none";
+    if (plan.traces_hemispheres()) return "hemispheres";
+    if (plan.bounce_rays) return "rays";
+    if (!plan.cached) return "vpl";
+    return plan.temporal ? "tic" : "ic";
+}
+
 FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
                       const SceneStatistics& scene) {
     FramePlan plan;

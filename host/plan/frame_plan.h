@@ -190,6 +190,9 @@ struct FramePlan {
 [[nodiscard]] FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
                                     const SceneStatistics& scene);
 
+/// Where indirect light comes from: `vpl`, `rays`, `ic`, `tic`, `hemispheres` or `none`.
+[[nodiscard]] std::string_view indirect_method(const FramePlan& plan);
+
 /// Share of VPLs that have landed below which a path through each pixel finds indirect light better
 /// than they do: so few would each stand for a large part of the scene, in bright spots.
 inline constexpr double least_landed = 0.5;

@@ -30,4 +30,9 @@ SamplingSettings sampling_of(Quality quality) {
     return settings;
 }
 
+std::uint32_t samples_of(Quality quality, bool media) {
+    if (quality == Quality::draft) return 1;
+    return media ? 4 : 6;
+}
+
 }  // namespace weft

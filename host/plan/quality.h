@@ -3,6 +3,8 @@
 #ifndef WEFT_PLAN_QUALITY_H
 #define WEFT_PLAN_QUALITY_H
 
+#include <cstdint>
+
 #include "plan/frame_plan.h"
 
 namespace weft {
@@ -13,6 +15,11 @@ enum class Quality : std::uint8_t { draft, preview, high };
 /// The settings of a quality: which errors of undersampling are accepted, and how many VPLs and
 /// points on lights a pixel's set has.
 [[nodiscard]] SamplingSettings sampling_of(Quality quality);
+
+/// Samples of a single image by adaptive sampling for which no end is given: as many as it takes
+/// until the eye finds neither the sample sets nor stairs at edges, but for `draft`; fewer in
+/// scenes with media, whose samples take about twice as long.
+[[nodiscard]] std::uint32_t samples_of(Quality quality, bool media);
 
 }  // namespace weft
 

@@ -100,7 +100,10 @@ void add_default_light(Scene& scene, DefaultLight choice, Diagnostics& diagnosti
     const glm::dvec3 to_light = key_direction(scene);
     if (!std::isfinite(glm::dot(to_light, to_light))) return;
     // A sky of the file stays what it is.
-    if (!scene.environment) scene.environment = Environment{glm::vec3(sky_radiance)};
+    if (!scene.environment) {
+        scene.environment = Environment{glm::vec3(sky_radiance)};
+        scene.default_sky = true;
+    }
     PunctualLight key;
     key.name = "default key light";
     key.type = LightType::directional;

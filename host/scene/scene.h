@@ -138,7 +138,8 @@ struct Scene {
     int outer_medium = -1;   ///< outside of all boundaries: index into `media`, or -1
     std::optional<FilmSize> film;
     bool light_named = false;  ///< the file names an area light, perhaps one without power
-    bool default_light = false;  ///< the sky and the last light are not the file's: default_light.h
+    bool default_light = false;  ///< the last light is not the file's: default_light.h
+    bool default_sky = false;    ///< nor is the environment
 };
 
 }  // namespace weft

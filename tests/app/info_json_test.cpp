@@ -124,7 +124,7 @@ TEST(InfoJson, LightsHaveTheirPower) {
 TEST(InfoJson, DefaultLightsAreMarked) {
     Scene scene = square().scene;
     Diagnostics diagnostics;
-    add_default_light(scene, diagnostics);
+    add_default_light(scene, DefaultLight::as_needed, diagnostics);
     const json list = info_of(scene)["light_list"];
     ASSERT_EQ(list.size(), 2U);
     for (const json& light : list) EXPECT_EQ(light["default"], true) << light;

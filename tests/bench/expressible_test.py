@@ -26,6 +26,12 @@ class Refuse(unittest.TestCase):
             expressible.refuse(scene, ["media"])
         self.assertEqual(str(caught.exception), "surfaces that are not Lambertian")
 
+    def test_textured_emission_is_refused_without_being_named(self):
+        scene = scene_of({"lambertian": True, "textured_emission": True})
+        with self.assertRaises(expressible.NotExpressible) as caught:
+            expressible.refuse(scene, [])
+        self.assertEqual(str(caught.exception), "textured emission")
+
     def test_lamberts_is_not(self):
         expressible.refuse(scene_of({"lambertian": True}, {}), ["media", "textures"])
 
