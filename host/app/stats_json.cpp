@@ -68,10 +68,10 @@ nlohmann::json scene_json(const FlatScene& scene, const Executor& executor) {
                         {"geometry_bytes", geometry_bytes(scene, executor)},
                         {"mean_reflectance", scene.mean_reflectance}};
     if (const BvhStats* bvh = executor.bvh())
-        json["bvh"] = {{"nodes", bvh->nodes},      {"triangles", bvh->triangles},
-                       {"depth", bvh->depth},      {"spatial_splits", bvh->has_spatial_splits},
-                       {"bytes", bvh->bytes},      {"sah_cost", bvh->sah_cost},
-                       {"build_ms", bvh->build_ms}};
+        json["bvh"] = {{"nodes", bvh->nodes},       {"triangles", bvh->triangles},
+                       {"depth", bvh->depth},       {"spatial_splits", bvh->has_spatial_splits},
+                       {"bytes", bvh->bytes},       {"sah_cost", bvh->sah_cost},
+                       {"build_ms", bvh->build_ms}, {"from_cache", bvh->from_cache}};
     return json;
 }
 

@@ -18,4 +18,9 @@ std::filesystem::path default_cache_folder() {
     return {};
 }
 
+void make_cache_folder(const std::filesystem::path& folder) {
+    if (std::filesystem::create_directories(folder))
+        std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+}
+
 }  // namespace weft

@@ -238,8 +238,8 @@ void check_output(const fs::path& path) {
     static_cast<void>(final_target(path));
 }
 
-void write_file_atomically(const fs::path& path,
-                           const std::function<void(const fs::path&)>& write) {
+void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write,
+                           WriteMode mode) {
     const fs::path target = final_target(path);
     TemporaryGuard temporary(create_temporary(target));
     try {
@@ -251,25 +251,28 @@ void write_file_atomically(const fs::path& path,
     } catch (const std::exception& error) {
         throw output_error(target, std::string("cannot be written: ") + error.what());
     }
-    flush_to_disk(temporary.path(), target);
+    if (mode != WriteMode::unflushed) flush_to_disk(temporary.path(), target);
+    if (mode == WriteMode::rehearsed) return;
     std::error_code error;
     const fs::file_status replaced = fs::status(target, error);
     if (fs::exists(replaced)) fs::permissions(temporary.path(), replaced.permissions(), error);
     if (::rename(temporary.path().c_str(), target.c_str()) != 0)
         throw output_error(target, "cannot be replaced: " + reason(errno));
     temporary.release();
+    if (mode == WriteMode::unflushed) return;
     // Some file systems refuse to flush a folder; the file itself is safe by then.
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.valid()) static_cast<void>(::fsync(opened.get()));
 }
 
-void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-    write_file_atomically(path, [&](const fs::path& temporary) {
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes, WriteMode mode) {
+    const auto write = [&](const fs::path& temporary) {
         Descriptor file(::open(temporary.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
         if (!file.valid() || !write_fully(file.get(), bytes) || !file.reset())
             throw output_error(path, "cannot be written: " + reason(errno));
-    });
+    };
+    write_file_atomically(path, write, mode);
 }
 
 }  // namespace weft

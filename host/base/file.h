@@ -4,6 +4,7 @@
 #define WEFT_BASE_FILE_H
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -31,15 +32,24 @@ namespace weft {
 /// Throws Error (exit code 5).
 void check_output(const std::filesystem::path& path);
 
+/// What becomes of a file that write_file_atomically has written beside its name.
+enum class WriteMode : std::uint8_t {
+    flushed,    ///< is flushed to disk, then renamed
+    unflushed,  ///< is renamed: for files that are checked when read, and can be made again
+    rehearsed,  ///< is flushed and removed again, which tells how long writing takes
+};
+
 /// Writes a file so that no reader ever sees half of it: `write` fills a temporary file beside
 /// `path`, which is then flushed and renamed. On any failure the temporary file is removed and the
 /// old file stays, as it does where it is read-only; a new one has its permissions. Throws Error
 /// (exit code 5).
 void write_file_atomically(const std::filesystem::path& path,
-                           const std::function<void(const std::filesystem::path&)>& write);
+                           const std::function<void(const std::filesystem::path&)>& write,
+                           WriteMode mode = WriteMode::flushed);
 
 /// `write_file_atomically` of given bytes.
-void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                           WriteMode mode = WriteMode::flushed);
 
 }  // namespace weft
 

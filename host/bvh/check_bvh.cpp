@@ -1,8 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -155,8 +161,8 @@ class Checker {
     }
 
     std::string check_leaf_triangles() {
-        boxes_.resize(triangles_.size());
-        bool repeated = false;
+        std::vector<std::uint32_t> ids(leaf_of_.size());
+        first_box_.assign(triangles_.size() + 1, 0);
         for (std::size_t i = 0; i < leaf_of_.size(); ++i)
             if (leaf_of_[i] == BVH_EMPTY) return text("leaf triangle", i, "is in no leaf");
         for (std::size_t i = 0; i < leaf_of_.size(); ++i) {
@@ -167,39 +173,58 @@ class Checker {
             if (!same(found[0], corners[0]) || !same(found[1], corners[1]) ||
                 !same(found[2], corners[2]))
                 return text("leaf triangle", i, "differs from the triangle it stands for");
-            repeated |= !boxes_[id].empty();
-            boxes_[id].push_back(leaf_box_[i]);
+            ids[i] = id;
+            ++first_box_[id + 1];
         }
+        const bool repeated = std::any_of(first_box_.begin(), first_box_.end(),
+                                          [](std::size_t count) { return count > 1; });
+        std::partial_sum(first_box_.begin(), first_box_.end(), first_box_.begin());
+        std::vector<std::size_t> next(first_box_.begin(), first_box_.end() - 1);
+        boxes_.resize(ids.size());
+        for (std::size_t i = 0; i < ids.size(); ++i) boxes_[next[ids[i]]++] = leaf_box_[i];
         if (repeated != bvh_.has_spatial_splits)
             return "whether triangles are split is not as stated";
         return {};
     }
 
-    std::string check_scene() {
-        for (std::size_t id = 0; id < triangles_.size(); ++id) {
-            const Corners corners = corners_of(positions_, triangles_[id]);
-            if (!can_be_hit(corners)) {
-                if (!boxes_[id].empty()) return text("triangle", id, "should have been left out");
-                continue;
+    std::string check_scene() const {
+        std::atomic<std::size_t> first_wrong{triangles_.size()};
+        const auto check = [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t id = range.begin(); id < range.end(); ++id) {
+                if (problem_of(id) == nullptr) continue;
+                std::size_t least = first_wrong;
+                while (id < least && !first_wrong.compare_exchange_weak(least, id)) continue;
+                return;
             }
-            if (boxes_[id].empty()) return text("triangle", id, "is in no leaf");
-            if (!is_covered(corners, boxes_[id]))
-                return text("triangle", id, "is not covered by the boxes of its leaves");
-        }
-        return {};
+        };
+        constexpr std::size_t grain = 4096;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles_.size(), grain), check);
+        if (first_wrong == triangles_.size()) return {};
+        return text("triangle", first_wrong, problem_of(first_wrong));
     }
 
-    bool is_covered(const Corners& corners, std::vector<Box>& boxes) const {
+    // What is wrong with where a triangle is found, or null.
+    const char* problem_of(std::size_t id) const {
+        const Corners corners = corners_of(positions_, triangles_[id]);
+        const auto boxes =
+            std::span(boxes_).subspan(first_box_[id], first_box_[id + 1] - first_box_[id]);
+        if (!can_be_hit(corners)) return boxes.empty() ? nullptr : "should have been left out";
+        if (boxes.empty()) return "is in no leaf";
+        return is_covered(corners, boxes) ? nullptr : "is not covered by the boxes of its leaves";
+    }
+
+    bool is_covered(const Corners& corners, std::span<const Box> boxes) const {
         if (boxes.size() == 1) return boxes[0].contains(box_of(corners).grown(settings_.padding));
         // One of the boxes may hold the whole triangle; otherwise they must cover it together,
         // without their padding.
-        for (Box& box : boxes) {
+        std::vector<Box> shrunk(boxes.begin(), boxes.end());
+        for (Box& box : shrunk) {
             for (std::size_t a = 0; a < 3; ++a) {
                 box.lower[a] += settings_.padding;
                 box.upper[a] -= settings_.padding;
             }
         }
-        return boxes_cover(corners, boxes);
+        return boxes_cover(corners, shrunk);
     }
 
     const WideBvh& bvh_;
@@ -210,7 +235,9 @@ class Checker {
     std::vector<std::uint32_t> order_;
     std::vector<Box> leaf_box_;
     std::vector<std::uint32_t> leaf_of_;  // reference of the leaf that holds an entry
-    std::vector<std::vector<Box>> boxes_;
+    // Boxes of the leaves that hold triangle i: boxes_ from first_box_[i] to first_box_[i + 1].
+    std::vector<std::size_t> first_box_;
+    std::vector<Box> boxes_;
 };
 
 }  // namespace

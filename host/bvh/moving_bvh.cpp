@@ -58,19 +58,23 @@ void make_room(LargeVector<T>& values, std::size_t kept, std::size_t size) {
 
 MovingBvh::MovingBvh(std::span<const shared::float4> positions,
                      std::span<const shared::Triangle> triangles, std::size_t first_moving,
-                     const BvhSettings& settings)
+                     const BvhSettings& settings, const BvhCache* cache)
     : first_moving_(std::min(first_moving, triangles.size())),
       triangle_count_(triangles.size()),
       settings_(settings) {
+    const auto build = [&](std::span<const shared::Triangle> part, const BvhSettings& used) {
+        return cache != nullptr ? cache->build(positions, part, used)
+                                : build_bvh(positions, part, used);
+    };
     if (!moves()) {
-        bvh_ = build_bvh(positions, triangles, settings_);
+        bvh_ = build(triangles, settings_);
         resting_nodes_ = bvh_.nodes.size();
         resting_floats_ = bvh_.leaves.size();
         return;
     }
     BvhSettings below = settings_;
     below.max_stack -= stack_of_root;
-    WideBvh resting = build_bvh(positions, triangles.first(first_moving_), below);
+    WideBvh resting = build(triangles.first(first_moving_), below);
     const WideBvh moving = build_moving(positions, triangles);
     try {
         add_resting(std::move(resting));
@@ -141,6 +145,7 @@ void MovingBvh::replace_moving(const WideBvh& tree) {
 MovingBvh::Part MovingBvh::part_of(const WideBvh& tree, std::size_t first_node) {
     Part part;
     part.build_ms = tree.build_ms;
+    part.from_cache = tree.from_cache;
     if (is_empty(tree)) return part;
     part.root = static_cast<std::uint32_t>(first_node);
     for (std::size_t slot = 0; slot < node_width; ++slot)
@@ -173,6 +178,7 @@ void MovingBvh::join(const Part& moving) noexcept {
     bvh_.has_spatial_splits = resting_.has_spatial_splits || moving.has_spatial_splits;
     bvh_.sah_cost = count == 0 ? 0.0 : 1.0 + cost / whole.half_area();
     bvh_.build_ms = resting_.build_ms + moving.build_ms;
+    bvh_.from_cache = resting_.from_cache;
     bvh_.nodes[0] = root;
 }
 

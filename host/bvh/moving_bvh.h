@@ -8,6 +8,7 @@
 #include <span>
 
 #include "bvh/box.h"
+#include "bvh/bvh_cache.h"
 #include "bvh/wide_bvh.h"
 
 namespace weft {
@@ -18,10 +19,10 @@ namespace weft {
 /// only on the triangles as they are, not on where they were.
 class MovingBvh {
   public:
-    /// Throws as build_bvh.
+    /// The part that rests comes from `cache` where that has it; may be null. Throws as build_bvh.
     MovingBvh(std::span<const shared::float4> positions,
               std::span<const shared::Triangle> triangles, std::size_t first_moving,
-              const BvhSettings& settings);
+              const BvhSettings& settings, const BvhCache* cache = nullptr);
 
     /// Builds the root and the moving part anew after the moving triangles have changed, whose
     /// number must not. Where the padding differs the resting part is built anew, too; returns
@@ -46,6 +47,7 @@ class MovingBvh {
         std::uint32_t depth = 0;
         std::uint32_t stack_need = 1;
         bool has_spatial_splits = false;
+        bool from_cache = false;
         double sah_cost = 0.0;
         double build_ms = 0.0;
     };

@@ -32,6 +32,7 @@ struct WideBvh {
     bool has_spatial_splits = false;
     double sah_cost = 0.0;
     double build_ms = 0.0;
+    bool from_cache = false;  ///< was read by a BvhCache, not built
 };
 
 /// Statistics of a BVH, which remain once it is on a device.
@@ -43,6 +44,7 @@ struct BvhStats {
     bool has_spatial_splits = false;
     double sah_cost = 0.0;
     double build_ms = 0.0;
+    bool from_cache = false;
 };
 
 [[nodiscard]] inline BvhStats stats_of(const WideBvh& bvh) {
@@ -52,7 +54,8 @@ struct BvhStats {
             bvh.depth,
             bvh.has_spatial_splits,
             bvh.sah_cost,
-            bvh.build_ms};
+            bvh.build_ms,
+            bvh.from_cache};
 }
 
 /// Builds with Embree's `rtcBuildBVH` over the triangles from `first` on. Triangles whose area is

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <new>
+#include <span>
 #include <stdexcept>
 
 #include "base/error.h"
@@ -131,6 +132,31 @@ TEST(FileWrite, GivesTheWriterAFileBesideTheTargetWithItsExtension) {
     EXPECT_EQ(seen.parent_path(), folder.path());
     EXPECT_EQ(seen.extension(), ".exr");
     EXPECT_NE(seen.filename(), "out.exr");
+}
+
+TEST(FileWrite, ARehearsalWritesEverythingAndLeavesNoTrace) {
+    const TemporaryFolder folder;
+    const fs::path old = folder.write("old.txt", "old");
+    std::uintmax_t written = 0;
+    for (const fs::path& path : {old, folder.path() / "new.txt"}) {
+        const auto write = [&](const fs::path& temporary) {
+            std::ofstream(temporary) << "twelve bytes";
+            written += fs::file_size(temporary);
+        };
+        write_file_atomically(path, write, WriteMode::rehearsed);
+    }
+    EXPECT_EQ(written, 24U);
+    EXPECT_EQ(folder.entry_count(), 1U);
+    EXPECT_EQ(fs::file_size(old), 3U);
+}
+
+TEST(FileWrite, WhatNeedNotBeFlushedIsReplacedAllTheSame) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.write("a.txt", "old");
+    const std::string text = "newer";
+    write_file_atomically(path, std::as_bytes(std::span(text)), WriteMode::unflushed);
+    EXPECT_EQ(fs::file_size(path), 5U);
+    EXPECT_EQ(folder.entry_count(), 1U);
 }
 
 TEST(FileWrite, KeepsTheOldFileWhenTheWriterFails) {

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/cache_folder.h"
 #include "base/error.h"
 #include "base/large_memory.h"
 #include "base/stopwatch.h"
@@ -52,11 +53,12 @@ class NativeTracedScene : public TracedScene {
     mutable NativeScene view;      ///< kernels take pointers to what they only read
     std::optional<MovingBvh> own;  ///< used where Embree is not
 
-    void build_own_bvh() {
+    void build_own_bvh(const BvhCache& cache) {
         BvhSettings settings;
         settings.padding = geometry.box_padding;
         settings.spatial_splits = !geometry.passing;
-        own.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings);
+        own.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings,
+                    geometry.passing ? nullptr : &cache);
         view_own_bvh();
     }
     void update() {
@@ -130,7 +132,7 @@ class NativeExecutor : public Executor {
                 scene->embree = std::make_unique<EmbreeScene>(geometry, threads_);
                 scene->view.embree = scene->embree.get();
             } else {
-                scene->build_own_bvh();
+                scene->build_own_bvh(bvh_cache_);
             }
         });
         if (geometry.passing) return scene;
@@ -177,6 +179,7 @@ class NativeExecutor : public Executor {
     DeviceInfo device_;
     tbb::task_arena arena_;
     LaunchPacer pacer_;
+    BvhCache bvh_cache_{default_cache_folder()};
     std::size_t allocated_ = 0;
     std::vector<KernelBuild> builds_;
     std::optional<BvhStats> bvh_;

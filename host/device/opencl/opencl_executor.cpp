@@ -67,6 +67,7 @@ class OpenClExecutor : public Executor {
           context_(device_),
           queue_(context_, device_, CL_QUEUE_PROFILING_ENABLE),
           cache_(default_cache_folder()),
+          bvh_cache_(default_cache_folder()),
           arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
         const std::uint32_t wanted = lanes_from_environment();
         settings_.lanes = wanted > 0 ? wanted : default_lanes(info_);
@@ -146,6 +147,7 @@ class OpenClExecutor : public Executor {
     cl::Context context_;
     cl::CommandQueue queue_;
     ProgramCache cache_;
+    BvhCache bvh_cache_;
     tbb::task_arena arena_;
     cl::Buffer unused_;
     ProgramSettings settings_;
@@ -190,7 +192,8 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     settings.spatial_splits = !geometry.passing;
     const std::optional<BvhStats> before = bvh_;
     arena_.execute([&] {
-        scene->bvh.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings);
+        scene->bvh.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings,
+                           geometry.passing ? nullptr : &bvh_cache_);
     });
     upload_bvh(*scene);
     if (!scene->bvh->moves()) scene->bvh.reset();

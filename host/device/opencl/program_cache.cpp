@@ -56,12 +56,6 @@ std::filesystem::path ProgramCache::file_of(const std::string& key) const {
     return folder_ / (key + ".program");
 }
 
-void ProgramCache::make_folder() const {
-    // Drivers execute the files in this folder, so nobody else may write to it.
-    if (std::filesystem::create_directories(folder_))
-        std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
-}
-
 bool ProgramCache::contains(const std::string& key) const {
     std::error_code ignored;
     return !folder_.empty() && std::filesystem::is_regular_file(file_of(key), ignored);
@@ -70,7 +64,7 @@ bool ProgramCache::contains(const std::string& key) const {
 bool ProgramCache::writable() const {
     if (folder_.empty()) return false;
     try {
-        make_folder();
+        make_cache_folder(folder_);
     } catch (const std::exception&) {
         return false;
     }
@@ -97,7 +91,7 @@ std::optional<std::vector<unsigned char>> ProgramCache::load(const std::string& 
 void ProgramCache::store(const std::string& key, std::span<const unsigned char> program) const {
     if (folder_.empty() || program.empty()) return;
     try {
-        make_folder();
+        make_cache_folder(folder_);
         const std::string header = header_of(key, program);
         std::vector<std::byte> bytes(header.size() + program.size());
         std::memcpy(bytes.data(), header.data(), header.size());

@@ -37,7 +37,6 @@ class ProgramCache {
 
   private:
     [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;
-    void make_folder() const;
 
     std::filesystem::path folder_;
 };
