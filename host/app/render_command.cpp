@@ -19,6 +19,7 @@
 #include "app/thread_limit.h"
 #include "base/file.h"
 #include "base/limits.h"
+#include "base/process_age.h"
 #include "base/quote.h"
 #include "base/stopwatch.h"
 #include "film/film_sums_file.h"
@@ -252,9 +253,23 @@ void check_frames(MovingScene& moving, const Camera& camera, const RenderOptions
     }
 }
 
+/// The time of a command, from the start of its process.
+class CommandClock {
+  public:
+    /// Milliseconds since the process was started.
+    [[nodiscard]] double total_ms() const { return start_ms_ + watch_.total(); }
+    /// Milliseconds that the process takes to end: about as many as it took to start, since what
+    /// was mapped has to be unmapped.
+    [[nodiscard]] double end_ms() const { return start_ms_; }
+
+  private:
+    double start_ms_ = process_age_ms();
+    Stopwatch watch_;
+};
+
 /// The budget of one image; with a time limit, an equal share of the remaining time.
 RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
-                             const Stopwatch& watch, Progress& progress) {
+                             const CommandClock& clock, Progress& progress) {
     RenderBudget budget;
     budget.samples = options.spp;
     budget.target_error = options.target_error;
@@ -262,9 +277,10 @@ RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
     budget.progress = [&progress](const SessionProgress& now) {
         progress.update(now.fraction, stage_name(now.stage));
     };
-    budget.spent_ms = watch.total();
+    budget.spent_ms = clock.total_ms();
     if (!options.time_seconds) return budget;
     budget.time_ms = *options.time_seconds * 1000.0;
+    if (!options.frames || frame + 1 == options.frames->end) budget.reserved_ms = clock.end_ms();
     if (options.frames) {
         const double now = budget.spent_ms / 1000.0;
         budget.time_ms =
@@ -277,7 +293,7 @@ RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
 /// Renders and writes all images, unless the user ends it early. Returns how many are finished.
 std::uint32_t render_images(RenderSession& session, CommandOutput& output, const Camera& camera,
                             const RenderOptions& options, Progress& progress,
-                            const Stopwatch& watch) {
+                            const CommandClock& clock) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
     const std::uint32_t count = frames.end - frames.first;
     for (std::uint32_t done = 0; done < count; ++done) {
@@ -288,7 +304,7 @@ std::uint32_t render_images(RenderSession& session, CommandOutput& output, const
                               camera_of_frame(session.scene().at_rest(), camera, options, frame));
         progress.begin_part(static_cast<double>(done) / count, 1.0 / count);
         if (options.frames) output.set_file(numbered_output(options.output, frame));
-        const RenderBudget budget = budget_of_frame(options, frame, watch, progress);
+        const RenderBudget budget = budget_of_frame(options, frame, clock, progress);
         if (session.render(budget) != SessionEnd::complete) return done;
     }
     return count;
@@ -303,6 +319,7 @@ double kernel_build_ms(const Executor& executor) {
 }  // namespace
 
 ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
+    const CommandClock clock;
     Stopwatch watch;
     RenderOptions options = given;
     check_output(options.frames ? numbered_output(options.output, options.frames->first)
@@ -341,13 +358,13 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
         make_session(std::move(executor), std::move(moving), first_camera, options, settings);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
-    const std::uint32_t finished = render_images(session, output, camera, options, progress, watch);
+    const std::uint32_t finished = render_images(session, output, camera, options, progress, clock);
     times.render_ms += watch.lap();  // where no image was written
     const std::uint32_t images = frames.end - frames.first;
     const bool complete = finished == images;
     times.build_kernels_ms = kernel_build_ms(session.executor());
     times.build_bvh_ms = session.executor().scene_ms();
-    times.total_ms = watch.total();
+    times.total_ms = clock.total_ms();
     if (complete) progress.finish();
     if (!complete && options.frames)
         diagnostics.warn(

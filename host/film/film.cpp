@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "film/for_each_pixel.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -30,11 +31,11 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
         Layer layer{name, channels, {}, false, half};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
-            for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+            for_each_pixel(pixels, [&](std::size_t pixel) {
                 double sum = 0.0;
                 for (const std::size_t plane : planes) sum += mean(plane + c, pixel);
                 layer.values[c * pixels + pixel] = static_cast<float>(sum);
-            }
+            });
         image.layers.push_back(std::move(layer));
     };
     const bool media = high.size() >= FILM_PLANES_MEDIA * FILM_STRIDE(pixels);

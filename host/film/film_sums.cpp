@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "film/for_each_pixel.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -132,8 +133,9 @@ Image resolve_sums(const FilmSums& sums) {
         Layer layer{name, channels, {}, false, half};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
-            for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+            for_each_pixel(pixels, [&](std::size_t pixel) {
                 layer.values[c * pixels + pixel] = static_cast<float>(value(c, pixel));
+            });
         image.layers.push_back(std::move(layer));
     };
     const auto mean = [&](std::size_t plane, double unit) {

@@ -296,12 +296,12 @@ std::string reason(const std::exception& error) {
 
 }  // namespace
 
-void write_exr(const fs::path& path, const Image& image) {
+void write_exr(const fs::path& path, const Image& image, WriteMode mode) {
     const std::string place = path.string();
     check_image(image, place);
     const Imf::Header header = make_header(image, place);
     const WrittenPlanes planes(image);
-    write_file_atomically(path, [&](const fs::path& temporary) {
+    const auto write = [&](const fs::path& temporary) {
         CheckedStream stream(temporary);
         {
             Imf::OutputFile file(stream, header);
@@ -309,7 +309,8 @@ void write_exr(const fs::path& path, const Image& image) {
             file.writePixels(static_cast<int>(image.height));
         }
         stream.close();
-    });
+    };
+    write_file_atomically(path, write, mode);
 }
 
 Image read_exr(const fs::path& path) {

@@ -5,14 +5,17 @@
 
 #include <filesystem>
 
+#include "base/file.h"
 #include "image/image.h"
 
 namespace weft {
 
-/// Writes every layer as 32-bit float channels of one scan-line OpenEXR file with ZIP compression:
-/// the layer without a name as `R`, `G`, `B`, any other as `name.R`; metadata as string attributes.
-/// Values are written as they are. Throws Error (exit code 5), leaving an older file untouched.
-void write_exr(const std::filesystem::path& path, const Image& image);
+/// Writes every layer as channels of one scan-line OpenEXR file, compressed without loss: the layer
+/// without a name as `R`, `G`, `B`, any other as `name.R`; metadata as string attributes. Values
+/// are written as they are, or rounded to 16 bits (see Layer::half). Throws Error (exit code 5),
+/// leaving an older file untouched.
+void write_exr(const std::filesystem::path& path, const Image& image,
+               WriteMode mode = WriteMode::flushed);
 
 /// Reads a single-part scan-line OpenEXR file with a lossless compression. Channels are grouped
 /// into layers by their names up to the last dot (RGB, then A, then X, Y, Z, then the rest in

@@ -201,7 +201,8 @@ std::vector<std::byte> png_bytes(const Image& image, double exposure_ev, ToneCur
     return PngWriter().encode(image, colour, exposure_ev, tone);
 }
 
-void write_png(const fs::path& path, const Image& image, double exposure_ev, ToneCurve tone) {
+void write_png(const fs::path& path, const Image& image, double exposure_ev, ToneCurve tone,
+               WriteMode mode) {
     std::vector<std::byte> bytes;
     try {
         bytes = png_bytes(image, exposure_ev, tone);
@@ -211,7 +212,7 @@ void write_png(const fs::path& path, const Image& image, double exposure_ev, Ton
         throw Error(ExitCode::output, path.string(),
                     std::string("cannot be written: ") + error.what());
     }
-    write_file_atomically(path, bytes);
+    write_file_atomically(path, bytes, mode);
 }
 
 double auto_exposure(const Image& image) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/file.h"
 #include "image/image.h"
 #include "image/tone.h"
 
@@ -22,7 +23,7 @@ namespace weft {
 
 /// Writes these bytes as a file. Throws Error (exit code 5), leaving an older file untouched.
 void write_png(const std::filesystem::path& path, const Image& image, double exposure_ev,
-               ToneCurve tone = ToneCurve::none);
+               ToneCurve tone = ToneCurve::none, WriteMode mode = WriteMode::flushed);
 
 /// Exposure in stops for the beauty layer, from the luminances Y of its pixels that are finite and
 /// not black (Y > 2^-20 of their mean): `key = log2(0.18 / exp(mean(log Y)))` puts the log-average

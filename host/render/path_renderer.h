@@ -4,6 +4,7 @@
 #define WEFT_RENDER_PATH_RENDERER_H
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -57,6 +58,9 @@ class PathRenderer : public FrameRenderer {
     [[nodiscard]] std::uint32_t samples_left() const noexcept {
         return settings_.samples.end - next_;
     }
+    /// Lets the next frames take no longer than so many milliseconds, as far as one sample does not
+    /// take longer; infinity for no limit.
+    void limit_frames(double ms) noexcept { most_frame_ms_ = ms; }
     /// Whether a cancelled frame waits to go on.
     [[nodiscard]] bool has_open_frame() const noexcept { return open_.has_value(); }
     /// Expected milliseconds of the next frame; 0 before the first.
@@ -111,6 +115,7 @@ class PathRenderer : public FrameRenderer {
     std::uint32_t next_;
     std::uint32_t image_ = 0;
     double ms_per_sample_ = 0.0;
+    double most_frame_ms_ = std::numeric_limits<double>::infinity();
 };
 
 /// Identifies the image that samples belong to: a digest of everything that changes them.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "base/file.h"
 #include "image/tone.h"
 #include "session/output_driver.h"
 
@@ -35,10 +36,17 @@ class FileOutput : public OutputDriver {
 
     /// Throws Error (exit code 5), like `save`.
     void write(SessionImage rendered) override;
+    /// Writes some lines of the image beside its name, removes them, and concludes.
+    [[nodiscard]] double write_ms(const SessionImage& image) override;
     [[nodiscard]] std::optional<double> save_interval_ms() const override;
     void save(const FilmSums& sums, const Image& image) override;
 
   private:
+    void write_files(SessionImage& rendered, WriteMode mode);
+    void save_sums(const FilmSums& sums, const Image& image, WriteMode mode);
+    /// Milliseconds that each `step`-th line of the image takes to be written.
+    [[nodiscard]] double lines_ms(const SessionImage& image, std::uint32_t step);
+
     FileOutputSettings settings_;
     Diagnostics& diagnostics_;
 };

@@ -30,6 +30,13 @@ class OutputDriver {
     /// Takes the image that a call of RenderSession::render has finished.
     virtual void write(SessionImage image) = 0;
 
+    /// Milliseconds that `write`, and `save` at the end, will take for an image like this one; 0
+    /// where that cannot be told. Does neither.
+    [[nodiscard]] virtual double write_ms(const SessionImage& image) {
+        (void)image;
+        return 0.0;
+    }
+
     /// Milliseconds after which `save` is called again while path tracing goes on; empty: never,
     /// not even at its end.
     [[nodiscard]] virtual std::optional<double> save_interval_ms() const { return {}; }

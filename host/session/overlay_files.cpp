@@ -16,7 +16,8 @@ std::filesystem::path overlay_output(const std::filesystem::path& output,
 }
 
 void write_overlays(const std::filesystem::path& output, const Image& image,
-                    const std::optional<double>& exposure_ev, Diagnostics& diagnostics) {
+                    const std::optional<double>& exposure_ev, Diagnostics& diagnostics,
+                    WriteMode mode) {
     const std::vector<std::string> layers = overlay_layers(image);
     if (layers.empty())
         diagnostics.warn("",
@@ -27,7 +28,7 @@ void write_overlays(const std::filesystem::path& output, const Image& image,
         Image overlay = level_overlay(image, layer, exposure);
         overlay.metadata = image.metadata;
         overlay.metadata["layer"] = layer;
-        write_png(overlay_output(output, layer), overlay, 0.0);
+        write_png(overlay_output(output, layer), overlay, 0.0, mode);
     }
 }
 

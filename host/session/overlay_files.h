@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "base/file.h"
 #include "image/image.h"
 
 namespace weft {
@@ -19,7 +20,8 @@ namespace weft {
 /// Writes all overlays of an image beside the output, exposed by so many stops (empty:
 /// automatically), or warns that there are none. Throws Error (exit code 5).
 void write_overlays(const std::filesystem::path& output, const Image& image,
-                    const std::optional<double>& exposure_ev, Diagnostics& diagnostics);
+                    const std::optional<double>& exposure_ev, Diagnostics& diagnostics,
+                    WriteMode mode = WriteMode::flushed);
 
 }  // namespace weft
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "session/deadline.h"
 #include "session/render_session.h"
 
 // How RenderSession spends a budget.
@@ -31,20 +32,6 @@ double share_of_frame(Stage stage, double done) {
 bool is_needed_by_all(Stage stage) {
     return stage == Stage::primary_rays || stage == Stage::receivers;
 }
-
-/// Measures how much of the budget's time a call has used so far.
-class Clock {
-  public:
-    explicit Clock(const RenderBudget& budget) : budget_(budget) {}
-
-    [[nodiscard]] double ms() const { return budget_.spent_ms + watch_.total(); }
-    /// Share of the budget's time, at most 1.
-    [[nodiscard]] double share() const { return std::min(1.0, ms() / *budget_.time_ms); }
-
-  private:
-    const RenderBudget& budget_;
-    Stopwatch watch_;
-};
 
 bool is_ended(const RenderBudget& budget) {
     return budget.end_early != nullptr && *budget.end_early;
@@ -90,39 +77,44 @@ bool RenderSession::render_frame(const KeepGoing& keep_going) {
 }
 
 SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
-    const Clock clock(budget);
-    const bool timed = budget.time_ms.has_value();
+    Deadline deadline(budget.time_ms, budget.spent_ms);
+    const bool timed = deadline.is_set();
     auto frame = static_cast<std::uint32_t>(renderer_->samples());
     const std::uint32_t frames =
         budget.samples.value_or(timed ? std::numeric_limits<std::uint32_t>::max() : frame + 1);
     double shown = 0.0;
+    double asked_ms = 0.0;   // when a frame was last asked whether to go on
+    double finish_ms = 0.0;  // from there to its end: reconstruction and composition
     const KeepGoing keep_going = [&](Stage stage, double done) {
+        asked_ms = deadline.ms();
         double fraction = (frame + share_of_frame(stage, done)) / frames;
-        if (timed) fraction = std::max(fraction, clock.share());
+        if (timed) fraction = std::max(fraction, deadline.share());
         shown = std::max(shown, fraction);
         if (budget.progress) budget.progress({shown, stage});
         // A first frame is finished even when the time is up, so that there is an image.
         if (frame == 0 && is_needed_by_all(stage)) return true;
-        const bool out_of_time = timed && frame > 0 && clock.ms() > *budget.time_ms;
+        const bool out_of_time = frame > 0 && deadline.left_ms() < finish_ms;
         return !is_ended(budget) && !out_of_time;
     };
     // A first frame is begun in any case: without it there is no image to keep.
     for (; frame < frames && (frame == 0 || !is_ended(budget)); ++frame) {
-        if (timed && frame > 0 && clock.ms() >= *budget.time_ms) break;
+        if (frame > 0 && deadline.left_ms() <= finish_ms) break;
         if (!render_frame(keep_going)) break;
+        finish_ms = deadline.ms() - asked_ms;
+        if (deadline.left_ms() > 0.0 && timed) deadline.reserve(delivery_ms() + budget.reserved_ms);
     }
     return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
 }
 
 SessionEnd RenderSession::render_path(const RenderBudget& budget) {
-    const Clock clock(budget);
+    Deadline deadline(budget.time_ms, budget.spent_ms);
     const std::uint32_t all = path_->samples_left();
     ErrorTarget target(budget.target_error);
     const std::optional<double> interval =
         output_ != nullptr ? output_->save_interval_ms() : std::nullopt;
-    double saved = clock.ms();
+    double saved = deadline.ms();
     const auto share_done = [&] {
-        if (budget.time_ms) return clock.share();
+        if (deadline.is_set()) return deadline.share();
         return all > 0 ? static_cast<double>(all - path_->samples_left()) / all : 1.0;
     };
     const KeepGoing keep_going = [&](Stage stage, double) {
@@ -130,18 +122,23 @@ SessionEnd RenderSession::render_path(const RenderBudget& budget) {
         return !is_ended(budget);
     };
     while (path_->samples_left() > 0 && !is_ended(budget)) {
-        const bool late = budget.time_ms && path_->samples() > 0 &&
-                          clock.ms() + path_->next_frame_ms() > *budget.time_ms;
-        if (late || target.reached(*path_, executor_)) break;
+        const bool has_image = path_->samples() > 0;
+        if (deadline.is_set() && has_image && deadline.left_ms() > 0.0)
+            deadline.reserve(delivery_ms() + budget.reserved_ms);
+        // Several frames until the end, each with a better idea of what a sample takes.
+        constexpr double share_of_rest = 0.35;
+        path_->limit_frames(share_of_rest * deadline.left_ms());
+        if (has_image && path_->next_frame_ms() > deadline.left_ms()) break;
+        if (target.reached(*path_, executor_)) break;
         if (!render_frame(keep_going)) break;
-        if (interval && clock.ms() - saved > *interval) {
+        if (interval && deadline.ms() - saved > *interval) {
             const FilmSums sums = path_->sums();
             try {
                 output_->save(sums, resolve_sums(sums));
             } catch (const Error&) {
                 // A full disk may have room again: the last attempt decides (see `deliver`).
             }
-            saved = clock.ms();
+            saved = deadline.ms();
         }
     }
     return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
@@ -149,6 +146,7 @@ SessionEnd RenderSession::render_path(const RenderBudget& budget) {
 
 void RenderSession::deliver(bool complete) {
     if (output_ == nullptr) return;
+    const Stopwatch watch;
     SessionImage result = image();
     // It would be black, and an earlier image of that name may be in its place.
     if (!complete && result.samples == 0) return;
@@ -163,7 +161,19 @@ void RenderSession::deliver(bool complete) {
         }
     }
     output_->write(std::move(result));
+    delivery_ms_ = watch.total();
     if (unsaved) std::rethrow_exception(unsaved);
+}
+
+double RenderSession::delivery_ms() {
+    if (output_ == nullptr) return 0.0;
+    if (!delivery_ms_) {
+        const Stopwatch watch;
+        const SessionImage now = image();
+        const double resolve_ms = watch.total();
+        delivery_ms_ = resolve_ms + output_->write_ms(now);
+    }
+    return *delivery_ms_;
 }
 
 }  // namespace weft

@@ -29,6 +29,7 @@ void RenderSession::upload() {
 }
 
 void RenderSession::make_renderer(FilmSums sums) {
+    delivery_ms_.reset();
     // The old renderer goes first, because two at once would need the memory of both.
     path_ = nullptr;
     renderer_.reset();

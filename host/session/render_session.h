@@ -35,7 +35,8 @@ struct SessionProgress {
 struct RenderBudget {
     std::optional<std::uint32_t> samples;  ///< of every pixel of a preview, earlier ones included
     std::optional<double> time_ms;
-    double spent_ms = 0.0;               ///< part of time_ms that was spent before the call
+    double spent_ms = 0.0;     ///< part of time_ms that was spent before the call
+    double reserved_ms = 0.0;  ///< part of time_ms for what the caller does after the call
     std::optional<double> target_error;  ///< of path tracing: see relative_error
     /// Ends rendering early once it is set, but with an image: the stages that the first sample
     /// needs for one are finished, and it is shown with the light that it has. May be null.
@@ -68,15 +69,19 @@ class RenderSession {
     RenderSession& operator=(const RenderSession&) = delete;
 
     /// Sets what receives the image of each call of `render`; may be null. Must outlive its use.
-    void set_output(OutputDriver* output) { output_ = output; }
+    void set_output(OutputDriver* output) {
+        output_ = output;
+        delivery_ms_.reset();
+    }
     /// Sets what receives 8-bit images after each frame; may be null, which costs nothing. Must
     /// outlive its use.
     void set_display(DisplayDriver* display) { display_ = display; }
 
     /// Adds samples to the image until the budget is spent, shows it after each frame, and writes
-    /// it to the output in the end. A call that ends early before there is a sample writes nothing.
-    /// A cancelled call writes nothing either: the image is the mean of the frames that were
-    /// complete, and the next call continues it.
+    /// it to the output in the end. What that takes is measured, and is part of the budget's time.
+    /// A call that ends early before there is a sample writes nothing. A cancelled call writes
+    /// nothing either: the image is the mean of the frames that were complete, and the next call
+    /// continues it.
     SessionEnd render(const RenderBudget& budget);
     /// Ends the call of `render` that is under way, or else the next one, as soon as the launches
     /// that have begun are done. From any thread.
@@ -121,6 +126,9 @@ class RenderSession {
     /// Renders and shows one frame; returns what FrameRenderer::render_frame does.
     bool render_frame(const KeepGoing& keep_going);
     void deliver(bool complete);
+    /// Milliseconds that the next call of `deliver` will take: as long as the one before, or as the
+    /// resolve of the image as it is now and a rehearsal of its output.
+    double delivery_ms();
 
     CancellableExecutor executor_;
     MovingScene scene_;
@@ -132,6 +140,7 @@ class RenderSession {
     SessionStats stats_;
     DisplayResolve resolve_;
     OutputDriver* output_ = nullptr;
+    std::optional<double> delivery_ms_;  ///< of the last image of these settings for this output
     DisplayDriver* display_ = nullptr;
 };
 

@@ -258,6 +258,59 @@ TEST(RenderSession, TimeEndsAnImageAfterItsFirstSample) {
     EXPECT_EQ(made.session->samples(), 3U);
 }
 
+/// An output that claims to need that long.
+class SlowOutput : public KeptOutput {
+  public:
+    explicit SlowOutput(double ms) : ms_(ms) {}
+    [[nodiscard]] double write_ms(const SessionImage& image) override {
+        asked.push_back(image.samples);
+        return ms_;
+    }
+    std::vector<std::uint64_t> asked;  ///< samples of the image each time
+
+  private:
+    double ms_;
+};
+
+TEST(RenderSession, TimeIncludesWhatComesAfterTheSamples) {
+    constexpr double long_ms = 1e9;
+    for (const ImageSettings& settings :
+         {ImageSettings(small_settings(Algorithm::ais, width, height)),
+          ImageSettings(small_path(width, height, 4096))}) {
+        CountedSession made = room_session(TestBackend::embree, settings);
+        SlowOutput slow(long_ms);
+        made.session->set_output(&slow);
+        RenderBudget budget;
+        budget.time_ms = long_ms / 2.0;
+        EXPECT_EQ(made.session->render(budget), SessionEnd::complete);
+        EXPECT_EQ(slow.asked, std::vector<std::uint64_t>{1}) << "once, with the first sample";
+        ASSERT_EQ(slow.images.size(), 1U);
+        EXPECT_EQ(slow.images[0].samples, 1U);
+        // What the image took to be written is known by now.
+        budget.samples = 3;
+        EXPECT_EQ(made.session->render(budget), SessionEnd::complete);
+        EXPECT_EQ(slow.asked.size(), 1U);
+        EXPECT_GT(made.session->samples(), 1U);
+        // What the caller reserves counts as well.
+        made.session->set_camera(test::room_camera());
+        budget.reserved_ms = long_ms;
+        EXPECT_EQ(made.session->render(budget), SessionEnd::complete);
+        EXPECT_EQ(made.session->samples(), 1U);
+    }
+}
+
+TEST(RenderSession, WithoutATimeNothingIsRehearsed) {
+    for (const ImageSettings& settings :
+         {ImageSettings(small_settings(Algorithm::ais, width, height)),
+          ImageSettings(small_path(width, height, 3))}) {
+        CountedSession made = room_session(TestBackend::embree, settings);
+        SlowOutput slow(1e9);
+        made.session->set_output(&slow);
+        EXPECT_EQ(made.session->render({}), SessionEnd::complete);
+        EXPECT_TRUE(slow.asked.empty());
+    }
+}
+
 TEST(RenderSession, AnErrorEndsPathTracing) {
     CountedSession made = room_session(TestBackend::embree, small_path(width, height, 4096));
     RenderBudget budget;
