@@ -12,6 +12,7 @@
 #include "app/choose_executor.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/frame_time_warning.h"
 #include "app/interrupt.h"
 #include "app/print.h"
 #include "app/progress.h"
@@ -107,6 +108,16 @@ void warn_about_nonfinite(const RenderSession& session, const RenderOptions& opt
                             found.count, found.component, found.first_sample, frame,
                             found.first_pixel % width, found.first_pixel / width));
     }
+}
+
+/// Says once that frames take longer than --frame-time allows, by the median of the last of them.
+void warn_about_frame_time(const RenderSession& session, const RenderOptions& options,
+                           Diagnostics& diagnostics) {
+    if (!options.frame_seconds) return;
+    const std::vector<FrameStats> frames(session.stats().last_frames().begin(),
+                                         session.stats().last_frames().end());
+    if (const auto warning = frame_time_warning(*options.frame_seconds * 1000.0, frames))
+        diagnostics.warn("", *warning);
 }
 
 /// Refuses options that do not support participating media in a scene with any.
@@ -375,6 +386,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
         diagnostics.warn("", fmt::format("interrupted, the image holds what was done by then "
                                          "(samples: {})",
                                          session.samples()));
+    warn_about_frame_time(session, options, diagnostics);
     warn_about_nonfinite(session, options, settings.width, diagnostics);
     const RenderOptions used = effective(options, settings, camera, session);
     write_stats(options, stats_json(used, session, settings, times));

@@ -27,6 +27,7 @@ struct LevelStats {
     std::array<std::uint32_t, 3> tiles{};  ///< coarse, middle, full
     std::uint64_t samples = 0;             ///< pixels that have one
     double gain = 1.0;                     ///< factor on the threshold, by the frame budget
+    bool can_save = true;                  ///< a higher gain would have made the frame faster
 };
 
 /// Statistics of one frame on irradiance records that outlast their frame.

@@ -338,8 +338,9 @@ void Renderer::record(FrameContext& frame, const Stopwatch& watch) {
         const SamplingDecision* const decision = active.component->decision();
         if (decision == nullptr) continue;
         const LevelCounts counts = decision->counts();
-        stats_.back().levels.push_back(
-            {active.name, counts.tiles, counts.samples, budget_.gain(active.name)});
+        const double gain = budget_.gain(active.name);
+        stats_.back().levels.push_back({active.name, counts.tiles, counts.samples, gain,
+                                        decision->can_save() && gain < greatest_gain});
     }
     for (StageStats& stage : stats_.back().stages) {
         if (stage.stage != Stage::primary_rays) continue;
