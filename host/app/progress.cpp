@@ -60,24 +60,29 @@ std::size_t terminal_columns(std::FILE* stream) {
 
 }  // namespace
 
-std::string format_progress(double fraction, double elapsed_seconds) {
+std::optional<double> seconds_left(double first, double fraction, double seconds) {
     const double done = clamp_fraction(fraction);
-    std::string text = fmt::format("{} %, {}", static_cast<int>(std::floor(100.0 * done)),
+    if (done <= clamp_fraction(first) || done >= 1.0) return {};
+    const double left = seconds * (1.0 - done) / (done - clamp_fraction(first));
+    return left > 0.0 && left < longest_left ? std::optional(left) : std::nullopt;
+}
+
+std::string format_progress(double fraction, double elapsed_seconds,
+                            std::optional<double> left_seconds) {
+    std::string text = fmt::format("{} %, {}", std::floor(100.0 * clamp_fraction(fraction)),
                                    format_seconds(elapsed_seconds));
-    if (done <= 0.0 || done >= 1.0) return text;
-    const double left = elapsed_seconds * (1.0 - done) / done;
-    if (left > 0.0 && left < longest_left) text += ", " + format_seconds(left) + " left";
+    if (left_seconds) text += ", " + format_seconds(*left_seconds) + " left";
     return text;
 }
 
-std::string format_bar(double fraction, double elapsed_seconds, std::string_view stage,
+std::string format_bar(double fraction, const std::string& text, std::string_view stage,
                        std::size_t columns) {
     const auto filled = static_cast<std::size_t>(
         std::floor(static_cast<double>(bar_cells) * clamp_fraction(fraction)));
-    std::string text = "[" + std::string(filled, '#') + std::string(bar_cells - filled, '.') + "] ";
-    text += format_progress(fraction, elapsed_seconds);
-    if (!stage.empty()) text.append("  ").append(stage);
-    return text.substr(0, columns);
+    std::string bar = "[" + std::string(filled, '#') + std::string(bar_cells - filled, '.') + "] ";
+    bar += text;
+    if (!stage.empty()) bar.append("  ").append(stage);
+    return bar.substr(0, columns);
 }
 
 Progress::Progress(ProgressMode mode, std::FILE* stream, std::function<double()> clock)
@@ -94,18 +99,30 @@ Progress::~Progress() {
 
 void Progress::update(double fraction_of_part, std::string_view stage) {
     const double fraction = part_begin_ + part_size_ * clamp_fraction(fraction_of_part);
+    if (!(first_fraction_ > 0.0) && fraction > 0.0) {
+        work_start_ = clock_();
+        first_fraction_ = fraction;
+    }
+    show(fraction, stage, {});
+}
+
+void Progress::prepare(std::string_view stage, double seconds_left) {
+    show(last_fraction_, stage, ", " + format_seconds(seconds_left) + " more");
+}
+
+void Progress::show(double fraction, std::string_view stage, std::string_view note) {
     if (style_ == Style::silent || finished_) return;
     const double now = clock_();
     const double since = now - last_time_;
     if (style_ == Style::bar) {
         if (shown_ && since < bar_interval) return;
-        draw_bar(fraction, now - start_, stage);
+        draw_bar(fraction, now, std::string(stage).append(note));
     } else {
         // The end is printed by finish().
         const bool further = fraction < 1.0 && line_step(fraction) > line_step(last_fraction_);
         const bool news = further || stage != last_stage_;
         if (shown_ && (since < line_interval || !news)) return;
-        print_line(fraction, now - start_, stage);
+        print_line(fraction, now, std::string(stage).append(note));
     }
     shown_ = true;
     last_time_ = now;
@@ -121,21 +138,28 @@ void Progress::begin_part(double begin, double size) {
 void Progress::finish() {
     if (finished_) return;
     finished_ = true;
-    if (style_ == Style::lines) print_line(1.0, clock_() - start_, "done");
+    if (style_ == Style::lines) print_line(1.0, clock_(), "done");
     clear_bar();
 }
 
-void Progress::draw_bar(double fraction, double elapsed, std::string_view stage) {
+std::optional<double> Progress::left(double fraction, double now) const {
+    if (!(first_fraction_ > 0.0)) return {};
+    return seconds_left(first_fraction_, fraction, now - work_start_);
+}
+
+void Progress::draw_bar(double fraction, double now, const std::string& stage) {
     // The last column stays free: some terminals wrap as soon as it is written.
-    const std::string text = format_bar(fraction, elapsed, stage, terminal_columns(stream_) - 1);
+    const std::string text =
+        format_bar(fraction, format_progress(fraction, now - start_, left(fraction, now)), stage,
+                   terminal_columns(stream_) - 1);
     const std::size_t rest = bar_length_ > text.size() ? bar_length_ - text.size() : 0;
     write("\r" + text + std::string(rest, ' '));
     bar_length_ = text.size();
 }
 
-void Progress::print_line(double fraction, double elapsed, std::string_view stage) {
-    write(fmt::format("{}{}{}\n", format_progress(fraction, elapsed), stage.empty() ? "" : "  ",
-                      stage));
+void Progress::print_line(double fraction, double now, std::string_view stage) {
+    write(fmt::format("{}{}{}\n", format_progress(fraction, now - start_, left(fraction, now)),
+                      stage.empty() ? "" : "  ", stage));
 }
 
 void Progress::clear_bar() {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,12 +16,17 @@ namespace weft {
 /// at all.
 enum class ProgressMode { automatic, plain, none };
 
-/// Percent done, time spent and, once it can be told, time left: `42 %, 3.1 s, 4.3 s left`.
-/// `fraction` is clamped to [0, 1], NaN counts as 0; 100 % only shows when all is done.
-[[nodiscard]] std::string format_progress(double fraction, double elapsed_seconds);
+/// Seconds left of work that got from the fraction `first` to `fraction` in `seconds`; nothing
+/// where that cannot be told yet.
+[[nodiscard]] std::optional<double> seconds_left(double first, double fraction, double seconds);
 
-/// A bar, format_progress() and the stage, shortened to at most `columns` characters.
-[[nodiscard]] std::string format_bar(double fraction, double elapsed_seconds,
+/// Percent done, time spent and, where it is known, time left: `42 %, 3.1 s, 4.3 s left`.
+/// `fraction` is clamped to [0, 1], NaN counts as 0; 100 % only shows when all is done.
+[[nodiscard]] std::string format_progress(double fraction, double elapsed_seconds,
+                                          std::optional<double> left_seconds = {});
+
+/// A bar, the text of format_progress() and the stage, shortened to at most `columns` characters.
+[[nodiscard]] std::string format_bar(double fraction, const std::string& text,
                                      std::string_view stage, std::size_t columns);
 
 /// Shows how far a piece of work has come. Used from one thread.
@@ -39,6 +45,10 @@ class Progress {
     /// after at least a second and the next 10 % or a new stage.
     void update(double fraction, std::string_view stage);
 
+    /// Shows a stage that is no part of the work, such as a preparation, and how many seconds it
+    /// still takes. As cheap as update().
+    void prepare(std::string_view stage, double seconds_left);
+
     /// Lets fractions count, from now on, within the part [begin, begin + size) of all work.
     void begin_part(double begin, double size);
 
@@ -53,14 +63,20 @@ class Progress {
   private:
     enum class Style { bar, lines, silent };
 
-    void draw_bar(double fraction, double elapsed, std::string_view stage);
-    void print_line(double fraction, double elapsed, std::string_view stage);
+    void show(double fraction, std::string_view stage, std::string_view note);
+    /// Seconds until all is done, by how fast it has gone since work began.
+    [[nodiscard]] std::optional<double> left(double fraction, double now) const;
+    void draw_bar(double fraction, double now, const std::string& stage);
+    void print_line(double fraction, double now, std::string_view stage);
     void write(const std::string& text);
 
     std::FILE* stream_;
     std::function<double()> clock_;
     Style style_;
     double start_;
+    // Preparations are no measure of how fast work goes: when it began, and with which fraction.
+    double work_start_ = 0.0;
+    double first_fraction_ = 0.0;
     double part_begin_ = 0.0;
     double part_size_ = 1.0;
     bool shown_ = false;

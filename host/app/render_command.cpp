@@ -361,6 +361,9 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     progress.clear_bar();
     print_warnings(diagnostics, options.verbose);
     times.open_device_ms = watch.lap();
+    executor->watch_builds([&progress](const BuildProgress& now) {
+        progress.prepare("compiling kernels", now.left_ms / 1000.0);
+    });
     progress.update(0.0, "building");
     const FrameRange frames = options.frames.value_or(FrameRange{});
     if (options.frames) moving.set_frame(frames.first);

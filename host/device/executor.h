@@ -121,6 +121,12 @@ struct KernelBuild {
     KernelUse use{};
 };
 
+/// How far kernels are that are being compiled.
+struct BuildProgress {
+    std::size_t programs = 0;  ///< that are compiled
+    double left_ms = 0.0;      ///< until all are, estimated
+};
+
 enum class Access : std::uint8_t { read, write };
 
 /// Runs kernels on one device. Not thread-safe. Failures are Errors with exit code 3, or 4 where
@@ -151,6 +157,10 @@ class Executor {
     /// Compiles kernels that will be built later, in parallel where that is faster than one by one.
     /// `build` reports those that do not compile.
     virtual void compile(std::span<const KernelUse> uses) { (void)uses; }
+
+    /// Sets what is called some times a second while kernels are compiled, which takes seconds
+    /// where no earlier run has left them; may be empty.
+    virtual void watch_builds(std::function<void(const BuildProgress&)> watch) { (void)watch; }
 
     /// Makes kernels ready for frames with these features (RenderParams::features of their
     /// launches).

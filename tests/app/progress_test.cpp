@@ -42,34 +42,67 @@ std::ptrdiff_t count(const std::string& text, char c) {
 }
 
 TEST(Progress, FormatsPercentTimeAndTimeLeft) {
-    EXPECT_EQ(format_progress(0.25, 2.0), "25 %, 2.0 s, 6.0 s left");
-    EXPECT_EQ(format_progress(0.5, 90.0), "50 %, 1 min 30 s, 1 min 30 s left");
-    EXPECT_EQ(format_progress(0.5, 4000.0), "50 %, 1 h 06 min, 1 h 06 min left");
+    EXPECT_EQ(format_progress(0.25, 2.0, 6.0), "25 %, 2.0 s, 6.0 s left");
+    EXPECT_EQ(format_progress(0.25, 2.0), "25 %, 2.0 s");
+    EXPECT_EQ(format_progress(0.5, 90.0, 90.0), "50 %, 1 min 30 s, 1 min 30 s left");
+    EXPECT_EQ(format_progress(0.5, 4000.0, 4000.0), "50 %, 1 h 06 min, 1 h 06 min left");
     EXPECT_EQ(format_progress(1.0, 30.0), "100 %, 30 s");
     EXPECT_EQ(format_progress(0.999999, 1.0).substr(0, 4), "99 %");
-    EXPECT_EQ(format_progress(0.5, 59.7), "50 %, 1 min 00 s, 1 min 00 s left");
+    EXPECT_EQ(format_progress(0.5, 59.7, 59.7), "50 %, 1 min 00 s, 1 min 00 s left");
 }
 
-TEST(Progress, FormatsNonsenseWithoutATimeLeft) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+TEST(Progress, FormatsNonsenseAsSomethingSmall) {
     EXPECT_EQ(format_progress(0.0, 0.0), "0 %, 0.0 s");
-    EXPECT_EQ(format_progress(0.0, 5.0), "0 %, 5.0 s");
-    EXPECT_EQ(format_progress(0.5, 0.0), "50 %, 0.0 s");
     EXPECT_EQ(format_progress(-1.0, 5.0), "0 %, 5.0 s");
     EXPECT_EQ(format_progress(7.0, 5.0), "100 %, 5.0 s");
     EXPECT_EQ(format_progress(std::nan(""), 5.0), "0 %, 5.0 s");
-    EXPECT_EQ(format_progress(1e-300, 5.0), "0 %, 5.0 s");
     EXPECT_EQ(format_progress(0.5, -1.0), "50 %, 0.0 s");
-    EXPECT_EQ(format_progress(0.5, infinity).substr(0, 6), "50 %, ");
+    EXPECT_EQ(format_progress(0.5, std::numeric_limits<double>::infinity()).substr(0, 6), "50 %, ");
+}
+
+TEST(Progress, TimeLeftIsByTheWorkDoneSinceItBegan) {
+    EXPECT_DOUBLE_EQ(seconds_left(0.0, 0.25, 2.0).value(), 6.0);
+    EXPECT_DOUBLE_EQ(seconds_left(0.5, 0.75, 2.0).value(), 2.0);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const double first : {0.0, 0.3}) {
+        EXPECT_FALSE(seconds_left(first, first, 5.0).has_value());
+        EXPECT_FALSE(seconds_left(first, 1.0, 5.0).has_value());
+        EXPECT_FALSE(seconds_left(first, -1.0, 5.0).has_value());
+        EXPECT_FALSE(seconds_left(first, std::nan(""), 5.0).has_value());
+        EXPECT_FALSE(seconds_left(first, 0.5, 0.0).has_value());
+        EXPECT_FALSE(seconds_left(first, 0.5, -1.0).has_value());
+        EXPECT_FALSE(seconds_left(first, 0.5, infinity).has_value());
+    }
+    EXPECT_FALSE(seconds_left(0.0, 1e-300, 5.0).has_value());
+}
+
+TEST(Progress, PreparationsAreNoMeasureOfTheWork) {
+    const Capture capture;
+    double now = 0.0;
+    Progress progress(ProgressMode::plain, capture.stream(), [&] { return now; });
+    progress.update(0.0, "building");
+    for (int i = 1; i <= 10; ++i) {
+        now += 1.0;
+        progress.prepare("compiling kernels", 11.0 - i);
+    }
+    for (int i = 0; i <= 4; ++i) {
+        now += 1.0;
+        progress.update(0.1 + 0.1 * i, "direct");
+    }
+    const std::string text = capture.text();
+    EXPECT_NE(text.find("0 %, 1.0 s  compiling kernels, 10 s more\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("9.0 s more"), std::string::npos) << "one line a stage: " << text;
+    EXPECT_NE(text.find("20 %, 12 s, 8.0 s left  direct\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("50 %, 15 s, 5.0 s left  direct\n"), std::string::npos) << text;
 }
 
 TEST(Progress, BarFillsAndKeepsToTheTerminal) {
-    EXPECT_EQ(format_bar(0.0, 0.0, "", 80), "[" + std::string(24, '.') + "] 0 %, 0.0 s");
-    EXPECT_EQ(format_bar(1.0, 1.0, "done", 80),
+    EXPECT_EQ(format_bar(0.0, "0 %", "", 80), "[" + std::string(24, '.') + "] 0 %");
+    EXPECT_EQ(format_bar(1.0, "100 %, 1.0 s", "done", 80),
               "[" + std::string(24, '#') + "] 100 %, 1.0 s  done");
-    EXPECT_EQ(count(format_bar(0.5, 1.0, "x", 80), '#'), 12);
-    EXPECT_EQ(format_bar(0.5, 1.0, std::string(200, 'x'), 79).size(), 79u);
-    EXPECT_EQ(format_bar(0.5, 1.0, "x", 0), "");
+    EXPECT_EQ(count(format_bar(0.5, "", "x", 80), '#'), 12);
+    EXPECT_EQ(format_bar(0.5, "", std::string(200, 'x'), 79).size(), 79u);
+    EXPECT_EQ(format_bar(0.5, "", "x", 0), "");
 }
 
 TEST(Progress, PlainLinesAreFewAndMarkStartAndEnd) {
@@ -120,8 +153,8 @@ TEST(Progress, PartsAreOfTheWhole) {
     now = 8.0;
     progress.update(1.0, "third");
     EXPECT_EQ(capture.text(),
-              "25 %, 0.0 s  first\n50 %, 4.0 s, 4.0 s left  second\n"
-              "75 %, 8.0 s, 2.7 s left  third\n");
+              "25 %, 0.0 s  first\n50 %, 4.0 s, 8.0 s left  second\n"
+              "75 %, 8.0 s, 4.0 s left  third\n");
 }
 
 TEST(Progress, NoneIsSilent) {

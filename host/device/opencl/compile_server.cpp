@@ -3,6 +3,7 @@
 #include "device/opencl/compile_server.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,6 +33,14 @@ bool detach() {
         if (::dup2(nowhere, standard) < 0) return false;
     if (nowhere > STDERR_FILENO) ::close(nowhere);
     return true;
+}
+
+/// Waits a moment for an answer, or the end of the server; returns whether there is either.
+bool has_answer(int server) {
+    constexpr int moment = 50;  // milliseconds
+    pollfd end{server, POLLIN, 0};
+    const int ready = ::poll(&end, 1, moment);
+    return ready > 0 || (ready < 0 && errno != EINTR);
 }
 
 /// Answers requests until the client is gone.
@@ -87,13 +96,16 @@ CompileServer::~CompileServer() {
     }
 }
 
-CompileTimes CompileServer::compile(const CompileRequest& request) {
+CompileTimes CompileServer::compile(const CompileRequest& request,
+                                    const std::function<void()>& waiting) {
     const std::lock_guard lock(mutex_);
     const std::size_t count = request.programs.size();
     if (socket_ < 0) return CompileTimes(count);
-    if (send_message(socket_, encode(request)))
+    if (send_message(socket_, encode(request))) {
+        while (waiting && !has_answer(socket_)) waiting();
         if (const auto answer = receive_message(socket_))
             if (auto times = decode_times(*answer, count)) return *std::move(times);
+    }
     ::close(std::exchange(socket_, -1));
     return CompileTimes(count);
 }

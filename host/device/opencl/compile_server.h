@@ -5,6 +5,7 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <mutex>
 
 #include "device/opencl/compile_request.h"
@@ -24,8 +25,10 @@ class CompileServer {
     CompileServer& operator=(const CompileServer&) = delete;
 
     /// Waits until each program is in the cache or has failed. The caller has to compile those that
-    /// failed, and gets their errors. A server that has died compiles nothing.
-    [[nodiscard]] CompileTimes compile(const CompileRequest& request);
+    /// failed, and gets their errors. A server that has died compiles nothing. `waiting` is called
+    /// some times a second meanwhile, if given.
+    [[nodiscard]] CompileTimes compile(const CompileRequest& request,
+                                       const std::function<void()>& waiting = {});
 
     /// Process id of the server; -1 where it could not be started.
     [[nodiscard]] pid_t process() const noexcept { return process_; }

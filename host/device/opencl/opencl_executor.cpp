@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <map>
 #include <new>
+#include <numeric>
 #include <optional>
 
 #include "base/error.h"
@@ -17,6 +19,7 @@
 #include "device/kernel_signature.h"
 #include "device/launch_pacer.h"
 #include "device/opencl/compile_ahead.h"
+#include "device/opencl/compile_history.h"
 #include "device/opencl/group_spread.h"
 #include "device/opencl/opencl_buffer.h"
 #include "device/opencl/opencl_program.h"
@@ -102,6 +105,9 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
     void update_scene(TracedScene& scene, const TracedGeometry& geometry) override;
     void compile(std::span<const KernelUse> uses) override;
+    void watch_builds(std::function<void(const BuildProgress&)> watch) override {
+        watch_ = std::move(watch);
+    }
     void build(std::span<const KernelId> kernels, std::uint32_t features) override;
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
     double take_milliseconds() override;
@@ -121,6 +127,8 @@ class OpenClExecutor : public Executor {
         return static_cast<std::uint32_t>(arena_.max_concurrency());
     }
     [[nodiscard]] ProgramRecipe recipe_of(const KernelUse& use) const;
+    [[nodiscard]] CompileTimes compile_in_parallel(const std::vector<ProgramRecipe>& recipes,
+                                                   CompileHistory& history);
     void upload_bvh(OpenClTracedScene& scene);
     [[nodiscard]] std::unique_ptr<Buffer> upload_with_room(std::span<const std::byte> bytes,
                                                            std::size_t resting,
@@ -157,6 +165,7 @@ class OpenClExecutor : public Executor {
     std::deque<InFlight> in_flight_;
     LaunchPacer pacer_{1};
     std::optional<BvhStats> bvh_;
+    std::function<void(const BuildProgress&)> watch_;
     double milliseconds_ = 0.0;
     double scene_ms_ = 0.0;
     std::size_t allocated_ = 0;
@@ -273,7 +282,17 @@ ProgramRecipe OpenClExecutor::recipe_of(const KernelUse& use) const {
 void OpenClExecutor::compile(std::span<const KernelUse> uses) {
     std::vector<ProgramRecipe> recipes;
     for (const KernelUse& use : uses) recipes.push_back(recipe_of(use));
-    (void)compile_ahead(recipes, info_, cache_, processes());
+    CompileHistory history(cache_.folder(), info_);
+    (void)compile_in_parallel(recipes, history);
+}
+
+CompileTimes OpenClExecutor::compile_in_parallel(const std::vector<ProgramRecipe>& recipes,
+                                                 CompileHistory& history) {
+    const auto tell = [this](std::size_t programs, double left_ms) { watch_({programs, left_ms}); };
+    CompileTimes times = compile_ahead(recipes, info_, cache_, processes(), history,
+                                       watch_ ? CompileWatch(tell) : CompileWatch());
+    history.store();
+    return times;
 }
 
 void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t features) {
@@ -284,9 +303,20 @@ void OpenClExecutor::build(std::span<const KernelId> kernels, std::uint32_t feat
         recipes.push_back(recipe_of({kernel, features}));
         missing.push_back(kernel);
     }
-    const CompileTimes compiled = compile_ahead(recipes, info_, cache_, processes());
+    CompileHistory history(cache_.folder(), info_);
+    const CompileTimes compiled = compile_in_parallel(recipes, history);
+    // What is left has to be compiled here, one after the other. These times are not kept: drivers
+    // may leave a part of the work to the first launch.
+    std::vector<double> expected;
+    for (const ProgramRecipe& recipe : recipes)
+        expected.push_back(cache_.contains(recipe.key) ? 0.0 : history.expected_ms(recipe));
+    double left_ms = std::accumulate(expected.begin(), expected.end(), 0.0);
+    const auto count = static_cast<std::size_t>(
+        std::count_if(expected.begin(), expected.end(), [](double ms) { return ms > 0.0; }));
     for (std::size_t i = 0; i < missing.size(); ++i) {
         const KernelUse use{missing[i], features};
+        if (watch_ && expected[i] > 0.0) watch_({count, left_ms});
+        left_ms -= expected[i];
         try {
             programs_.try_emplace({use.kernel, features}, context_, device_, cache_, use,
                                   recipes[i], compiled[i]);
