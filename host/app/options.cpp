@@ -230,7 +230,7 @@ void read_image(const CLI::App& command, RenderOptions& options) {
             options.exposure_ev.reset();
         else
             options.exposure_ev =
-                parse_number("--exposure", *text, -max_exposure_ev, max_exposure_ev);
+                parse_number("--exposure", *text, -max_exposure_ev, max_exposure_ev, "auto");
     }
     if (const auto text = value_of(command, "--tone"))
         options.tone = static_cast<ToneCurve>(parse_name("--tone", *text, tone_names));

@@ -72,11 +72,15 @@ std::string did_you_mean(std::string_view text, std::span<const std::string_view
     constexpr std::size_t longest_name = 64;
     if (text.size() > longest_name) return {};
     std::string_view best;
-    std::size_t best_distance = std::max<std::size_t>(1, text.size() / 3) + 1;
+    // The dashes of an option are no letters that were typed right.
+    const auto letters = [](std::string_view word) {
+        return word.size() - std::min(word.find_first_not_of('-'), word.size());
+    };
+    std::size_t best_distance = std::max<std::size_t>(1, letters(text) / 3) + 1;
     for (const std::string_view name : names) {
         const std::size_t found = distance(text, name);
         // A name that differs in every letter is no mistyped one.
-        if (found < best_distance && found < name.size()) {
+        if (found < best_distance && found < letters(name)) {
             best = name;
             best_distance = found;
         }
@@ -92,10 +96,13 @@ std::uint32_t parse_unsigned(std::string_view option, std::string_view text, std
     return value;
 }
 
-double parse_number(std::string_view option, std::string_view text, double min, double max) {
+double parse_number(std::string_view option, std::string_view text, double min, double max,
+                    std::string_view words) {
     double value = 0.0;
     if (!parse_all(text, value) || !std::isfinite(value) || value < min || value > max)
-        fail(option, text, fmt::format("a number from {} to {}", min, max));
+        fail(option, text,
+             fmt::format("{}{}a number from {} to {}", words, words.empty() ? "" : " or ", min,
+                         max));
     return value;
 }
 

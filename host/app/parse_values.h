@@ -28,9 +28,10 @@ namespace weft {
 [[nodiscard]] std::uint32_t parse_unsigned(std::string_view option, std::string_view text,
                                            std::uint32_t min, std::uint32_t max);
 
-/// A finite decimal number from `min` to `max`.
+/// A finite decimal number from `min` to `max`. `words`, which the caller reads, are named in the
+/// error as well.
 [[nodiscard]] double parse_number(std::string_view option, std::string_view text, double min,
-                                  double max);
+                                  double max, std::string_view words = {});
 
 /// A length of time such as `300ms`, `2.5s` or `2m`, in seconds; more than 0, at most a year.
 [[nodiscard]] double parse_duration(std::string_view option, std::string_view text);
