@@ -246,6 +246,9 @@ class TradeoffRun {
             result_.advice.push_back(advice_for_budget(result_.points, result_.measure, budget));
         for (const double error : options_.errors)
             result_.advice.push_back(advice_for_error(result_.points, result_.measure, error));
+        const double floor = error_of(result_.reference.noise_floor, result_.measure);
+        for (TradeoffAdvice& advice : result_.advice)
+            add_noise_note(advice, result_.points, result_.measure, floor);
     }
 
     /// Renders the images of the front again, since images were not kept while measuring: the same

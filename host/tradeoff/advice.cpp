@@ -159,6 +159,17 @@ TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points, ErrorMeas
     return advice;
 }
 
+void add_noise_note(TradeoffAdvice& advice, std::span<const TradeoffPoint> points,
+                    ErrorMeasure measure, double noise_floor) {
+    constexpr double far_above = 2.0;
+    if (!advice.point || !std::isfinite(noise_floor)) return;
+    if (!(error_of(points[*advice.point], measure).median < far_above * noise_floor)) return;
+    advice.sentence += fmt::format(
+        "; the reference's own noise, {:.3g}, hides what better settings gain: --reference-spp has "
+        "to be higher",
+        noise_floor);
+}
+
 std::vector<double> sensible_errors(std::span<const TradeoffPoint> points, ErrorMeasure measure) {
     double least = 0.0;
     double most = 0.0;

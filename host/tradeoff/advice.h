@@ -26,6 +26,12 @@ inline constexpr double most_over_budget = 1.2;
 [[nodiscard]] TradeoffAdvice advice_for_error(std::span<const TradeoffPoint> points,
                                               ErrorMeasure measure, double error);
 
+/// Adds to the sentence that the reference's own noise hides what better settings would gain, where
+/// the chosen point's error is less than twice `noise_floor` (one half of the reference's samples
+/// against the other).
+void add_noise_note(TradeoffAdvice& advice, std::span<const TradeoffPoint> points,
+                    ErrorMeasure measure, double noise_floor);
+
 /// Up to three errors to give advice for: distinct numbers of two digits that divide the range of
 /// the front's errors evenly on a logarithmic scale; none where the front has no range.
 [[nodiscard]] std::vector<double> sensible_errors(std::span<const TradeoffPoint> points,

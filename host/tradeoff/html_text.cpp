@@ -97,6 +97,20 @@ std::string count_text(unsigned long long value) {
     return digits;
 }
 
+std::string short_count_text(unsigned long long value) {
+    constexpr unsigned long long most_whole = 9999;
+    if (value <= most_whole) return std::to_string(value);
+    auto rest = static_cast<double>(value);
+    std::string prefix;
+    for (const char* const next : {"k", "M", "G", "T", "P", "E"}) {
+        // Smaller ones do not become 1000 when they are rounded to three digits.
+        if (rest < 999.5) break;
+        rest /= 1000.0;
+        prefix = next;
+    }
+    return figure_text(rest) + "\u202F" + prefix;
+}
+
 std::string cut_text(std::string_view text, std::size_t characters) {
     std::string result;
     std::size_t before_last = 0;

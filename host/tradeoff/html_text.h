@@ -28,6 +28,8 @@ namespace weft {
 
 /// A whole number with its digits in groups of three.
 [[nodiscard]] std::string count_text(unsigned long long value);
+/// A count of at most four characters beside its prefix: 9999, 12.3 k, 456 M.
+[[nodiscard]] std::string short_count_text(unsigned long long value);
 
 /// Text cut to so many characters, the last of them an ellipsis where something is missing.
 [[nodiscard]] std::string cut_text(std::string_view text, std::size_t characters);

@@ -21,6 +21,8 @@ std::string_view plot_style() {
 .plot text { fill: var(--ink); }
 .plot .plot-title { font-size: 13px; font-weight: 600; }
 .plot .plot-tick, .plot .plot-note { fill: var(--muted); font-size: 11px; }
+.plot .plot-note { paint-order: stroke; stroke: var(--paper); stroke-width: 3px;
+  stroke-linejoin: round; }
 .plot .plot-grid { stroke: var(--rule); stroke-width: 1; }
 .plot .plot-fine { stroke: var(--grid); stroke-width: 1; }
 .plot .plot-axis { fill: none; stroke: var(--muted); stroke-width: 1; }

@@ -66,6 +66,7 @@ class PlotWriter {
         for (const PlotSeries& series : plot_.series) draw_bars(series);
         for (const PlotSeries& series : plot_.series) draw_line(series);
         for (const PlotSeries& series : plot_.series) draw_points(series);
+        for (const PlotLevel& level : plot_.levels) draw_name(level);
         note_what_is_missing();
         if (plot_.legend) draw_legend();
         return std::move(svg_) + "</svg>\n";
@@ -134,6 +135,13 @@ class PlotWriter {
         const double y = down(level.y);
         add(R"(<line class="plot-level" x1="{:.2f}" y1="{:.2f}" x2="{:.2f}" y2="{:.2f}"/>)",
             frame_.left, y, frame_.left + frame_.width, y);
+        svg_ += '\n';
+    }
+
+    /// Comes last, since points would hide it.
+    void draw_name(const PlotLevel& level) {
+        if (!has_place(level.y, plot_.y.scale)) return;
+        const double y = down(level.y);
         svg_ += text_element("text", level.name,
                              fmt::format(R"(class="plot-note" x="{:.2f}" y="{:.2f}")",
                                          frame_.left + 6.0, y - 5.0)) +

@@ -134,10 +134,16 @@ Json small_plots(const TradeoffResult& result) {
     return plots;
 }
 
+/// A label whose percent sign stays with its number.
+std::string unbroken(std::string text) {
+    const std::size_t space = text.find(" %");
+    return space == std::string::npos ? text : text.replace(space, 1, "\u00A0");
+}
+
 Json heading_values(ErrorMeasure chosen) {
     auto headings = Json::array();
     for (const ErrorMeasure measure : all_measures())
-        headings.push_back({{"label", label(measure)}, {"chosen", measure == chosen}});
+        headings.push_back({{"label", unbroken(label(measure))}, {"chosen", measure == chosen}});
     return headings;
 }
 
@@ -148,7 +154,7 @@ Json point_values(const TradeoffPoint& point, ErrorMeasure chosen) {
             {"time", duration_text(point.ms.median)},
             {"time_range", time_range(point.ms)},
             {"errors", error_cells(point, chosen)},
-            {"rays", count_text(point.rays)}};
+            {"rays", short_count_text(point.rays)}};
 }
 
 /// Names and values in one line each; objects within objects stay JSON.

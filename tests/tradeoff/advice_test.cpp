@@ -50,6 +50,25 @@ TEST(Advice, ABudgetGetsTheLeastErrorThatKeepsToIt) {
     EXPECT_EQ(advice_for_budget(points, measure, 1234.0).preset_file, "preset-1.234s.json");
 }
 
+TEST(Advice, SaysWhereTheReferencesNoiseHidesWhatIsBetter) {
+    const auto points = some_points();
+    const auto noted = [&](double floor) {
+        TradeoffAdvice advice = advice_for_budget(points, measure, 300.0);  // an error of 0.1
+        const std::string before = advice.sentence;
+        add_noise_note(advice, points, measure, floor);
+        EXPECT_EQ(advice.sentence.find(before), 0U);
+        return advice.sentence.substr(before.size());
+    };
+    EXPECT_EQ(noted(0.049), "");
+    EXPECT_EQ(noted(std::nan("")), "");
+    EXPECT_NE(noted(0.051).find("the reference's own noise, 0.051, hides"), std::string::npos);
+    EXPECT_NE(noted(0.2).find("--reference-spp"), std::string::npos);
+    TradeoffAdvice none = advice_for_budget(points, measure, 49.0);
+    const std::string before = none.sentence;
+    add_noise_note(none, points, measure, 1.0);
+    EXPECT_EQ(none.sentence, before) << "nothing was chosen";
+}
+
 TEST(Advice, SaysWhatIsFastestWhereNothingIsFastEnough) {
     const TradeoffAdvice advice = advice_for_budget(some_points(), measure, 49.0);
     EXPECT_FALSE(advice.point);

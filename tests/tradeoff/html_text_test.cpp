@@ -54,6 +54,17 @@ TEST(HtmlText, KeepsThreeDigits) {
               "567");
 }
 
+TEST(HtmlText, ShortCountsHaveThreeDigitsAndAPrefix) {
+    const std::string space = "\u202F";
+    EXPECT_EQ(short_count_text(0), "0");
+    EXPECT_EQ(short_count_text(9999), "9999");
+    EXPECT_EQ(short_count_text(10'000), "10.0" + space + "k");
+    EXPECT_EQ(short_count_text(999'499), "999" + space + "k");
+    EXPECT_EQ(short_count_text(999'600), "1.00" + space + "M");
+    EXPECT_EQ(short_count_text(2'521'285), "2.52" + space + "M");
+    EXPECT_EQ(short_count_text(~0ULL), "18.4" + space + "E");
+}
+
 TEST(HtmlText, CutsAtCharacters) {
     EXPECT_EQ(cut_text("four", 4), "four");
     EXPECT_EQ(cut_text("fifty", 4), "fif\xE2\x80\xA6");
