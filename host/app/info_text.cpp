@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
@@ -83,9 +84,16 @@ std::string list_block(std::string_view label,
     return block(label, lines, width + 2);
 }
 
+/// A number with that many digits; up to ten million all before the point, without an exponent.
+std::string rounded(double value, int digits) {
+    const double size = std::abs(value);
+    return size >= std::pow(10.0, digits) && size < 1e7 ? fmt::format("{:.0f}", value)
+                                                        : fmt::format("{:.{}g}", value, digits);
+}
+
 std::string triple(const json& v, std::string_view between, int digits = 4) {
-    return fmt::format("{2:.{1}g}{0}{3:.{1}g}{0}{4:.{1}g}", between, digits, v[0].get<double>(),
-                       v[1].get<double>(), v[2].get<double>());
+    return fmt::format("{1}{0}{2}{0}{3}", between, rounded(v[0].get<double>(), digits),
+                       rounded(v[1].get<double>(), digits), rounded(v[2].get<double>(), digits));
 }
 
 /// `3 lamps`, or `1 lamp`.
@@ -106,7 +114,7 @@ std::string light_text(const json& light) {
     const json& power = light["power"];
     const bool grey = power[0] == power[1] && power[1] == power[2];
     const std::string amount =
-        grey ? fmt::format("{:.3g}", power[0].get<double>()) : "RGB " + triple(power, " ", 3);
+        grey ? rounded(power[0].get<double>(), 3) : "RGB " + triple(power, " ", 3);
     std::string text = fmt::format("{}, {} {}", light["kind"].get<std::string>(), amount,
                                    light["unit"].get<std::string>());
     if (light.contains("triangles"))

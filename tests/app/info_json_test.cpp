@@ -121,6 +121,18 @@ TEST(InfoJson, LightsHaveTheirPower) {
     EXPECT_NE(text.find("bulb         point, 62.8 W\n"), std::string::npos) << text;
 }
 
+TEST(InfoJson, LargeNumbersHaveNoExponent) {
+    test::SceneBuilder builder = square();
+    builder.scene.instances[0].to_world = test::placement(25190.0, {0.0, 0.0, 0.0});
+    builder.light(LightType::directional, {0, 0, 0}, {1063.0F, 884.0F, 0.00125F}).name = "sun";
+    builder.light(LightType::directional, {0, 0, 0}, glm::vec3(3e9F)).name = "flash";
+    const std::string text = info_text(info_of(builder.scene));
+    EXPECT_EQ(rows(text, "size"), "size          25190 x 37785 x 0 scene units\n");
+    EXPECT_NE(text.find("sun    directional, RGB 1063 884 0.00125 W/m^2\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("flash  directional, 3e+09 W/m^2\n"), std::string::npos) << text;
+}
+
 TEST(InfoJson, DefaultLightsAreMarked) {
     Scene scene = square().scene;
     Diagnostics diagnostics;
