@@ -29,7 +29,7 @@ MORE_KINDS = {
     "irradiance-cache": ["--algorithm", "irradiance-cache", *MANY],
     "residual": ["--algorithm", "ais", "--vpl-compensation", *MANY],
     "occlusion": ["--components", "direct,indirect,media,occlusion", *MANY],
-    "high": ["--quality", "high"],
+    "high": ["--quality", "high", "--spp", "1"],
     "ais-ic": ["--indirect", "ic", *MANY],
     "ais-tic": ["--indirect", "tic", *FRAMES],
     "ais-moving": ["--algorithm", "ais", *FRAMES],
