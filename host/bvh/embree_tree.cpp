@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
+#include <memory>
 #include <new>
-#include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "bvh/embree_device.h"
 
 namespace weft {
 namespace {
@@ -22,57 +21,21 @@ namespace {
 constexpr unsigned leaf_block = node_width;
 constexpr float leaf_cost = 1.0F;
 
-// The first error that Embree reports, from whichever thread.
-class ErrorLog {
-  public:
-    void add(RTCError code, const char* text) noexcept {
-        const std::lock_guard lock(mutex_);
-        if (code_ != RTC_ERROR_NONE) return;
-        code_ = code;
-        try {
-            text_ = text != nullptr ? text : "";
-        } catch (const std::exception&) {
-            code_ = RTC_ERROR_OUT_OF_MEMORY;
-        }
-    }
-
-    void throw_if_any() const {
-        const std::lock_guard lock(mutex_);
-        if (code_ == RTC_ERROR_NONE) return;
-        if (code_ == RTC_ERROR_OUT_OF_MEMORY)
-            throw Error(ExitCode::out_of_memory, "out of memory while building the BVH");
-        throw Error(ExitCode::device, "Embree cannot build the BVH: " + text_);
-    }
-
-  private:
-    mutable std::mutex mutex_;
-    RTCError code_ = RTC_ERROR_NONE;
-    std::string text_;
-};
-
-struct ReleaseDevice {
-    using pointer = RTCDevice;
-    void operator()(RTCDevice device) const noexcept { rtcReleaseDevice(device); }
-};
-
 struct ReleaseBvh {
     using pointer = RTCBVH;
     void operator()(RTCBVH bvh) const noexcept { rtcReleaseBVH(bvh); }
 };
 
+constexpr const char* action = "building the BVH";
+
 // Owns the memory of a tree. The callbacks of the device use the first members until it is gone;
 // several threads call them at once, and they must not throw, since their callers are C.
 struct Session {
-    ErrorLog errors;
     std::atomic<std::ptrdiff_t> bytes{0};
     std::size_t max_bytes = SIZE_MAX;
-    std::unique_ptr<RTCDevice, ReleaseDevice> device;
+    EmbreeDevice device;
     std::unique_ptr<RTCBVH, ReleaseBvh> bvh;
 };
-
-void on_error(void* user, RTCError code, const char* text) noexcept {
-    static_cast<Session*>(user)->errors.add(code, text);
-}
 
 bool on_memory(void* user, ssize_t bytes, bool post) noexcept {
     auto& session = *static_cast<Session*>(user);
@@ -88,7 +51,8 @@ template <typename T>
 T* allocate(RTCThreadLocalAllocator allocator, void* user, std::size_t count = 1) noexcept {
     void* memory = rtcThreadLocalAlloc(allocator, sizeof(T) * count,
                                        std::max(alignof(T), alignof(std::max_align_t)));
-    if (memory == nullptr) static_cast<Session*>(user)->errors.add(RTC_ERROR_OUT_OF_MEMORY, "");
+    if (memory == nullptr)
+        static_cast<Session*>(user)->device.add_error(RTC_ERROR_OUT_OF_MEMORY, "");
     return static_cast<T*>(memory);
 }
 
@@ -124,16 +88,9 @@ void* create_leaf(RTCThreadLocalAllocator allocator, const Piece* pieces, std::s
 std::shared_ptr<Session> open_session(std::size_t max_bytes) {
     auto session = std::make_shared<Session>();
     session->max_bytes = max_bytes;
-    session->device.reset(rtcNewDevice(nullptr));
-    if (!session->device) {
-        session->errors.add(rtcGetDeviceError(nullptr), "no device could be made");
-        session->errors.throw_if_any();
-        throw Error(ExitCode::device, "Embree cannot build the BVH: no device could be made");
-    }
-    rtcSetDeviceErrorFunction(session->device.get(), on_error, session.get());
-    rtcSetDeviceMemoryMonitorFunction(session->device.get(), on_memory, session.get());
-    session->bvh.reset(rtcNewBVH(session->device.get()));
-    session->errors.throw_if_any();
+    rtcSetDeviceMemoryMonitorFunction(session->device.handle(), on_memory, session.get());
+    session->bvh.reset(rtcNewBVH(session->device.handle()));
+    session->device.throw_if_failed(action);
     return session;
 }
 
@@ -163,9 +120,9 @@ BuildTree build_embree_tree(std::span<const Piece> pieces, const EmbreeBuild& re
     arguments.userPtr = session.get();
 
     auto* root = static_cast<BuildNode*>(rtcBuildBVH(&arguments));
-    session->errors.throw_if_any();
+    session->device.throw_if_failed(action);
     if (root == nullptr)
-        throw Error(ExitCode::device, "Embree cannot build the BVH: it returned no tree");
+        throw Error(ExitCode::device, "Embree failed while building the BVH: it returned no tree");
     return {root, session};
 }
 

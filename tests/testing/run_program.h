@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,6 +39,8 @@ class RunningProgram {
         std::map<std::string, std::string> environment{};
         std::string standard_output{};  ///< where it goes instead of a file for `out()`
         int output_descriptor = -1;     ///< or an open descriptor
+        std::size_t address_bytes = 0;  ///< all that it may have; 0 sets no limit
+        unsigned seconds = 0;           ///< after which SIGALRM ends it; 0: never
     };
 
     /// Starts `weft` with these arguments.
@@ -59,6 +62,11 @@ class RunningProgram {
         const bool ready =
             (given >= 0 ? ::dup2(given, STDOUT_FILENO) >= 0 : redirect(out, STDOUT_FILENO)) &&
             redirect(err, STDERR_FILENO) && ::chdir(settings.working_folder.c_str()) == 0;
+        if (settings.address_bytes > 0) {
+            const rlimit limit{settings.address_bytes, settings.address_bytes};
+            static_cast<void>(::setrlimit(RLIMIT_AS, &limit));
+        }
+        ::alarm(settings.seconds);  // outlives the call of execv
         for (const auto& [name, value] : settings.environment)
             ::setenv(name.c_str(), value.c_str(), 1);
         if (ready) ::execv(argv[0], argv.data());

@@ -13,17 +13,12 @@
 namespace weft {
 namespace {
 
-void throw_embree_error(RTCDevice device, const char* action) {
-    const RTCError code = rtcGetDeviceError(device);
-    if (code == RTC_ERROR_NONE) return;
-    const bool memory = code == RTC_ERROR_OUT_OF_MEMORY;
-    throw Error(memory ? ExitCode::out_of_memory : ExitCode::device,
-                fmt::format("Embree could not {} (error {})", action, static_cast<int>(code)));
-}
+constexpr const char* building = "building the BVH";
 
 }  // namespace
 
-EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads, int flags) {
+EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads, int flags)
+    : device_(threads) {
     const std::size_t count = geometry.triangles.size();
     const std::size_t first_moving = std::min(geometry.first_moving, count);
     if (count > limits::max_triangles)
@@ -32,33 +27,17 @@ EmbreeScene::EmbreeScene(const TracedGeometry& geometry, int threads, int flags)
                                 limits::max_triangles));
     first_moving_ = static_cast<unsigned int>(first_moving);
     moves_ = first_moving < count;
-    const std::string config = threads > 0 ? fmt::format("threads={}", threads) : std::string();
-    device_ = rtcNewDevice(config.c_str());
-    if (device_ == nullptr) throw_embree_error(nullptr, "start");
-    scene_ = rtcNewScene(device_);
+    scene_.reset(rtcNewScene(device_.handle()));
+    device_.throw_if_failed(building);
     // With low quality Embree builds a tree of trees, one a mesh, and only then does a commit leave
     // meshes alone that have not changed. Each mesh has a quality of its own.
-    rtcSetSceneFlags(scene_,
+    rtcSetSceneFlags(scene_.get(),
                      static_cast<RTCSceneFlags>(flags | (moves_ ? RTC_SCENE_FLAG_DYNAMIC : 0)));
-    rtcSetSceneBuildQuality(scene_, moves_ ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(scene_.get(), moves_ ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
     attach(geometry, 0, first_moving, resting_mesh);
     attach(geometry, first_moving, count, moving_mesh);
-    rtcCommitScene(scene_);
-    try {
-        throw_embree_error(device_, "build the scene");
-    } catch (...) {
-        release();
-        throw;
-    }
-}
-
-EmbreeScene::~EmbreeScene() {
-    release();
-}
-
-void EmbreeScene::release() noexcept {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
+    rtcCommitScene(scene_.get());
+    device_.throw_if_failed(building);
 }
 
 void EmbreeScene::attach(const TracedGeometry& geometry, std::size_t first, std::size_t end,
@@ -66,7 +45,8 @@ void EmbreeScene::attach(const TracedGeometry& geometry, std::size_t first, std:
     if (first == end) return;
     const bool moving = mesh == moving_mesh;
     const bool any = !moving || choose_moving(geometry);
-    RTCGeometry triangles = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry triangles = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    device_.throw_if_failed(building);
     rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                geometry.positions.data(), 0, sizeof(shared::float4),
                                geometry.positions.size());
@@ -79,7 +59,7 @@ void EmbreeScene::attach(const TracedGeometry& geometry, std::size_t first, std:
                                    moving ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
     if (!any) rtcDisableGeometry(triangles);
     rtcCommitGeometry(triangles);
-    rtcAttachGeometryByID(scene_, triangles, mesh);
+    rtcAttachGeometryByID(scene_.get(), triangles, mesh);
     rtcReleaseGeometry(triangles);
 }
 
@@ -106,7 +86,7 @@ bool EmbreeScene::choose_moving(const TracedGeometry& geometry) {
 void EmbreeScene::update(const TracedGeometry& geometry) {
     if (!moves_) return;
     const bool any = choose_moving(geometry);
-    RTCGeometry triangles = rtcGetGeometry(scene_, moving_mesh);
+    RTCGeometry triangles = rtcGetGeometry(scene_.get(), moving_mesh);
     if (any)
         rtcEnableGeometry(triangles);
     else
@@ -114,16 +94,18 @@ void EmbreeScene::update(const TracedGeometry& geometry) {
     rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0);
     rtcUpdateGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0);
     rtcCommitGeometry(triangles);
-    rtcCommitScene(scene_);
-    throw_embree_error(device_, "update the scene");
+    rtcCommitScene(scene_.get());
+    device_.throw_if_failed("updating the BVH");
 }
 
 std::string embree_version() {
-    RTCDevice device = rtcNewDevice("threads=1");
-    if (device == nullptr) return "unavailable";
-    const auto version = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION);
-    rtcReleaseDevice(device);
-    return fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
+    try {
+        const EmbreeDevice device(1);
+        const auto version = rtcGetDeviceProperty(device.handle(), RTC_DEVICE_PROPERTY_VERSION);
+        return fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
+    } catch (const Error&) {
+        return "unavailable";
+    }
 }
 
 }  // namespace weft

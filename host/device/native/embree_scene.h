@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bvh/embree.h"
+#include "bvh/embree_device.h"
 #include "device/executor.h"
 
 namespace weft {
@@ -32,7 +32,6 @@ class EmbreeScene {
     /// Uses the geometry's memory; it must outlive this object. `threads` is 0 for all.
     /// Throws Error (exit code 3 or 4).
     EmbreeScene(const TracedGeometry& geometry, int threads, int flags = embree_render_flags);
-    ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
@@ -40,7 +39,7 @@ class EmbreeScene {
     /// at another time. Throws as the constructor.
     void update(const TracedGeometry& geometry);
 
-    [[nodiscard]] RTCScene handle() const noexcept { return scene_; }
+    [[nodiscard]] RTCScene handle() const noexcept { return scene_.get(); }
     /// The triangle that a hit of the scene is on.
     [[nodiscard]] unsigned int triangle_of(unsigned int mesh,
                                            unsigned int primitive) const noexcept {
@@ -55,10 +54,14 @@ class EmbreeScene {
                 unsigned int mesh);
     /// Chooses the moving triangles that are given to Embree. Returns whether there are any.
     bool choose_moving(const TracedGeometry& geometry);
-    void release() noexcept;
 
-    RTCDevice device_ = nullptr;
-    RTCScene scene_ = nullptr;
+    struct ReleaseScene {
+        using pointer = RTCScene;
+        void operator()(RTCScene scene) const noexcept { rtcReleaseScene(scene); }
+    };
+
+    EmbreeDevice device_;
+    std::unique_ptr<RTCScene, ReleaseScene> scene_;
     unsigned int first_moving_ = 0;
     bool moves_ = false;
     std::vector<std::array<unsigned int, 3>> moving_;  ///< vertex indices of moving triangles
