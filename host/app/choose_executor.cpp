@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/choose_executor.h"
 
+#include "app/thread_limit.h"
 #include "base/error.h"
 #include "device/native/native_executor.h"
 #if WEFT_HAS_OPENCL
@@ -41,7 +42,7 @@ std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::
 }  // namespace
 
 std::unique_ptr<Executor> choose_executor(const RenderOptions& options, Diagnostics& diagnostics) {
-    const int threads = static_cast<int>(options.threads.value_or(0));
+    const int threads = options.threads ? static_cast<int>(usable_threads(*options.threads)) : 0;
     Backend backend = options.backend.value_or(Backend::opencl);
     if (!options.backend && !options.device && !has_opencl_device(threads)) {
         diagnostics.warn("", "no OpenCL device was found, rendering with --backend embree");

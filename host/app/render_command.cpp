@@ -141,8 +141,8 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
                    : device.backend == "embree" ? Backend::embree
                                                 : Backend::native;
     used.device = device.name;
-    if (!used.threads)
-        used.threads = device.is_cpu ? device.compute_units : std::thread::hardware_concurrency();
+    used.threads = usable_threads(used.threads.value_or(
+        device.is_cpu ? device.compute_units : std::thread::hardware_concurrency()));
     used.size = FilmSize{settings.width, settings.height};
     used.camera = camera.name;
     used.components.emplace();

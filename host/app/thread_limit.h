@@ -10,6 +10,10 @@
 
 namespace weft {
 
+/// How many threads the program uses where the user asks for `wanted`: at least 1, and no more than
+/// there are processors or than a ThreadLimit allows. TBB would warn of more, in words of its own.
+[[nodiscard]] std::uint32_t usable_threads(std::uint32_t wanted);
+
 /// Limits the threads of all parallel work of the host while it lives, the calling thread included:
 /// scheduling, building and native kernels alike. It never allows more than was allowed before. It
 /// does not limit the threads of OpenCL drivers.

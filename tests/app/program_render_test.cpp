@@ -88,6 +88,23 @@ TEST_F(ProgramRender, WritesImagesOnEveryBackend) {
     EXPECT_EQ(folder_.entry_count(), 2 * program_backends().size()) << "something was left behind";
 }
 
+// The libraries that run the threads have words of their own for too many.
+TEST_F(ProgramRender, UsesNoMoreThreadsThanThereAreProcessors) {
+    for (const std::string& backend : program_backends()) {
+        SCOPED_TRACE(backend);
+        const json all = stats_of(box("x.png", {"--backend", backend}));
+        for (const char* threads : {"4096", "1000"}) {
+            const ProgramResult result =
+                run_program(box("x.png", {"--backend", backend, "--threads", threads, "--stats",
+                                          at("stats.json")}));
+            EXPECT_EQ(result.exit_code, 0);
+            EXPECT_EQ(result.err, "");
+            EXPECT_EQ(json::parse(text_of_file(at("stats.json"))).at("options").at("threads"),
+                      all.at("options").at("threads"));
+        }
+    }
+}
+
 TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
     for (const std::string& backend : program_backends()) {
         SCOPED_TRACE(backend);
