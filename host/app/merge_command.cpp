@@ -28,6 +28,17 @@ std::vector<SampleRange> gaps_of(const std::vector<SampleRange>& ranges) {
     return gaps;
 }
 
+/// Warns where parts come from backends that are not those of the parts before.
+void warn_about_other_backends(const FilmSums& whole, const FilmSums& part,
+                               const std::string& first, const std::string& file,
+                               Diagnostics& diagnostics) {
+    if (whole.backends.empty() || part.backends.empty() || whole.backends == part.backends) return;
+    diagnostics.warn(
+        file, fmt::format("is of {} and {} of {}: the image is as good, but its last bits may be "
+                          "those of neither",
+                          backends_text(part.backends), first, backends_text(whole.backends)));
+}
+
 }  // namespace
 
 void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
@@ -42,11 +53,14 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
             metadata = image.metadata;
             continue;
         }
+        const std::string before =
+            i == 1 ? quote(options.parts.front().string()) : "the parts before it";
+        // Once is enough: from then on the whole is of several.
+        if (whole.backends.size() == 1)
+            warn_about_other_backends(whole, sums, before, part.string(), diagnostics);
         try {
             add_sums(whole, sums);
         } catch (const Error& error) {
-            const std::string before =
-                i == 1 ? quote(options.parts.front().string()) : "the parts before it";
             throw Error(error.code(), part.string(),
                         fmt::format("cannot be merged with {}: {}", before, error.what()));
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -180,6 +181,17 @@ SampleRange missing(SampleRange wanted, const FilmSums& sums, const std::string&
     return wanted;
 }
 
+/// Warns where `added` samples of one backend are added to those of another.
+void warn_about_backends(const FilmSums& sums, const std::string& backend, SampleRange added,
+                         const std::string& file, Diagnostics& diagnostics) {
+    if (added.first >= added.end || sums.backends.empty() ||
+        sums.backends == std::set<std::string>{backend})
+        return;
+    diagnostics.warn(file, fmt::format("holds samples of {}, to which {} adds: the image is as "
+                                       "good, but its last bits may be those of neither",
+                                       backends_text(sums.backends), backend));
+}
+
 /// Writes the files of a command line, and records the time and shows the progress of that.
 class CommandOutput : public FileOutput {
   public:
@@ -218,7 +230,7 @@ class CommandOutput : public FileOutput {
 /// one. Throws Error (exit code 2) where that file is of another image.
 RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene moving,
                            const Camera& camera, const RenderOptions& options,
-                           const RenderSettings& settings) {
+                           const RenderSettings& settings, Diagnostics& diagnostics) {
     // --stats writes the statistics of all frames.
     const std::size_t kept_frames = options.stats ? std::numeric_limits<std::size_t>::max()
                                                   : RenderSession::default_kept_frames;
@@ -229,6 +241,8 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
     if (options.resume && std::filesystem::exists(*options.resume)) {
         sums = sums_of(read_exr(*options.resume), options.resume->string());
         left.samples = missing(left.samples, sums, options.resume->string());
+        warn_about_backends(sums, executor->device().backend, left.samples,
+                            options.resume->string(), diagnostics);
     }
     return {std::move(executor), std::move(moving), camera, left, kept_frames, std::move(sums)};
 }
@@ -368,8 +382,8 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
     if (options.frames) moving.set_frame(frames.first);
     const Camera first_camera = camera_of_frame(scene, camera, options, frames.first);
-    RenderSession session =
-        make_session(std::move(executor), std::move(moving), first_camera, options, settings);
+    RenderSession session = make_session(std::move(executor), std::move(moving), first_camera,
+                                         options, settings, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
     const std::uint32_t finished = render_images(session, output, camera, options, progress, clock);

@@ -114,6 +114,7 @@ void add_sums(FilmSums& whole, const FilmSums& part) {
     std::vector<SampleRange> ranges = whole.ranges;
     ranges.insert(ranges.end(), part.ranges.begin(), part.ranges.end());
     whole.ranges = joined(std::move(ranges));
+    whole.backends.insert(part.backends.begin(), part.backends.end());
     for (std::size_t plane = 0; plane < FILM_PLANES; ++plane)
         add_words(whole, part, plane * FILM_SUM_WORDS, FILM_SUM_WORDS);
     for (std::size_t channel = 0; channel < 3; ++channel)

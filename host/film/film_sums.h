@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct FilmSums {
     /// Digest of the scene, camera, seed and everything else that changes samples. Only sums with
     /// equal identities may be added.
     std::string identity;
+    /// Names of the backends that made the samples, which round differently; empty where not known.
+    std::set<std::string> backends;
     int light_exponent = 0;            ///< light is in units of 2^light_exponent
     double depth_unit = 1.0;           ///< kernel units per scene unit
     std::vector<SampleRange> ranges;   ///< disjoint, ascending, not adjacent

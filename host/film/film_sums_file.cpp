@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "shared/shared_types.h"
@@ -20,6 +21,7 @@ constexpr const char* identity_key = "weft.picture";
 constexpr const char* ranges_key = "weft.samples";
 constexpr const char* exponent_key = "weft.light_exponent";
 constexpr const char* unit_key = "weft.depth_exponent";
+constexpr const char* backends_key = "weft.backends";
 constexpr int largest_exponent = 1000;
 
 std::string layer_name(std::size_t plane) {
@@ -66,6 +68,22 @@ class Reader {
         return joined(std::move(ranges));
     }
 
+    /// None in files of versions that did not write them.
+    [[nodiscard]] std::set<std::string> backends() const {
+        std::set<std::string> names;
+        if (!image_.metadata.contains(backends_key)) return names;
+        std::string name;
+        for (const char c : text(backends_key) + ",") {
+            if (c != ',' && (c < 'a' || c > 'z')) throw damaged(backends_key);
+            if (c != ',')
+                name += c;
+            else if (!names.insert(std::exchange(name, "")).second)
+                throw damaged(backends_key);
+        }
+        if (names.contains("")) throw damaged(backends_key);
+        return names;
+    }
+
     [[nodiscard]] const Layer& words(std::size_t plane) const {
         const Layer* const layer = image_.find(layer_name(plane));
         const std::size_t pixels = std::size_t{image_.width} * image_.height;
@@ -99,9 +117,16 @@ std::string ranges_text(const std::vector<SampleRange>& ranges) {
     return text;
 }
 
+std::string backends_text(const std::set<std::string>& backends) {
+    std::string text;
+    for (const std::string& name : backends) text += (text.empty() ? "" : ",") + name;
+    return text;
+}
+
 void attach_sums(const FilmSums& sums, Image& image) {
     image.metadata[identity_key] = sums.identity;
     image.metadata[ranges_key] = ranges_text(sums.ranges);
+    if (!sums.backends.empty()) image.metadata[backends_key] = backends_text(sums.backends);
     image.metadata[exponent_key] = std::to_string(sums.light_exponent);
     image.metadata[unit_key] = std::to_string(std::ilogb(sums.depth_unit));  // a power of two
     const std::size_t pixels = std::size_t{sums.width} * sums.height;
@@ -121,6 +146,7 @@ FilmSums sums_of(const Image& image, const std::string& place) {
     sums.height = image.height;
     sums.identity = reader.text(identity_key);
     sums.ranges = reader.ranges();
+    sums.backends = reader.backends();
     sums.light_exponent = reader.exponent(exponent_key);
     sums.depth_unit = std::ldexp(1.0, reader.exponent(unit_key));
     sums.words.reserve(std::size_t{FILM_PIXEL_WORDS} * image.width * image.height);

@@ -3,6 +3,7 @@
 #ifndef WEFT_FILM_FILM_SUMS_FILE_H
 #define WEFT_FILM_FILM_SUMS_FILE_H
 
+#include <set>
 #include <string>
 
 #include "film/film_sums.h"
@@ -11,6 +12,9 @@ namespace weft {
 
 /// "0:64,128:256".
 [[nodiscard]] std::string ranges_text(const std::vector<SampleRange>& ranges);
+
+/// "embree,opencl".
+[[nodiscard]] std::string backends_text(const std::set<std::string>& backends);
 
 /// Adds the sums to the image resolved from them, as layers of words and metadata, so that its file
 /// can be continued or merged.

@@ -162,6 +162,7 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
                     "camera, seed and options");
     (void)joined(std::move(all));
     film_.ranges = sums.ranges;
+    film_.backends = sums.backends;
 
     executor_.build(std::array{kernel()}, features);
     if (!scene_buffers_)
@@ -293,6 +294,7 @@ void PathRenderer::finish_frame() {
     stats_.push_back(std::move(open_->stats));
     open_.reset();
     stats_.back().image = image_;
+    film_.backends.insert(executor_.device().backend);
     std::vector<SampleRange> ranges = film_.ranges;
     ranges.push_back({next_, next_ + count});
     film_.ranges = joined(std::move(ranges));

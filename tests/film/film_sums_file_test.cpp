@@ -30,6 +30,7 @@ FilmSums some_sums() {
     sums.width = width;
     sums.height = height;
     sums.identity = "0123456789abcdef";
+    sums.backends = {"native", "opencl"};
     sums.light_exponent = -7;
     sums.depth_unit = 0x1p-12;
     sums.ranges = {{0, 64}, {128, 0xFFFFFFFFU}};
@@ -57,6 +58,7 @@ void expect_same(const FilmSums& a, const FilmSums& b) {
     EXPECT_EQ(a.width, b.width);
     EXPECT_EQ(a.height, b.height);
     EXPECT_EQ(a.identity, b.identity);
+    EXPECT_EQ(a.backends, b.backends);
     EXPECT_EQ(a.light_exponent, b.light_exponent);
     EXPECT_EQ(a.depth_unit, b.depth_unit);
     EXPECT_EQ(a.ranges, b.ranges);
@@ -97,6 +99,19 @@ TEST(FilmSumsFile, AllBitsComeBackFromAFile) {
         ASSERT_NE(image.find(""), nullptr);
         EXPECT_EQ(image.find("")->values, some_image().layers.front().values);
     }
+}
+
+TEST(FilmSumsFile, BackendsMayBeUnknownButNotDamaged) {
+    EXPECT_EQ(backends_text({"opencl", "embree"}), "embree,opencl");
+    Image image = some_image();
+    EXPECT_EQ(image.metadata.at("weft.backends"), "native,opencl");
+    for (const char* text : {"", ",", "native,", ",native", "native,,opencl", "native,native",
+                             "native opencl", "native\n"}) {
+        image.metadata["weft.backends"] = text;
+        expect_refused(image, "weft.backends");
+    }
+    image.metadata.erase("weft.backends");
+    EXPECT_TRUE(sums_of(image, "x").backends.empty());
 }
 
 TEST(FilmSumsFile, NoSamplesYetComeBack) {

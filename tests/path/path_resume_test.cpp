@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -254,8 +255,9 @@ class PathResumeProgram : public testing::Test {
         std::vector<std::string> all{"render",      test::shipped_scene("cornell-box.gltf"),
                                      "-o",          at(output),
                                      "--algorithm", "path",
-                                     "--size",      "24x20",
-                                     "--backend",   "native"};
+                                     "--size",      "24x20"};
+        if (std::find(more.begin(), more.end(), "--backend") == more.end())
+            all.insert(all.end(), {"--backend", "native"});
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
@@ -329,6 +331,47 @@ TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
         EXPECT_NE(other.err.find(at(part)), std::string::npos) << other.err;
     run("plain.exr", {"--spp", "1"});
     EXPECT_EQ(merge({"a.exr", "plain.exr"}).exit_code, 2);
+}
+
+TEST_F(PathResumeProgram, PartsOfOtherBackendsAreToldOfOnce) {
+    run("a.exr", {"--samples", "0:2"});
+    run("b.exr", {"--samples", "2:4", "--backend", "embree"});
+    run("c.exr", {"--samples", "4:6", "--backend", "embree"});
+    run("d.exr", {"--samples", "6:8"});
+    const auto merge = [&](const std::vector<std::string>& parts) {
+        std::vector<std::string> all{"merge"};
+        for (const std::string& part : parts) all.push_back(at(part));
+        all.insert(all.end(), {"-o", at("merged.exr")});
+        return test::run_program(all);
+    };
+    const auto lines = [](const std::string& text) {
+        return std::count(text.begin(), text.end(), '\n');
+    };
+    const test::ProgramResult mixed = merge({"a.exr", "b.exr", "c.exr", "d.exr"});
+    EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
+    EXPECT_NE(mixed.err.find(at("b.exr") + ": is of embree and '" + at("a.exr") + "' of native"),
+              std::string::npos)
+        << mixed.err;
+    EXPECT_EQ(lines(mixed.err), 1) << mixed.err;
+    EXPECT_EQ(sums("merged.exr").backends, (std::set<std::string>{"embree", "native"}));
+    EXPECT_EQ(sums("merged.exr").samples(), 8U);
+    EXPECT_EQ(merge({"b.exr", "c.exr"}).err, "");
+    // The same where an image is continued, unless there is nothing left to add.
+    const auto resume = [&](const std::string& backend, const char* samples) {
+        return test::run_program(
+            arguments("x.exr", {"--backend", backend, "--spp", samples, "--resume", at("kept.exr"),
+                                "--progress", "none"}));
+    };
+    EXPECT_EQ(resume("native", "2").err, "");
+    EXPECT_EQ(resume("native", "3").err, "");
+    EXPECT_EQ(resume("embree", "3").err, "");
+    const test::ProgramResult other = resume("embree", "4");
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_NE(other.err.find(at("kept.exr") + ": holds samples of native, to which embree adds"),
+              std::string::npos)
+        << other.err;
+    EXPECT_EQ(lines(other.err), 1) << other.err;
+    EXPECT_EQ(sums("kept.exr").backends, (std::set<std::string>{"embree", "native"}));
 }
 
 TEST_F(PathResumeProgram, InterruptedRunsAreContinued) {
