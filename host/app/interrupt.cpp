@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/interrupt.h"
 
+#include <termios.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 
 #include "base/error.h"
 
@@ -18,9 +20,11 @@ namespace {
 constexpr std::int64_t repeat_milliseconds = 200;
 
 std::atomic<bool> requested{false};
-std::atomic<std::int64_t> requested_at{0};  // 0 before the first signal
+std::atomic<std::int64_t> requested_at{0};   // 0 before the first signal
+std::atomic<const char*> farewell{nullptr};  // null where there is work to keep
 static_assert(std::atomic<bool>::is_always_lock_free &&
-                  std::atomic<std::int64_t>::is_always_lock_free,
+                  std::atomic<std::int64_t>::is_always_lock_free &&
+                  std::atomic<const char*>::is_always_lock_free,
               "a signal handler may touch lock-free atomics only");
 
 std::int64_t milliseconds() {
@@ -29,8 +33,20 @@ std::int64_t milliseconds() {
     return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1000000;
 }
 
+void write_text(const char* text) {
+    static_cast<void>(::write(STDERR_FILENO, text, std::strlen(text)) < 0);
+}
+
 extern "C" void weft_handle_interrupt(int signal) {
     const int saved_errno = errno;
+    if (const char* const message = farewell) {
+        // There may be a progress bar, and the terminal shows ^C.
+        termios terminal{};
+        if (::tcgetattr(STDERR_FILENO, &terminal) == 0) write_text("\n");
+        write_text(message);
+        write_text("\n");
+        ::_exit(static_cast<int>(ExitCode::interrupted));
+    }
     const std::int64_t now = milliseconds();
     std::int64_t first = 0;
     if (requested_at.compare_exchange_strong(first, now))
@@ -46,7 +62,8 @@ const std::atomic<bool>& interrupt_flag() noexcept {
     return requested;
 }
 
-InterruptGuard::InterruptGuard() {
+InterruptGuard::InterruptGuard(const char* message) {
+    farewell = message;
     requested = false;
     requested_at = 0;
     struct sigaction action {};
@@ -60,6 +77,11 @@ InterruptGuard::InterruptGuard() {
 InterruptGuard::~InterruptGuard() {
     ::sigaction(SIGINT, &old_interrupt_, nullptr);
     ::sigaction(SIGTERM, &old_terminate_, nullptr);
+    farewell = nullptr;
+}
+
+void InterruptGuard::keep_work() noexcept {
+    farewell = nullptr;
 }
 
 }  // namespace weft

@@ -351,7 +351,8 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
                                 : options.output);
     if (options.stats) check_output(*options.stats);
     if (options.resume) check_output(*options.resume);
-    const InterruptGuard guard;
+    InterruptGuard guard(
+        "weft: warning: interrupted before there was a sample, no image is written");
     const ThreadLimit limit(options.threads);
     Progress progress(options.progress, stderr);
     RunTimes times;
@@ -386,6 +387,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
                                          options, settings, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
+    guard.keep_work();
     const std::uint32_t finished = render_images(session, output, camera, options, progress, clock);
     times.render_ms += watch.lap();  // where no image was written
     const std::uint32_t images = frames.end - frames.first;

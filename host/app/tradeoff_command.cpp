@@ -280,10 +280,11 @@ class TradeoffRun {
 }  // namespace
 
 void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics) {
-    const InterruptGuard guard;
+    InterruptGuard guard("weft: interrupted, nothing was written");
     const ThreadLimit limit(options.threads);
     prepare_folder(options.output);
     const Scene scene = resting_scene(options, diagnostics);
+    guard.keep_work();
     TradeoffRun run(options, scene, diagnostics);
     print_warnings(diagnostics, options.verbose);
     const TradeoffResult result = run.run();

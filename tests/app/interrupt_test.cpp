@@ -14,7 +14,8 @@ namespace {
 
 TEST(Interrupt, SignalsSetTheFlag) {
     for (const int signal : {SIGINT, SIGTERM}) {
-        const InterruptGuard guard;
+        InterruptGuard guard("a message");
+        guard.keep_work();
         EXPECT_FALSE(interrupt_flag());
         std::raise(signal);
         EXPECT_TRUE(interrupt_flag());
@@ -25,13 +26,24 @@ TEST(Interrupt, SignalsSetTheFlag) {
 
 TEST(Interrupt, EarlierHandlersComeBack) {
     const auto earlier = std::signal(SIGINT, SIG_IGN);
-    { const InterruptGuard guard; }
+    { const InterruptGuard guard("a message"); }
     EXPECT_EQ(std::signal(SIGINT, earlier), SIG_IGN);
+}
+
+TEST(InterruptDeathTest, SignalsEndAtOnceWhereThereIsNoWorkToKeep) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const auto interrupt = [&] {
+            const InterruptGuard guard("nothing was done yet");
+            std::raise(signal);
+        };
+        EXPECT_EXIT(interrupt(), testing::ExitedWithCode(130), "^nothing was done yet\n$");
+    }
 }
 
 TEST(InterruptDeathTest, SecondCtrlCEndsAtOnce) {
     const auto press_twice = [] {
-        const InterruptGuard guard;
+        InterruptGuard guard("a message");
+        guard.keep_work();
         std::raise(SIGINT);
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         std::raise(SIGINT);
@@ -41,7 +53,8 @@ TEST(InterruptDeathTest, SecondCtrlCEndsAtOnce) {
 
 TEST(InterruptDeathTest, RepeatedTerminationRequestsDoNotEnd) {
     const auto terminate_twice = [] {
-        const InterruptGuard guard;
+        InterruptGuard guard("a message");
+        guard.keep_work();
         std::raise(SIGTERM);
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         std::raise(SIGTERM);
