@@ -399,8 +399,12 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     if (!complete && options.frames)
         diagnostics.warn(
             "", fmt::format("interrupted, {} of {} images are finished", finished, images));
-    else if (!complete && session.samples() == 0)
+    else if (!complete && (session.samples() == 0 || is_dark(session.light())))
         diagnostics.warn("", "interrupted before there was a sample, no image is written");
+    else if (!complete && !session.light().empty())
+        diagnostics.warn("",
+                         fmt::format("interrupted, the image holds a part of its only sample: {}",
+                                     light_text(session.light())));
     else if (!complete)
         diagnostics.warn("", fmt::format("interrupted, the image holds what was done by then "
                                          "(samples: {})",

@@ -129,6 +129,8 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
             {"first_sample", found.first_sample},
             {"first_pixel",
              {found.first_pixel % settings.width, found.first_pixel / settings.width}}};
+    nlohmann::json light = nlohmann::json::object();
+    for (const LightShare& part : session.light()) light[part.component] = part.share;
     return {{"weft", WEFT_VERSION},
             {"versions", {{"embree", embree_version()}}},
             {"backend", executor.device().backend},
@@ -137,7 +139,8 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
             {"seed", settings.seed},
             {"options", options_json(options)},
             {"size", {settings.width, settings.height}},
-            {"samples", session.samples()},
+            {"samples", is_dark(session.light()) ? 0 : session.samples()},
+            {"light", light},
             {"scene", scene_json(session.scene().flat(), executor)},
             {"settings", preset_json(settings_of(settings, session))},
             {"plan", plan_json(session.plan())},

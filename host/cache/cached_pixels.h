@@ -18,18 +18,26 @@ class CachedPixels {
   public:
     CachedPixels(Executor& executor, std::uint32_t width, std::uint32_t height);
 
-    /// Starts over: all pixels that reflect light lack irradiance.
+    /// Begins a frame: all pixels that reflect light lack irradiance.
+    void begin_frame(FrameContext& frame, const char* component);
+    /// Starts over in a frame: again they all do.
     void begin(FrameContext& frame, const char* component);
     /// Looks up all pixels in the records of a store and adds the irradiance that these give.
     void look_up(FrameContext& frame, const char* component, const RecordStore& store);
     /// Pixels of which a round with squares of that edge makes records; see pick_missing.
-    [[nodiscard]] std::vector<std::uint32_t> picks(Executor& executor, std::uint32_t edge) const;
+    [[nodiscard]] std::vector<std::uint32_t> picks(Executor& executor, std::uint32_t edge);
+    /// Share of the pixels missing at the frame's first call of `picks` that have irradiance now; 0
+    /// before it.
+    [[nodiscard]] double lit_share(Executor& executor) const;
 
     /// By pixel, float4: mean irradiance, and the weight of the records that gave it.
     [[nodiscard]] BufferRef<kinds::ReconstructedLight> irradiance() const { return irradiance_; }
 
   private:
+    [[nodiscard]] std::vector<TileMask> missing(Executor& executor) const;
+
     TileGrid grid_;
+    std::size_t first_missing_ = 0;  ///< pixels; 0 before the frame's first `picks`
     DeviceBuffer<kinds::ReconstructedLight> irradiance_;
     DeviceBuffer<kinds::MissingPixels> missing_;
     DeviceBuffer<kinds::TileBounds> tile_boxes_;

@@ -56,6 +56,10 @@ class Component {
     /// Where the component was sampled in the last frame, for statistics and for the image's layers
     /// of levels. Null where it samples every pixel in full.
     [[nodiscard]] virtual const SamplingDecision* decision() const { return nullptr; }
+    /// How much of its light the samples of a frame have that ended early, in [0, 1].
+    [[nodiscard]] virtual double light_share(FrameContext& frame) const {
+        return frame.light().share();
+    }
     /// Statistics of records that outlast a frame, for the last frame; none without such records.
     [[nodiscard]] virtual std::optional<CacheStats> cache() const { return {}; }
     /// Adds layers of its own: means over the frames of the image.

@@ -47,6 +47,9 @@ class InstantCache : public Component {
 
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext&) override {}
+    [[nodiscard]] double light_share(FrameContext& frame) const override {
+        return pixels_.lit_share(frame.executor);
+    }
     void bind_outputs(ComposedIrradiance& composed) const override {
         composed.indirect = pixels_.irradiance();
     }
@@ -100,7 +103,7 @@ void InstantCache::make_records(FrameContext& frame, const std::vector<std::uint
 }
 
 void InstantCache::sample(FrameContext& frame) {
-    pixels_.begin(frame, name);
+    pixels_.begin_frame(frame, name);
     if (kept_) {
         kept_->refresh(frame, name);
         if (kept_->store().count() > 0) pixels_.look_up(frame, name, kept_->store());

@@ -51,6 +51,9 @@ class IrradianceCache : public Component {
 
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext&) override {}
+    [[nodiscard]] double light_share(FrameContext& frame) const override {
+        return pixels_.lit_share(frame.executor);
+    }
     void bind_outputs(ComposedIrradiance& composed) const override {
         composed.indirect = pixels_.irradiance();
     }
@@ -152,7 +155,7 @@ void IrradianceCache::fill_store(FrameContext& frame, std::uint32_t first) {
 
 void IrradianceCache::sample(FrameContext& frame) {
     pool_.clear();
-    pixels_.begin(frame, name);
+    pixels_.begin_frame(frame, name);
     for (const std::uint32_t edge : cache_rounds) {
         if (frame.ended_early()) return;
         const std::vector<std::uint32_t> picks = pixels_.picks(frame.executor, edge);

@@ -39,8 +39,7 @@ void SoftShadows::sample(FrameContext& frame, BufferRef<kinds::VirtualLights> sa
                          BufferRef<kinds::SlotLight> irradiance) {
     probe(frame, samples, irradiance);
     edges_ = {};
-    if (frame.ended_early()) return;
-    frame.add_host_stage(Stage::scheduling, name, find_edges());
+    if (!frame.ended_early()) frame.add_host_stage(Stage::scheduling, name, find_edges());
     refine(frame, samples, irradiance);
 }
 

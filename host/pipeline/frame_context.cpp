@@ -183,9 +183,12 @@ void FrameContext::run_bound(KernelId kernel, Stage stage, const char* component
                          .counter = counter,
                          .milliseconds = &stages_.back().ms,
                          .whole = whole_launches}};
+    double share = 0.0;
     const bool complete = executor.run(launch, [&](double done) {
+        share = done;
         return finishing_ || !keep_going_ || keep_going_(stage, done);
     });
+    light_.add(stage, complete ? items.count : share * items.count);
     ended_early_ = ended_early_ || !complete;
 }
 

@@ -12,6 +12,7 @@
 
 #include "device/executor.h"
 #include "device/launch.h"
+#include "pipeline/light_work.h"
 #include "pipeline/stage.h"
 #include "plan/frame_budget.h"
 #include "plan/frame_plan.h"
@@ -159,7 +160,9 @@ class FrameContext : public FrameInputs {
     /// it does nothing outside of run_whole. `arguments` is a struct of weft::kernels.
     template <class Kernel>
     void run(Stage stage, const char* component, const Kernel& arguments, const Items& items) {
-        if (items.count == 0 || (ended_early() && !finishing_)) return;
+        if (items.count == 0) return;
+        light_.plan(stage, component, items.count);
+        if (ended_early() && !finishing_) return;
         ArgumentBinder binder(Kernel::id);
         arguments.bind_to(binder);
         run_bound(Kernel::id, stage, component, binder, items);
@@ -180,6 +183,11 @@ class FrameContext : public FrameInputs {
     void wait() { (void)executor.take_milliseconds(); }
     /// Records work of the host between stages; `ms` must not count what ran on the device.
     void add_host_stage(Stage stage, const char* component, double ms);
+
+    /// Begins the samples of another component, for `light`.
+    void begin_component() { light_ = {}; }
+    /// How much of the component's light there is so far.
+    [[nodiscard]] const LightWork& light() const { return light_; }
 
     /// Pixels of the image.
     [[nodiscard]] std::uint32_t pixels() const noexcept {
@@ -207,6 +215,7 @@ class FrameContext : public FrameInputs {
     const KeepGoing& keep_going_;
     std::deque<StageStats> stages_;       ///< addresses stay: launches add their times there
     std::vector<std::size_t> uncounted_;  ///< stages by counter
+    LightWork light_;
     bool ended_early_ = false;
     bool finishing_ = false;
 };

@@ -11,6 +11,7 @@
 #include "base/stopwatch.h"
 #include "image/image.h"
 #include "pipeline/frame_context.h"
+#include "pipeline/light_work.h"
 #include "plan/frame_plan.h"
 
 namespace weft {
@@ -97,6 +98,9 @@ class FrameRenderer {
 
     /// Samples of every pixel in the film.
     [[nodiscard]] virtual std::uint64_t samples() const = 0;
+    /// How much of its light a film holds whose only frame ended early, by component; empty where
+    /// all of it is there.
+    [[nodiscard]] virtual std::vector<LightShare> light() const { return {}; }
     /// The mean of the film as layers.
     [[nodiscard]] virtual Image image() = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;

@@ -26,6 +26,28 @@ enum class Stage : std::uint8_t {
     return names[static_cast<std::size_t>(stage)];
 }
 
+/// Whether a stage gives receivers or pixels light, or what stands for it, such as occlusion. The
+/// others prepare that, or make an image of it.
+[[nodiscard]] constexpr bool brings_light(Stage stage) {
+    switch (stage) {
+        case Stage::area_lights:
+        case Stage::punctual_lights:
+        case Stage::distant_light:
+        case Stage::shadow_probes:
+        case Stage::vpl_gather:
+        case Stage::vpl_residual:
+        case Stage::cache_lookup:
+        case Stage::media_area_lights:
+        case Stage::media_punctual_lights:
+        case Stage::media_vpls:
+        case Stage::media_distant_light:
+        case Stage::occlusion_rays:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace weft
 
 #endif

@@ -226,6 +226,7 @@ void Renderer::move_camera(const Camera& camera) {
     if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
     base_params_.camera.texture_angle = texture_angle(base_params_, settings_);
     frames_in_film_ = 0;
+    light_.clear();
     ++image_;
 }
 
@@ -286,6 +287,19 @@ void Renderer::compose(FrameContext& frame) {
     if (buffers_.edges) buffers_.edges->sample(frame);
 }
 
+std::vector<LightShare> Renderer::sample(FrameContext& frame) {
+    std::vector<LightShare> light;
+    for (const ActiveComponent& active : components_) {
+        if (executor_.cancelled()) break;
+        frame.begin_component();
+        active.component->sample(frame);
+        LightShare& part = light.emplace_back(LightShare{frame.light().component(), 1.0});
+        if (part.component.empty()) part.component = active.name;
+        if (frame.ended_early()) part.share = active.component->light_share(frame);
+    }
+    return light;
+}
+
 bool Renderer::render_frame(const KeepGoing& keep_going) {
     const Stopwatch watch;
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
@@ -296,12 +310,11 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
                    : image_ == sequence_ ? FrameContext::Begins::sequence
                                          : FrameContext::Begins::image;
     frame.run_whole([&] { trace_primary(frame); });
-    for (const ActiveComponent& active : components_) {
-        if (executor_.cancelled()) return false;
-        active.component->sample(frame);
-    }
+    std::vector<LightShare> light = sample(frame);
     if (frame.ended_early() && number > 0) return false;
     if (!finish(frame)) return false;
+    const auto lacks = [](const LightShare& part) { return part.share < 1.0; };
+    if (std::any_of(light.begin(), light.end(), lacks)) light_ = std::move(light);
     ++frames_in_film_;
     record(frame, watch);
     if (!frame.ended_early()) budget_.spend(stats_.back().ms, threshold_scopes());

@@ -66,6 +66,7 @@ class Renderer : public FrameRenderer {
     void follow_scene() override;
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
+    [[nodiscard]] std::vector<LightShare> light() const override { return light_; }
     /// The mean of the film as layers: beauty, direct, indirect, emission, albedo, normal, depth;
     /// of ais also the levels of the last frame, and what components bring as layers of their own.
     [[nodiscard]] Image image() override;
@@ -84,6 +85,8 @@ class Renderer : public FrameRenderer {
     void choose_indirect();
     void set_params(std::uint32_t features);
     void trace_primary(FrameContext& frame);
+    /// Makes the samples of all components; returns how much of its light each has.
+    std::vector<LightShare> sample(FrameContext& frame);
     void compose(FrameContext& frame);
     /// Reconstructs all components and adds the frame to the film; returns whether all of it got
     /// there.
@@ -106,6 +109,7 @@ class Renderer : public FrameRenderer {
     shared::RenderParams base_params_{};
     std::vector<FrameStats> stats_;
     std::uint32_t frames_in_film_ = 0;
+    std::vector<LightShare> light_;  ///< of a film whose only frame ended early
     std::uint32_t image_ = 0;
     std::uint32_t sequence_ = 0;  ///< first image of the sequence
     FrameBudget budget_;

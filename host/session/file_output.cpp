@@ -86,6 +86,7 @@ void FileOutput::write_files(SessionImage& rendered, WriteMode mode) {
     image.metadata["scene"] = settings_.scene;
     image.metadata["algorithm"] = to_string(rendered.algorithm);
     image.metadata["samples"] = std::to_string(rendered.samples);
+    if (!rendered.light.empty()) image.metadata["light"] = light_text(rendered.light);
     image.metadata["seed"] = std::to_string(rendered.seed);
     if (is_png(settings_.file)) {
         write_png(settings_.file, image,

@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "film/film_sums.h"
 #include "image/image.h"
+#include "pipeline/light_work.h"
 #include "plan/algorithm.h"
 
 namespace weft {
@@ -20,6 +22,8 @@ struct SessionImage {
     std::uint64_t samples = 0;  ///< of every pixel
     std::uint32_t seed = 0;
     bool complete = true;  ///< false where the user has ended it early
+    /// See FrameRenderer::light.
+    std::vector<LightShare> light;
 };
 
 /// Receives the images that a session has rendered, such as to write files or in a test.

@@ -96,8 +96,7 @@ SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
         const bool out_of_time = frame > 0 && deadline.left_ms() < finish_ms;
         return !is_ended(budget) && !out_of_time;
     };
-    // A first frame is begun in any case: without it there is no image to keep.
-    for (; frame < frames && (frame == 0 || !is_ended(budget)); ++frame) {
+    for (; frame < frames && !is_ended(budget); ++frame) {
         if (frame > 0 && deadline.left_ms() <= finish_ms) break;
         if (!render_frame(keep_going)) break;
         finish_ms = deadline.ms() - asked_ms;
@@ -147,9 +146,9 @@ SessionEnd RenderSession::render_path(const RenderBudget& budget) {
 void RenderSession::deliver(bool complete) {
     if (output_ == nullptr) return;
     const Stopwatch watch;
-    SessionImage result = image();
     // It would be black, and an earlier image of that name may be in its place.
-    if (!complete && result.samples == 0) return;
+    if (!complete && (samples() == 0 || is_dark(light()))) return;
+    SessionImage result = image();
     result.complete = complete;
     // Sums that cannot be saved are no reason to lose the image.
     std::exception_ptr unsaved;

@@ -111,6 +111,7 @@ SessionImage RenderSession::image() {
     }
     stats_.add(renderer_->take_stats());
     result.samples = renderer_->samples();
+    result.light = renderer_->light();
     return result;
 }
 

@@ -38,8 +38,9 @@ struct RenderBudget {
     double spent_ms = 0.0;     ///< part of time_ms that was spent before the call
     double reserved_ms = 0.0;  ///< part of time_ms for what the caller does after the call
     std::optional<double> target_error;  ///< of path tracing: see relative_error
-    /// Ends rendering early once it is set, but with an image: the stages that the first sample
-    /// needs for one are finished, and it is shown with the light that it has. May be null.
+    /// Ends rendering early once it is set, but with an image where there is any light: the stages
+    /// that the first sample needs for one are finished, and it is shown with the light that it
+    /// has. May be null.
     const std::atomic<bool>* end_early = nullptr;
     /// Called often, by the thread that renders. May be empty.
     std::function<void(const SessionProgress&)> progress;
@@ -79,7 +80,7 @@ class RenderSession {
 
     /// Adds samples to the image until the budget is spent, shows it after each frame, and writes
     /// it to the output in the end. What that takes is measured, and is part of the budget's time.
-    /// A call that ends early before there is a sample writes nothing. A cancelled call writes
+    /// A call that ends early before there is any light writes nothing. A cancelled call writes
     /// nothing either: the image is the mean of the frames that were complete, and the next call
     /// continues it.
     SessionEnd render(const RenderBudget& budget);
@@ -109,6 +110,8 @@ class RenderSession {
     /// cancelled is finished first.
     [[nodiscard]] SessionImage image();
     [[nodiscard]] std::uint64_t samples() const { return renderer_->samples(); }
+    /// See FrameRenderer::light.
+    [[nodiscard]] std::vector<LightShare> light() const { return renderer_->light(); }
     [[nodiscard]] const FramePlan& plan() const { return renderer_->plan(); }
     [[nodiscard]] const Camera& camera() const { return camera_; }
     [[nodiscard]] const ImageSettings& settings() const { return settings_; }

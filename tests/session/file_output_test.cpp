@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "image/exr.h"
 #include "tests/testing/temporary_folder.h"
 
 namespace weft::file_output_test {
@@ -55,6 +56,33 @@ TEST(FileOutput, WhatCannotBeWrittenIsToldByTheWriteAlone) {
     FileOutput output(settings_for(folder.path() / "missing" / "x.exr"), diagnostics);
     EXPECT_EQ(output.write_ms(grey_image(8, 8)), 0.0);
     EXPECT_ANY_THROW(output.write(grey_image(8, 8)));
+}
+
+/// An image by adaptive sampling.
+SessionImage rendered_image() {
+    SessionImage rendered;
+    rendered.image.width = 3;
+    rendered.image.height = 2;
+    rendered.image.layers = {{"", "RGB", std::vector<float>(18, 0.5F)}};
+    rendered.algorithm = Algorithm::ais;
+    rendered.samples = 1;
+    return rendered;
+}
+
+TEST(FileOutput, StatesTheLightOfImagesThatHoldAPartOfIt) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "x.exr";
+    Diagnostics diagnostics;
+    FileOutput output({.file = file, .exposure_ev = 0.0, .sums = {}, .scene = "room.gltf"},
+                      diagnostics);
+    output.write(rendered_image());
+    EXPECT_FALSE(read_exr(file).metadata.contains("light"));
+    SessionImage part = rendered_image();
+    part.complete = false;
+    part.light = {{"direct", 1.0}, {"indirect", 0.389}};
+    output.write(part);
+    EXPECT_EQ(read_exr(file).metadata.at("light"), "direct 100 %, indirect 38 %");
+    EXPECT_EQ(read_exr(file).metadata.at("samples"), "1");
 }
 
 }  // namespace

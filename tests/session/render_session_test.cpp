@@ -210,6 +210,12 @@ TEST(RenderSession, TheOutputGetsEachFinishedImage) {
     budget.end_early = &ended;
     made.session->set_camera(test::room_camera());
     EXPECT_EQ(made.session->render(budget), SessionEnd::ended_early);
+    EXPECT_EQ(output.images.size(), 1U) << "nothing was rendered";
+    ended = false;
+    budget.progress = [&](const SessionProgress& now) {
+        if (now.stage == Stage::vpl_gather) ended = true;
+    };
+    EXPECT_EQ(made.session->render(budget), SessionEnd::ended_early);
     ASSERT_EQ(output.images.size(), 2U) << "with what light there is";
     EXPECT_EQ(output.images[1].samples, 1U);
     EXPECT_FALSE(output.images[1].complete);
