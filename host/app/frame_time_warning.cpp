@@ -32,15 +32,15 @@ std::optional<std::string> frame_time_warning(double target_ms,
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), middle, times.end());
     if (!(*middle > clearly_longer * target_ms)) return {};
-    const std::string reached = fmt::format("the last samples took {:.3g} ms", *middle);
     if (can_be_faster(last.back()))
         return fmt::format(
-            "--frame-time: {:.3g} ms were not reached in {} samples, {}; more samples come closer",
-            target_ms, frames.size(), reached);
+            "--frame-time: {:.3g} ms were not reached, a sample took {:.3g} ms in the end; a "
+            "longer run comes closer",
+            target_ms, *middle);
     return fmt::format(
-        "--frame-time: {:.3g} ms cannot be reached, {} with as little light sampled as "
-        "thresholds allow",
-        target_ms, reached);
+        "--frame-time: {:.3g} ms cannot be reached, a sample takes {:.3g} ms with as little light "
+        "sampled as thresholds allow",
+        target_ms, *middle);
 }
 
 }  // namespace weft

@@ -107,6 +107,7 @@ SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
 
 SessionEnd RenderSession::render_path(const RenderBudget& budget) {
     Deadline deadline(budget.time_ms, budget.spent_ms);
+    if (delivery_ms_) deadline.reserve(*delivery_ms_ + budget.reserved_ms);
     const std::uint32_t all = path_->samples_left();
     ErrorTarget target(budget.target_error);
     const std::optional<double> interval =

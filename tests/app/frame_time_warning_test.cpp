@@ -25,15 +25,15 @@ TEST(FrameTimeWarning, SaysWhatIsReachedWhereMoreCannotBe) {
     const auto warning = frame_time_warning(10.0, frames({90.0, 41.0, 43.0, 42.0}, false));
     ASSERT_TRUE(warning.has_value());
     EXPECT_EQ(warning->find("--frame-time: 10 ms cannot be reached"), 0U) << *warning;
-    EXPECT_NE(warning->find("the last samples took 43 ms"), std::string::npos) << *warning;
+    EXPECT_NE(warning->find("a sample takes 43 ms"), std::string::npos) << *warning;
     EXPECT_LE(warning->size(), 160U);
 }
 
 TEST(FrameTimeWarning, SaysThatMoreSamplesComeCloserWhereTheyDo) {
     const auto warning = frame_time_warning(40.0, frames({80.0}, true));
     ASSERT_TRUE(warning.has_value());
-    EXPECT_NE(warning->find("40 ms were not reached in 1 samples"), std::string::npos) << *warning;
-    EXPECT_NE(warning->find("80 ms"), std::string::npos) << *warning;
+    EXPECT_NE(warning->find("40 ms were not reached, a sample took 80 ms"), std::string::npos)
+        << *warning;
     EXPECT_LE(warning->size(), 160U);
 }
 
