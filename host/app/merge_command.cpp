@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/background_options.h"
 #include "app/commands.h"
 #include "base/file.h"
 #include "base/quote.h"
@@ -18,7 +19,13 @@ namespace weft {
 namespace {
 
 // Metadata of the parts that the merged image keeps.
-constexpr const char* kept_metadata[] = {"software", "scene", "algorithm", "seed"};
+constexpr const char* kept_metadata[] = {"software", "scene", "algorithm", "seed", "background"};
+
+/// What the metadata of an image call its background; empty where they name none.
+std::string background_of(const std::map<std::string, std::string>& metadata) {
+    const auto found = metadata.find("background");
+    return found != metadata.end() ? found->second : "";
+}
 
 /// What lies between ranges, which are in order and apart.
 std::vector<SampleRange> gaps_of(const std::vector<SampleRange>& ranges) {
@@ -64,6 +71,9 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
             throw Error(error.code(), part.string(),
                         fmt::format("cannot be merged with {}: {}", before, error.what()));
         }
+        if (background_of(image.metadata) != background_of(metadata))
+            throw input_error(part.string(),
+                              "has another --background than the first part, expected the same");
     }
     for (const SampleRange& gap : gaps_of(whole.ranges))
         diagnostics.warn(options.output.string(),
@@ -74,6 +84,8 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
     for (const char* const key : kept_metadata)
         if (const auto found = metadata.find(key); found != metadata.end())
             image.metadata.insert(*found);
+    if (const std::string text = background_of(metadata); !text.empty())
+        put_behind(parse_background(options.parts.front().string(), text), image);
     image.metadata["samples"] = std::to_string(whole.samples());
     attach_sums(whole, image);
     write_exr(options.output, image);

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/algorithm_options.h"
+#include "app/background_options.h"
 #include "app/command_line.h"
 #include "app/compare_options.h"
 #include "app/device_options.h"
@@ -75,6 +76,10 @@ void add_render(CLI::App& app) {
     add_value(render, "--seed", "N", "Seed of all random numbers (default: 0)");
     add_value(render, "--exposure", "EV|auto", "Exposure of a PNG in stops (default: 0)");
     add_value(render, "--tone", "NAME", "Tone curve of a PNG: none, filmic or agx (default: none)");
+    add_value(
+        render, "--background", "COLOUR|transparent",
+        "Behind what the camera sees: white, black, #rrggbb or linear R,G,B, or nothing, with "
+        "alpha (default: the environment)");
     add_overlays(render);
     add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
     add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
@@ -234,6 +239,8 @@ void read_image(const CLI::App& command, RenderOptions& options) {
     }
     if (const auto text = value_of(command, "--tone"))
         options.tone = static_cast<ToneCurve>(parse_name("--tone", *text, tone_names));
+    if (const auto text = value_of(command, "--background"))
+        options.background = parse_background("--background", *text);
     options.output = output_path(value_of(command, "--output"), options.scene);
 }
 
@@ -367,6 +374,8 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["overlays"] = options.overlays;
     json["exposure"] = options.exposure_ev ? nlohmann::json(*options.exposure_ev) : "auto";
     json["tone"] = to_string(options.tone);
+    json["background"] =
+        options.background ? nlohmann::json(to_string(*options.background)) : nullptr;
     json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
     json["progress"] = to_string(options.progress);
     json["verbose"] = options.verbose;

@@ -18,6 +18,7 @@
 #include "app/parse_values.h"
 #include "app/progress.h"
 #include "film/film_sums.h"
+#include "image/background.h"
 #include "image/tone.h"
 #include "plan/preset.h"
 
@@ -77,6 +78,7 @@ struct RenderOptions {
     bool overlays = false;                    ///< of ais: PNG images of what was sampled, and why
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
     ToneCurve tone = ToneCurve::none;         ///< for PNG
+    std::optional<Background> background;     ///< default: the environment
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
     bool verbose = false;  ///< names every place of a warning

@@ -66,6 +66,7 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     if (options.cache_records) settings.sampling.cache_records = *options.cache_records;
     if (options.cache_rays) settings.sampling.cache_rays = *options.cache_rays;
     if (options.cache_error) settings.sampling.cache_error = *options.cache_error;
+    settings.hides_environment = options.background.has_value();
     settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
     // The number of samples that a time limit allows is not known in advance. Textures are filtered
     // for this many, and so stay sharp with more.
@@ -92,6 +93,7 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
     settings.samples = options.samples.value_or(SampleRange{
         0, options.spp.value_or(open ? limits::max_samples_per_pixel : default_samples)});
     settings.through_centres = options.through_centres;
+    settings.hides_environment = common.hides_environment;
     settings.direct = common.direct;
     settings.indirect = common.indirect;
     return settings;
@@ -200,6 +202,7 @@ class CommandOutput : public FileOutput {
         : FileOutput({.file = options.output,
                       .exposure_ev = options.exposure_ev,
                       .tone = options.tone,
+                      .background = options.background,
                       .overlays = options.overlays,
                       .sums = options.resume,
                       .with_sums = options.samples.has_value(),

@@ -26,9 +26,9 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     Image image;
     image.width = width;
     image.height = height;
-    const auto add = [&](const char* name, const char* channels,
+    const auto add = [&](std::string_view name, const char* channels,
                          const std::vector<std::size_t>& planes, bool half = false) {
-        Layer layer{name, channels, {}, false, half};
+        Layer layer{std::string(name), channels, {}, false, half};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
             for_each_pixel(pixels, [&](std::size_t pixel) {
@@ -42,6 +42,7 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
     std::vector<std::size_t> beauty{FILM_EMISSION, FILM_DIRECT, FILM_INDIRECT};
     if (media) beauty.push_back(FILM_MEDIA);
     add("", "RGB", beauty);
+    add(alpha_layer_name, "A", {FILM_ALPHA});
     add("direct", "RGB", {FILM_DIRECT});
     add("indirect", "RGB", {FILM_INDIRECT});
     if (media) add("media", "RGB", {FILM_MEDIA});

@@ -129,9 +129,9 @@ Image resolve_sums(const FilmSums& sums) {
     Image image;
     image.width = sums.width;
     image.height = sums.height;
-    const auto add = [&](const char* name, const char* channels, const auto& value,
+    const auto add = [&](std::string_view name, const char* channels, const auto& value,
                          bool half = false) {
-        Layer layer{name, channels, {}, false, half};
+        Layer layer{std::string(name), channels, {}, false, half};
         layer.values.resize(layer.channels.size() * pixels);
         for (std::size_t c = 0; c < layer.channels.size(); ++c)
             for_each_pixel(pixels, [&](std::size_t pixel) {
@@ -146,6 +146,10 @@ Image resolve_sums(const FilmSums& sums) {
     };
     add("", "RGB", [&](std::size_t c, std::size_t pixel) {
         return beauty_sum(sums, c, pixel) * (light * share);
+    });
+    // Samples behind coloured media may have more than 1 or less than 0, but not their mean.
+    add(alpha_layer_name, "A", [alpha = mean(FILM_ALPHA, 1.0)](std::size_t c, std::size_t pixel) {
+        return std::clamp(alpha(c, pixel), 0.0, 1.0);
     });
     add("direct", "RGB", mean(FILM_DIRECT, light));
     add("indirect", "RGB", mean(FILM_INDIRECT, light));

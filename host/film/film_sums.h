@@ -48,8 +48,8 @@ void add_sums(FilmSums& whole, const FilmSums& part);
 /// they share samples.
 [[nodiscard]] std::vector<SampleRange> joined(std::vector<SampleRange> ranges);
 
-/// Means as layers: beauty, direct, indirect, emission, albedo, normal, depth, and "variance", the
-/// estimated variance of each pixel's beauty (0 for a single sample).
+/// Means as layers: beauty and its alpha, direct, indirect, emission, albedo, normal, depth, and
+/// "variance", the estimated variance of each pixel's beauty (0 for a single sample).
 [[nodiscard]] Image resolve_sums(const FilmSums& sums);
 
 /// Estimated standard error of the image's mean luminance, relative to it; infinite where that

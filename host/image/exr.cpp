@@ -84,6 +84,11 @@ std::string channel_name(const Layer& layer, char channel) {
     return layer.name.empty() ? std::string(1, channel) : layer.name + "." + channel;
 }
 
+/// The full name that a channel is given in a file.
+std::string written_name(const Layer& layer, char channel) {
+    return layer.name == alpha_layer_name ? std::string(1, channel) : channel_name(layer, channel);
+}
+
 bool printable(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) {
         const auto code = static_cast<unsigned char>(c);
@@ -108,7 +113,7 @@ void check_image(const Image& image, const std::string& place) {
             throw refuse("layer " + quote(layer.name) + " has an unusable name");
         for (const char channel : layer.channels)
             if (std::isalnum(static_cast<unsigned char>(channel)) == 0 ||
-                !names.insert(channel_name(layer, channel)).second)
+                !names.insert(written_name(layer, channel)).second)
                 throw refuse("layer " + quote(layer.name) + " has an unusable or repeated channel");
     }
     if (names.empty() || names.size() > limits::max_exr_channels ||
@@ -144,7 +149,7 @@ Imf::Header make_header(const Image& image, const std::string& place) {
     }
     for (const Layer& layer : image.layers)
         for (const char channel : layer.channels)
-            header.channels().insert(channel_name(layer, channel),
+            header.channels().insert(written_name(layer, channel),
                                      Imf::Channel(type_in_file(layer)));
     return header;
 }
@@ -177,7 +182,7 @@ class WrittenPlanes {
         for (const Layer& layer : image.layers) {
             if (layer.half) halves_.push_back(halves_of(layer));
             for (std::size_t c = 0; c < layer.channels.size(); ++c)
-                frame_.insert(channel_name(layer, layer.channels[c]),
+                frame_.insert(written_name(layer, layer.channels[c]),
                               layer.half ? half_slice(c * pixels, image.width)
                                          : plane_slice(layer, layer.values.data() + c * pixels,
                                                        image.width, {0, 0}));

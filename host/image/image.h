@@ -15,12 +15,16 @@ namespace weft {
 /// channel 0, then of channel 1, ...; each plane row-major, top row first.
 struct Layer {
     std::string name;      ///< empty for the beauty layer
-    std::string channels;  ///< one character a channel: "RGB", "XYZ", "Z", "Y"
+    std::string channels;  ///< one character a channel: "RGB", "XYZ", "Z", "Y", "A"
     std::vector<float> values;
     bool words = false;  ///< the values are the bits of unsigned integers, for layers named
                          ///< word_layer_prefix
     bool half = false;   ///< files hold the values as 16-bit floats, for layers of no light
 };
+
+/// The layer of one channel, "A", that holds the alpha of beauty. In files it is a channel of
+/// beauty, and comes back as one.
+inline constexpr std::string_view alpha_layer_name = "alpha";
 
 /// Names of layers of words begin with this and a dot.
 inline constexpr std::string_view word_layer_prefix = "weft.sums";

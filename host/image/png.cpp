@@ -33,6 +33,7 @@ namespace fs = std::filesystem;
 struct ColourPlanes {
     std::array<std::span<const float>, 3> plane;
     std::size_t pixels = 0;
+    std::span<const float> alpha{};  ///< empty where there is none
 };
 
 /// Empty where the image holds no beauty layer of the right size.
@@ -43,11 +44,12 @@ ColourPlanes find_colour(const Image& image) {
         beauty->values.size() != pixels * beauty->channels.size())
         return {};
     const std::span<const float> values = beauty->values;
-    if (beauty->channels == "Y") return {{values, values, values}, pixels};
+    if (beauty->channels == "Y") return {{values, values, values}, pixels, alpha_of(image)};
     if (!beauty->channels.starts_with("RGB")) return {};
     return {
         {values.first(pixels), values.subspan(pixels, pixels), values.subspan(2 * pixels, pixels)},
-        pixels};
+        pixels,
+        alpha_of(image)};
 }
 
 /// Threshold in (0, 1) of the 8x8 Bayer matrix, whose 64 values are (k + 1/2) / 64.
@@ -71,7 +73,7 @@ png_byte encode_value(double linear, double threshold) {
 /// encoder allocates belongs to this object, outside of the jump.
 class PngWriter {
   public:
-    PngWriter() {
+    explicit PngWriter(const PngSettings& settings) : settings_(settings) {
         png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
         if (png_ != nullptr) info_ = png_create_info_struct(png_);
         if (info_ == nullptr) throw std::bad_alloc();
@@ -80,15 +82,13 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    [[nodiscard]] std::vector<std::byte> encode(const Image& image, const ColourPlanes& colour,
-                                                double exposure_ev, ToneCurve tone) {
+    [[nodiscard]] std::vector<std::byte> encode(const Image& image, const ColourPlanes& colour) {
         width_ = image.width;
         height_ = image.height;
-        row_.resize(std::size_t{width_} * 3);
+        row_.resize(std::size_t{width_} * channels());
         for (const auto& [key, value] : image.metadata) add_text(key, value);
-        const double scale = std::exp2(exposure_ev);
-        const bool written =
-            encode_rows([&](std::uint32_t y) { fill_row(colour, scale, tone, y); });
+        const double scale = std::exp2(settings_.exposure_ev);
+        const bool written = encode_rows([&](std::uint32_t y) { fill_row(colour, scale, y); });
         if (out_of_memory_) throw std::bad_alloc();
         if (!written) throw std::runtime_error(message_.data());
         return std::move(bytes_);
@@ -106,17 +106,35 @@ class PngWriter {
         text_.push_back(text);
     }
 
-    void fill_row(const ColourPlanes& colour, double scale, ToneCurve tone, std::uint32_t y) {
+    /// Bytes of a pixel: alpha is written where the background is transparent.
+    [[nodiscard]] std::size_t channels() const {
+        return settings_.background && settings_.background->transparent ? 4 : 3;
+    }
+
+    /// What is shown of an exposed, premultiplied colour. Without alpha in the file that is the sum
+    /// of its light and what it lets through.
+    [[nodiscard]] glm::dvec3 shown(glm::dvec3 exposed, double alpha) const {
+        const bool straight = channels() == 4;
+        if (straight) exposed = alpha > 0.0 ? exposed / alpha : glm::dvec3(0.0);
+        if (settings_.tone != ToneCurve::none) exposed = toned(settings_.tone, glm::vec3(exposed));
+        if (settings_.background && !straight)
+            exposed += (1.0 - alpha) * glm::dvec3(settings_.background->colour);
+        return exposed;
+    }
+
+    void fill_row(const ColourPlanes& colour, double scale, std::uint32_t y) {
         const std::size_t first = std::size_t{y} * width_;
+        png_byte* byte = row_.data();
         for (std::uint32_t x = 0; x < width_; ++x) {
             const double threshold = dither_threshold(x, y);
+            const double given = colour.alpha.empty() ? 1.0 : double{colour.alpha[first + x]};
+            const double alpha = given > 0.0 ? std::min(given, 1.0) : 0.0;
             glm::dvec3 exposed(0.0);
             for (glm::length_t c = 0; c < 3; ++c)
                 exposed[c] = scale * double{colour.plane[static_cast<std::size_t>(c)][first + x]};
-            if (tone != ToneCurve::none) exposed = toned(tone, glm::vec3(exposed));
-            for (glm::length_t c = 0; c < 3; ++c)
-                row_[std::size_t{x} * 3 + static_cast<std::size_t>(c)] =
-                    encode_value(exposed[c], threshold);
+            const glm::dvec3 linear = shown(exposed, alpha);
+            for (glm::length_t c = 0; c < 3; ++c) *byte++ = encode_value(linear[c], threshold);
+            if (channels() == 4) *byte++ = static_cast<png_byte>(std::lround(255.0 * alpha));
         }
     }
 
@@ -125,8 +143,9 @@ class PngWriter {
     bool encode_rows(const FillRow& fill_row) {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_write_fn(png_, this, on_write, on_flush);
-        png_set_IHDR(png_, info_, width_, height_, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_IHDR(png_, info_, width_, height_, 8,
+                     channels() == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
         png_set_text(png_, info_, text_.data(), static_cast<int>(text_.size()));
         png_write_info(png_, info_);
@@ -161,6 +180,7 @@ class PngWriter {
     }
     static void on_flush(png_structp) {}
 
+    PngSettings settings_;
     std::vector<std::byte> bytes_;
     bool out_of_memory_ = false;
     png_structp png_ = nullptr;
@@ -193,19 +213,23 @@ double mean_log2(std::span<const float> luminances) {
 
 }  // namespace
 
-std::vector<std::byte> png_bytes(const Image& image, double exposure_ev, ToneCurve tone) {
+std::vector<std::byte> png_bytes(const Image& image, const PngSettings& settings) {
     const ColourPlanes colour = find_colour(image);
     if (colour.pixels == 0 || image.width > limits::max_film_edge ||
         image.height > limits::max_film_edge)
         throw std::invalid_argument("the image has no colour layer, expected RGB or Y");
-    return PngWriter().encode(image, colour, exposure_ev, tone);
+    return PngWriter(settings).encode(image, colour);
 }
 
-void write_png(const fs::path& path, const Image& image, double exposure_ev, ToneCurve tone,
+std::vector<std::byte> png_bytes(const Image& image, double exposure_ev) {
+    return png_bytes(image, PngSettings{.exposure_ev = exposure_ev});
+}
+
+void write_png(const fs::path& path, const Image& image, const PngSettings& settings,
                WriteMode mode) {
     std::vector<std::byte> bytes;
     try {
-        bytes = png_bytes(image, exposure_ev, tone);
+        bytes = png_bytes(image, settings);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
@@ -213,6 +237,10 @@ void write_png(const fs::path& path, const Image& image, double exposure_ev, Ton
                     std::string("cannot be written: ") + error.what());
     }
     write_file_atomically(path, bytes, mode);
+}
+
+void write_png(const fs::path& path, const Image& image, double exposure_ev, WriteMode mode) {
+    write_png(path, image, PngSettings{.exposure_ev = exposure_ev}, mode);
 }
 
 double auto_exposure(const Image& image) {

@@ -141,6 +141,7 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
     params_ = scene_params(scene, camera, settings.width, settings.height);
     params_.features = features;
     params_.sampling.seed = settings.seed;
+    params_.camera.hides_environment = settings.hides_environment ? 1 : 0;
     path_params_.through_centres = settings.through_centres ? 1 : 0;
     film_.width = settings.width;
     film_.height = settings.height;

@@ -23,7 +23,8 @@ struct PathSettings {
     std::uint32_t height = 512;
     std::uint32_t seed = 0;
     SampleRange samples{0, 64};
-    bool through_centres = false;  ///< all samples go through the pixel's centre, as previews do
+    bool through_centres = false;    ///< all samples go through the pixel's centre, as previews do
+    bool hides_environment = false;  ///< from rays of the camera, not from light
     bool direct = true;
     bool indirect = true;
     double frame_ms = 500.0;  ///< milliseconds that a frame takes, about
@@ -67,7 +68,7 @@ class PathRenderer : public FrameRenderer {
     [[nodiscard]] double next_frame_ms() const noexcept { return ms_per_sample_ * frame_samples(); }
 
     [[nodiscard]] std::uint64_t samples() const override { return film_.samples(); }
-    /// Beauty, direct, indirect, emission, albedo, normal, depth and variance.
+    /// Beauty, alpha, direct, indirect, emission, albedo, normal, depth and variance.
     [[nodiscard]] Image image() override { return resolve_sums(sums()); }
     /// The sums as they are now, after the rest of a cancelled frame.
     [[nodiscard]] FilmSums sums();

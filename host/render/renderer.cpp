@@ -176,6 +176,7 @@ void Renderer::set_params(std::uint32_t features) {
     shared::RenderParams& params = base_params_;
     params.features = features;
     params.camera.texture_angle = texture_angle(params, settings_);
+    params.camera.hides_environment = settings_.hides_environment ? 1 : 0;
     params.scene.delta_lights = plan_.punctual_lights;
     params.scene.directional_lights = plan_.directional_lights;
     params.filter = {.radius = plan_.filter_radius,

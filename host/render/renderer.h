@@ -32,6 +32,7 @@ struct RenderSettings {
     std::uint32_t samples = 1;
     /// Of ais: target for the milliseconds of a frame, which thresholds are adapted to; 0: none.
     double frame_time_ms = 0.0;
+    bool hides_environment = false;  ///< from rays of the camera, not from light
     bool direct = true;
     bool indirect = true;
     bool media = true;  ///< light that participating media scatter to the camera

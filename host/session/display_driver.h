@@ -14,7 +14,8 @@ namespace weft {
 struct DisplayFrame {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    /// Row-major, top row first; red in the lowest byte, then green, blue and 255. sRGB.
+    /// Row-major, top row first; red in the lowest byte, then green, blue and 255. sRGB. What has
+    /// alpha is shown before black.
     std::span<const std::uint32_t> colours;
     std::uint64_t samples = 0;  ///< of every pixel
 };

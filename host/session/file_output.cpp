@@ -88,11 +88,14 @@ void FileOutput::write_files(SessionImage& rendered, WriteMode mode) {
     image.metadata["samples"] = std::to_string(rendered.samples);
     if (!rendered.light.empty()) image.metadata["light"] = light_text(rendered.light);
     image.metadata["seed"] = std::to_string(rendered.seed);
+    if (settings_.background) image.metadata["background"] = to_string(*settings_.background);
     if (is_png(settings_.file)) {
         write_png(settings_.file, image,
-                  settings_.exposure_ev ? *settings_.exposure_ev : auto_exposure(image),
-                  settings_.tone, mode);
+                  {settings_.exposure_ev ? *settings_.exposure_ev : auto_exposure(image),
+                   settings_.tone, settings_.background},
+                  mode);
     } else {
+        if (settings_.background) put_behind(*settings_.background, image);
         write_exr(settings_.file, image, mode);
     }
     if (settings_.overlays)

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "base/file.h"
+#include "image/background.h"
 #include "image/tone.h"
 #include "session/output_driver.h"
 
@@ -19,7 +20,8 @@ struct FileOutputSettings {
     std::filesystem::path file;         ///< a PNG file where it ends in .png, in any case, else EXR
     std::optional<double> exposure_ev;  ///< stops, for PNG; empty means automatic
     ToneCurve tone = ToneCurve::none;   ///< for PNG
-    bool overlays = false;              ///< of ais: also what was sampled, and why
+    std::optional<Background> background;       ///< empty: none but what was rendered
+    bool overlays = false;                      ///< of ais: also what was sampled, and why
     std::optional<std::filesystem::path> sums;  ///< EXR file that path tracing saves its sums to
     bool with_sums = false;                     ///< of path tracing: `file` gets its sums, too
     std::string scene;                          ///< its name, for the metadata

@@ -28,7 +28,7 @@ void write_overlays(const std::filesystem::path& output, const Image& image,
         Image overlay = level_overlay(image, layer, exposure);
         overlay.metadata = image.metadata;
         overlay.metadata["layer"] = layer;
-        write_png(overlay_output(output, layer), overlay, 0.0, ToneCurve::none, mode);
+        write_png(overlay_output(output, layer), overlay, 0.0, mode);
     }
 }
 

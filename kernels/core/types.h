@@ -278,10 +278,11 @@ typedef struct {
 #define FILM_ALBEDO 9
 #define FILM_NORMAL 12
 #define FILM_DEPTH 15
-#define FILM_PLANES 16
+#define FILM_ALPHA 16
+#define FILM_PLANES 17
 // Of previews of scenes with media, further planes: what media scatter to the camera.
-#define FILM_MEDIA 16
-#define FILM_PLANES_MEDIA 19
+#define FILM_MEDIA 17
+#define FILM_PLANES_MEDIA 20
 // Values from one plane to the next. Planes of a power of two would all meet in the same few lines
 // of a cache: composition took three times as long.
 #define FILM_STRIDE(pixels) ((pixels) + 80u)
@@ -293,7 +294,7 @@ typedef struct {
 #define FILM_SUM_SHIFT 52
 #define FILM_SQUARE_WORDS 4
 #define FILM_SQUARE_SHIFT 72
-#define FILM_PIXEL_WORDS 60
+#define FILM_PIXEL_WORDS 63
 
 // The camera and the image it makes: the ray through film point (s, t) in [-1,1]^2, +t up, has the
 // direction forward + s right + t up.
@@ -306,7 +307,8 @@ typedef struct {
     float pixel_angle;         // radians between neighbouring pixels at the centre
     float texture_angle;       // angle over which primary rays average textures
     uint width, height;        // of the image, pixels
-    uint pad[2];
+    uint hides_environment;    // 1: rays that meet nothing show none
+    uint pad;
 } CameraParams;
 
 // The scene as all kernels see it. Lights lie in the light table by kind: area lights, then point

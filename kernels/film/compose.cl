@@ -12,7 +12,7 @@
 // FilmSample of LANES pixels.
 typedef struct {
     WFloat3 emission, direct, indirect, media, albedo, normal;
-    WFloat depth;
+    WFloat depth, alpha;
 } WideSample;
 
 static inline WFloat3 product(WFloat3 a, WFloat3 b) {
@@ -73,6 +73,24 @@ static inline WFloat3 direct_irradiance(const RenderParams* params, const SeenPi
     return e;
 }
 
+/// Alpha of pixels; see film_alpha.
+static inline WFloat wide_alpha(const RenderParams* params, const SeenPixels* seen,
+                                const IrradianceBuffers* buffers, uint first) {
+    const WFloat zero = WIDE(0.0f), one = WIDE(1.0f);
+    float met[LANES];
+    for (uint lane = 0u; lane < LANES; ++lane)
+        met[lane] = seen->ids[2u * (first + lane)] != INVALID_INDEX ? 1.0f : 0.0f;
+    WFloat beyond = one;
+    if (environment_seen(params) == 0) {
+        beyond = zero;
+        if (HAS(params, FEATURE_MEDIA)) {
+            WFloat3 through = load_vectors(buffers->view_transmittance + first);
+            beyond = one - (through.x + through.y + through.z) * (1.0f / 3.0f);
+        }
+    }
+    return SELECT(wide_load(met, 0) > zero, one, beyond);
+}
+
 /// The samples of pixels from `first` on, and which of them are good.
 static inline WMask wide_sample(const RenderParams* params, const SeenPixels* seen,
                                 const IrradianceBuffers* buffers, uint first, WideSample* sample) {
@@ -80,6 +98,7 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
     sample->emission = load_vectors(seen->emission + first);
     sample->normal = load_vectors(seen->shading + first);
     sample->depth = load_fourth(seen->position + first) / params->scene.unit;
+    sample->alpha = wide_alpha(params, seen, buffers, first);
     WFloat3 reflectance;
     reflectance.x = LAMBERT_REFLECTANCE(sample->albedo.x);
     reflectance.y = LAMBERT_REFLECTANCE(sample->albedo.y);
@@ -160,6 +179,7 @@ static inline void add_wide_sample(const RenderParams* params, GLOBAL float* fil
     add_wide_vector(high + FILM_NORMAL * stride, low + FILM_NORMAL * stride, stride, samples,
                     others, sample->normal);
     add_wide(high + FILM_DEPTH * stride, low + FILM_DEPTH * stride, samples, others, sample->depth);
+    add_wide(high + FILM_ALPHA * stride, low + FILM_ALPHA * stride, samples, others, sample->alpha);
     if (HAS(params, FEATURE_AIRLIGHT))
         add_wide_vector(high + FILM_MEDIA * stride, low + FILM_MEDIA * stride, stride, samples,
                         others, sample->media);

@@ -145,12 +145,11 @@ static inline FilmSample hit_sample(const RenderParams* params, const Geometry* 
     float3 none = f3(0.0f, 0.0f, 0.0f);
     PixelLight light = no_pixel_light();
     if (hit.triangle == INVALID_INDEX) {
-        float3 emission =
-            HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction) : none;
+        float3 emission = background_radiance(params, direction);
         if (HAS(params, FEATURE_MEDIA))
             add_view_media(params, buffers, pixel_of_instance(params, seen, INVALID_INDEX, pixel),
                            &light);
-        return film_sample(params, nonfinite, pixel, emission, none, light, none, 0.0f);
+        return film_sample(params, nonfinite, pixel, 0, emission, none, light, none, 0.0f);
     }
     Surface surface = surface_at(params, geometry, hit, direction, texture_angle);
     float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
@@ -161,11 +160,12 @@ static inline FilmSample hit_sample(const RenderParams* params, const Geometry* 
         add_view_media(params, buffers, pixel_of_instance(params, seen, surface.instance, pixel),
                        &light);
     }
-    return film_sample(params, nonfinite, pixel, surface.emission, albedo, light, surface.shading,
-                       hit.t);
+    return film_sample(params, nonfinite, pixel, 1, surface.emission, albedo, light,
+                       surface.shading, hit.t);
 }
 
-/// Adds a share of a sample; shares come first, so that no sum of finite values overflows.
+/// Adds a share of a sample, but for alpha all of it. Shares come first, so that no sum of finite
+/// values overflows; of alpha they come last, so that all of a pixel is exactly 1.
 static inline void add_share(FilmSample* sum, const FilmSample* sample, float share) {
     sum->emission += sample->emission * share;
     sum->direct += sample->direct * share;
@@ -174,6 +174,7 @@ static inline void add_share(FilmSample* sum, const FilmSample* sample, float sh
     sum->albedo += sample->albedo * share;
     sum->normal += sample->normal * share;
     sum->depth += sample->depth * share;
+    sum->alpha += sample->alpha;
 }
 
 // The rays of a work-item, sample by sample of its pixels.
@@ -248,6 +249,7 @@ WEFT_KERNEL(edge_samples)
                           f3(0.0f, 0.0f, 0.0f),
                           f3(0.0f, 0.0f, 0.0f),
                           f3(0.0f, 0.0f, 0.0f),
+                          0.0f,
                           0.0f};
         FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
         add_share(&sum, &centre, share);
@@ -257,6 +259,7 @@ WEFT_KERNEL(edge_samples)
                                            rays.hits[ray], texture_angle, &misses);
             add_share(&sum, &sample, share);
         }
+        sum.alpha *= share;
         add_film_sample(&params, film_high, film_low, pixel, &sum);
     }
     count_rays(counters + range.counter, rays.count);

@@ -11,6 +11,7 @@
 #include "kernels/bsdf/lambert.h"
 #include "kernels/core/guard.h"
 #include "kernels/film/discontinuity.h"
+#include "kernels/light/environment.h"
 
 // Fills in IrradianceBuffers from `slots` and the arguments of GROUP_ComposedLight; those that a
 // frame does not have are never read.
@@ -72,6 +73,7 @@ typedef struct {
     float3 emission, direct, indirect, media;  // radiance
     float3 albedo, normal;
     float depth;  // scene units
+    float alpha;  // 1 where a surface is seen; elsewhere what media hide of the background
 } FilmSample;
 
 static inline PixelLight no_pixel_light(void) {
@@ -108,10 +110,16 @@ static inline PixelLight pixel_light(const RenderParams* params, const Irradianc
     return light;
 }
 
-/// What a surface under that light sends to the camera; `depth` in kernel units.
+/// Alpha of a ray through media of that transmittance; `met` says whether it meets a surface.
+static inline float film_alpha(const RenderParams* params, int met, float3 transmittance) {
+    return met != 0 ? 1.0f : background_alpha(params, transmittance);
+}
+
+/// What a surface under that light sends to the camera; `depth` in kernel units. Without a surface,
+/// `met` is 0.
 static inline FilmSample film_sample(const RenderParams* params, GLOBAL NonfiniteCounter* nonfinite,
-                                     uint pixel, float3 emission, float3 albedo, PixelLight light,
-                                     float3 normal, float depth) {
+                                     uint pixel, int met, float3 emission, float3 albedo,
+                                     PixelLight light, float3 normal, float depth) {
     FilmSample sample;
     float3 reflectance = LAMBERT_REFLECTANCE(albedo);
     if (HAS(params, FEATURE_MEDIA)) {
@@ -133,6 +141,7 @@ static inline FilmSample film_sample(const RenderParams* params, GLOBAL Nonfinit
     sample.normal = normal;
     sample.depth =
         guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth / params->scene.unit, 0.0f, 0.0f)).x;
+    sample.alpha = film_alpha(params, met, light.transmittance);
     return sample;
 }
 
@@ -141,8 +150,9 @@ static inline FilmSample pixel_sample(const RenderParams* params, const SeenPixe
                                       const IrradianceBuffers* buffers,
                                       GLOBAL NonfiniteCounter* nonfinite, uint pixel) {
     int lit = pixel_is_lit(seen->ids, seen->albedo, pixel);
+    int met = seen->ids[2u * pixel] != INVALID_INDEX ? 1 : 0;
     PixelLight light = pixel_light(params, buffers, pixel, lit);
-    return film_sample(params, nonfinite, pixel, xyz(seen->emission[pixel]),
+    return film_sample(params, nonfinite, pixel, met, xyz(seen->emission[pixel]),
                        xyz(seen->albedo[pixel]), light, xyz(seen->shading[pixel]),
                        seen->position[pixel].w);
 }
@@ -185,6 +195,7 @@ static inline void add_film_sample(const RenderParams* params, GLOBAL float* fil
     add_vector(high, low, FILM_ALBEDO * stride, stride, samples, sample->albedo);
     add_vector(high, low, FILM_NORMAL * stride, stride, samples, sample->normal);
     add_to_film(high, low, FILM_DEPTH * stride, samples, sample->depth);
+    add_to_film(high, low, FILM_ALPHA * stride, samples, sample->alpha);
     if (HAS(params, FEATURE_AIRLIGHT))
         add_vector(high, low, FILM_MEDIA * stride, stride, samples, sample->media);
 }

@@ -23,8 +23,7 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
         gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
-        float3 sky = HAS(params, FEATURE_ENVIRONMENT) ? environment_radiance(params, direction)
-                                                      : f3(0.0f, 0.0f, 0.0f);
+        float3 sky = background_radiance(params, direction);
         gb_emission[pixel] = f4(sky.x, sky.y, sky.z, 0.0f);
         return;
     }

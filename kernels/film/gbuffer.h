@@ -7,7 +7,7 @@
 //   gb_normal    geometric normal towards the camera; w: footprint of a pixel on the surface
 //   gb_shading   interpolated normal
 //   gb_albedo    diffuse albedo; w: 1 where that is not black
-//   gb_emission  emitted radiance, or that of the environment
+//   gb_emission  emitted radiance, or that of the background
 // Points of the previous frame, for moving objects, are to join as gb_previous.
 #ifndef WEFT_KERNELS_FILM_GBUFFER_H
 #define WEFT_KERNELS_FILM_GBUFFER_H

@@ -15,6 +15,24 @@ static inline float3 environment_radiance(const RenderParams* params, float3 dir
     return xyz(params->scene.environment);
 }
 
+/// 1 where the camera's rays that meet nothing show the environment.
+static inline int environment_seen(const RenderParams* params) {
+    return HAS(params, FEATURE_ENVIRONMENT) && params->camera.hides_environment == 0u ? 1 : 0;
+}
+
+/// What a ray of the camera in that direction that meets nothing shows.
+static inline float3 background_radiance(const RenderParams* params, float3 direction) {
+    return environment_seen(params) != 0 ? environment_radiance(params, direction)
+                                         : f3(0.0f, 0.0f, 0.0f);
+}
+
+/// Alpha of a ray of the camera that meets no surface, by the share of light from beyond that media
+/// let through, by channel.
+static inline float background_alpha(const RenderParams* params, float3 transmittance) {
+    if (environment_seen(params) != 0) return 1.0f;
+    return 1.0f - (transmittance.x + transmittance.y + transmittance.z) * (1.0f / 3.0f);
+}
+
 /// A direction towards the environment, of pdf 1 / SPHERE_SOLID_ANGLE.
 static inline float3 environment_direction(float u, float v) {
     return cone_direction(u, v, -1.0f);

@@ -27,8 +27,8 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     Hit hit = trace_closest(world->scene, xyz(params->camera.origin), direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == INVALID_INDEX) {
-        if (HAS(params, FEATURE_ENVIRONMENT))
-            sample.emission = environment_radiance(params, direction);
+        sample.emission = background_radiance(params, direction);
+        sample.alpha = background_alpha(params, f3(1.0f, 1.0f, 1.0f));
         return sample;
     }
     PathVertex vertex;

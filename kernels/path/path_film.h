@@ -15,6 +15,7 @@ typedef struct {
     PathLight light;
     float3 albedo, normal;
     float depth;
+    float alpha;  // see FilmSample
 } PathSample;
 
 /// A sample that has met nothing yet.
@@ -27,6 +28,7 @@ static inline PathSample no_path_sample(void) {
     sample.albedo = black;
     sample.normal = black;
     sample.depth = 0.0f;
+    sample.alpha = 1.0f;
     return sample;
 }
 
@@ -61,6 +63,7 @@ static inline void add_sample(float scale, GLOBAL uint* sums, uint pixels, uint 
                guard(nonfinite, COMPONENT_SURFACE, pixel, sample->albedo));
     add_planes(sums, pixels, FILM_NORMAL, sample->normal);
     add_plane(sums, pixels, FILM_DEPTH, sample->depth);
+    add_plane(sums, pixels, FILM_ALPHA, sample->alpha);
     float3 beauty = emission + direct + indirect;
     add_square(sums, pixels, 0u, beauty.x);
     add_square(sums, pixels, 1u, beauty.y);

@@ -64,6 +64,16 @@ TEST(Options, ValuesMayFollowAnEqualsSignAndScenesMayStartWithADash) {
     EXPECT_EQ(render({"--exposure=auto"}).exposure_ev, std::nullopt);
     EXPECT_EQ(render({"--tone", "filmic"}).tone, ToneCurve::filmic);
     EXPECT_EQ(render({"--tone=agx"}).tone, ToneCurve::agx);
+    EXPECT_EQ(render({}).background, std::nullopt);
+    EXPECT_EQ(render({"--background", "transparent"}).background, Background{});
+    EXPECT_EQ(render({"--background", "white"}).background, (Background{false, glm::vec3(1.0F)}));
+    EXPECT_EQ(render({"--background=#f00"}).background, (Background{false, {1.0F, 0.0F, 0.0F}}));
+    EXPECT_EQ(render({"--background=#00ff00"}).background, (Background{false, {0.0F, 1.0F, 0.0F}}));
+    EXPECT_EQ(render({"--background", "0,0.5,20"}).background,
+              (Background{false, {0.0F, 0.5F, 20.0F}}));
+    for (const char* const text :
+         {"", "red", "#12", "#12345g", "#1234567", "1,2", "1,2,3,4", "1,2,-1", "1,2,nan", "0.5"})
+        EXPECT_EQ(render_refusal({"--background", text}).find("--background: "), 0u) << text;
     EXPECT_EQ(render({"--device", "GeForce RTX"}).device, "GeForce RTX");
     EXPECT_EQ(std::get<RenderOptions>(parse({"render", "--", "-a.xml"})).scene, "-a.xml");
     EXPECT_EQ(std::get<RenderOptions>(parse({"render", "info"})).scene, "info");
@@ -330,6 +340,7 @@ TEST(Options, JsonHoldsEveryOption) {
     EXPECT_EQ(defaults["seed"], 0);
     EXPECT_EQ(defaults["exposure"], 0.0);
     EXPECT_EQ(defaults["tone"], "none");
+    EXPECT_EQ(defaults["background"], nullptr);
     EXPECT_EQ(defaults["progress"], "auto");
     EXPECT_EQ(defaults["verbose"], false);
 

@@ -15,7 +15,7 @@ using test::TestBackend;
 
 /// The 8-bit values of an image as a PNG file has them.
 std::vector<png_byte> png_values(const Image& image, double exposure_ev, ToneCurve tone) {
-    const std::vector<std::byte> bytes = png_bytes(image, exposure_ev, tone);
+    const std::vector<std::byte> bytes = png_bytes(image, PngSettings{exposure_ev, tone, {}});
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return {};

@@ -303,6 +303,7 @@ TEST(FilmSums, MeansAndVariancesAreThoseOfDoublePrecision) {
                                 light * light * (1e-6 * reference.variance[c] + 4e-7 * square / n));
                 }
                 expect("depth", 0, pixel, reference.mean[FILM_DEPTH] / 0.25);
+                expect("alpha", 0, pixel, reference.mean[FILM_ALPHA]);
             }
         }
 }

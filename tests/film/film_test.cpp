@@ -35,8 +35,11 @@ TEST(Film, LayersTakeTheirPlanes) {
     const Image image = resolve_film(numbered(), low, width, height, 1);
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
-    ASSERT_EQ(image.layers.size(), 7u);
+    ASSERT_EQ(image.layers.size(), 8u);
     EXPECT_EQ(image.layers[0].name, "");
+    EXPECT_EQ(image.layers[1].name, "alpha");
+    EXPECT_EQ(image.layers[1].channels, "A");
+    EXPECT_EQ(image.layers[1].values[2], 100.0F * FILM_ALPHA + 2.0F);
     struct Expected {
         const char* name;
         const char* channels;
