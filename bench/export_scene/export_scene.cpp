@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/limits.h"
 #include "bench/common/bench_main.h"
 #include "bench/export_scene/exported_scene.h"
@@ -42,6 +43,10 @@ void run(const Settings& settings) {
     const Scene scene = load_scene(settings.scene, diagnostics);
     const FlatScene flat = flatten(scene);
     const Camera camera = choose_camera(scene, flat, settings.camera, diagnostics);
+    if (camera.orthographic())
+        throw input_error(settings.scene,
+                          "has an orthographic camera, expected a perspective one, "
+                          "which other renderers are given");
     for (const std::string& warning : diagnostics.warnings()) fmt::print(stderr, "{}\n", warning);
     write_exported_scene(settings.folder, scene, flat, camera,
                          {settings.size[0], settings.size[1]});

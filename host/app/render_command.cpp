@@ -135,6 +135,15 @@ void check_media(const RenderOptions& options, const FlatScene& flat) {
             "has, expected another");
 }
 
+/// Refuses an orthographic camera whose rays begin in several media.
+void check_orthographic(const RenderOptions& options, const RenderSettings& settings,
+                        const FlatScene& flat, const Camera& camera) {
+    if (!starts_in_one_medium(flat, camera, settings.width, settings.height))
+        throw input_error(options.scene.string(),
+                          "the near plane of the orthographic camera " + quote(camera.name) +
+                              " cuts a boundary of media, expected it inside or outside of each");
+}
+
 /// The options with the values that were chosen where the user gave none.
 RenderOptions effective(const RenderOptions& options, const RenderSettings& settings,
                         const Camera& camera, const RenderSession& session) {
@@ -370,6 +379,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     if (flat.lights.empty() && !media_shine)
         diagnostics.warn(scene.source, "no light shines in the scene, the image will be dark");
     check_media(options, flat);
+    check_orthographic(options, settings, flat, camera);
     check_frames(moving, camera, options, diagnostics);
     progress.clear_bar();
     print_warnings(diagnostics, options.verbose);

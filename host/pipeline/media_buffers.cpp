@@ -5,6 +5,7 @@
 #include <span>
 
 #include "bvh/wide_bvh.h"
+#include "scene/field_of_view.h"
 
 namespace weft {
 
@@ -34,8 +35,7 @@ void set_media_camera(Executor& executor, const FlatScene& scene, const Camera& 
                       MediaBuffers& buffers) {
     if (!buffers.media_record) return;
     shared::MediaRecord space = scene.media.space;
-    space.around_camera =
-        boundaries_around(scene.media, scene.units.point(glm::dvec3(camera.to_world[3])));
+    space.around_camera = boundaries_around(scene.media, scene.units.point(ray_start(camera)));
     write_buffer(executor, buffers.media_record, {&space, 1});
 }
 

@@ -54,13 +54,35 @@ void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderPa
     const glm::dvec3 up = glm::normalize(axes[1] - glm::dot(axes[1], forward) * forward -
                                          glm::dot(axes[1], right) * right);
     const double aspect = static_cast<double>(params.camera.width) / params.camera.height;
-    const double tangent = vertical_tangent(camera, aspect);
-    params.camera.origin = to_float4(units.point(glm::dvec3(camera.to_world[3])));
+    // Half the height of the image at the distance 1, or at any.
+    const double tangent = camera.orthographic() ? half_height(camera, aspect) * units.scale
+                                                 : vertical_tangent(camera, aspect);
+    params.camera.origin = to_float4(units.point(ray_start(camera)));
+    if (camera.orthographic())
+        params.camera.origin.w = static_cast<float>(camera.near_plane * units.scale);
     params.camera.forward = to_float4(forward);
     params.camera.right = to_float4(right * tangent * aspect * (camera.mirror_x ? -1.0 : 1.0));
     params.camera.up = to_float4(up * tangent);
     params.camera.pixel_angle = static_cast<float>(2.0 * tangent / params.camera.height);
     params.scene.unit = static_cast<float>(units.scale);
+}
+
+std::uint32_t camera_features(const Camera& camera) {
+    return camera.orthographic() ? FEATURE_ORTHOGRAPHIC : 0U;
+}
+
+bool starts_in_one_medium(const FlatScene& scene, const Camera& camera, std::uint32_t width,
+                          std::uint32_t height) {
+    if (!camera.orthographic() || !scene.media.present()) return true;
+    const shared::CameraParams params = scene_params(scene, camera, width, height).camera;
+    const auto vector = [](const shared::float4& v) { return glm::dvec3(v.x, v.y, v.z); };
+    const std::uint32_t around = boundaries_around(scene.media, vector(params.origin));
+    for (const double s : {-1.0, 1.0})
+        for (const double t : {-1.0, 1.0})
+            if (boundaries_around(scene.media, vector(params.origin) + s * vector(params.right) +
+                                                   t * vector(params.up)) != around)
+                return false;
+    return true;
 }
 
 void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed,

@@ -24,6 +24,14 @@ void set_scene(const FlatScene& scene, shared::RenderParams& params);
 /// square pixels.
 void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params);
 
+/// FEATURE_* of kernels that make rays of the camera.
+[[nodiscard]] std::uint32_t camera_features(const Camera& camera);
+
+/// Whether the same boundaries of media lie around the middle and the corners of the image's near
+/// plane, so that kernels may take it for all rays.
+[[nodiscard]] bool starts_in_one_medium(const FlatScene& scene, const Camera& camera,
+                                        std::uint32_t width, std::uint32_t height);
+
 /// Sets the sample position of frame `frame` inside the pixel, in [0, 1)^2: the centre where only
 /// one frame is made (`single`), else points of a Halton sequence shifted by the seed, the same for
 /// all pixels.

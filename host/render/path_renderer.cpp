@@ -137,7 +137,8 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
       settings_(settings),
       scene_buffers_(std::move(uploaded)),
       next_(settings.samples.first) {
-    const std::uint32_t features = path_features(scene, settings);
+    camera_features_ = camera_features(camera);
+    const std::uint32_t features = path_features(scene, settings) | camera_features_;
     params_ = scene_params(scene, camera, settings.width, settings.height);
     params_.features = features;
     params_.sampling.seed = settings.seed;
@@ -203,13 +204,19 @@ void PathRenderer::follow_scene() {
     identity_.reset();
     set_scene(scene_, params_);
     scale_light();
-    const std::uint32_t features = path_features(scene_, settings_);
+    set_features();
+}
+
+void PathRenderer::set_features() {
+    const std::uint32_t features = path_features(scene_, settings_) | camera_features_;
     if (features == params_.features) return;
     params_.features = features;
     executor_.build(std::array{kernel()}, features);
 }
 
 void PathRenderer::set_camera(const Camera& camera) {
+    camera_features_ = camera_features(camera);
+    set_features();
     weft::set_camera(camera, scene_.units, params_);
     set_media_camera(executor_, scene_, camera, *media_);
     filter_textures();

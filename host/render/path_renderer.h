@@ -95,6 +95,8 @@ class PathRenderer : public FrameRenderer {
     void filter_textures();
     [[nodiscard]] const std::string& identity();
     void scale_light();
+    /// Builds the kernel again where the scene or the camera needs other features.
+    void set_features();
     /// The kernel `path`, or `path_media` where the scene has media.
     [[nodiscard]] KernelId kernel() const noexcept;
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;
@@ -115,6 +117,7 @@ class PathRenderer : public FrameRenderer {
     std::vector<FrameStats> stats_;
     std::uint32_t next_;
     std::uint32_t image_ = 0;
+    std::uint32_t camera_features_ = 0;
     double ms_per_sample_ = 0.0;
     double most_frame_ms_ = std::numeric_limits<double>::infinity();
 };

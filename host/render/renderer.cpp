@@ -147,7 +147,7 @@ void Renderer::choose_indirect() {
 void Renderer::set_up() {
     components_.clear();
     work_ = work_list_of(plan_, settings_);
-    const std::uint32_t features = features_of(scene_, plan_, settings_.components);
+    const std::uint32_t features = features_of_frames();
     executor_.build(kernels_of(plan_, settings_.components), features);
     const ComponentRequirements requirements = requirements_of(plan_, settings_.components);
     all_receivers_ = requirements.all_receivers;
@@ -169,6 +169,10 @@ void Renderer::set_up() {
     for (const ActiveComponent& active : components_)
         active.component->bind_outputs(buffers_.irradiance);
     set_params(features);
+}
+
+std::uint32_t Renderer::features_of_frames() const {
+    return features_of(scene_, plan_, settings_.components) | camera_features(camera_);
 }
 
 void Renderer::set_params(std::uint32_t features) {
@@ -213,8 +217,7 @@ void Renderer::update_scene() {
 
 void Renderer::follow_scene() {
     const FramePlan plan = plan_for(scene_, settings_);
-    if (!same_lights(plan, plan_) ||
-        features_of(scene_, plan_, settings_.components) != base_params_.features) {
+    if (!same_lights(plan, plan_) || features_of_frames() != base_params_.features) {
         plan_ = plan;
         set_up();
     }
@@ -223,6 +226,7 @@ void Renderer::follow_scene() {
 
 void Renderer::move_camera(const Camera& camera) {
     camera_ = camera;
+    if (features_of_frames() != base_params_.features) set_up();
     weft::set_camera(camera, scene_.units, base_params_);
     if (buffers_.view_media) buffers_.view_media->set_camera(executor_, scene_, camera);
     base_params_.camera.texture_angle = texture_angle(base_params_, settings_);

@@ -85,6 +85,8 @@ class Renderer : public FrameRenderer {
     /// where too few of them have landed.
     void choose_indirect();
     void set_params(std::uint32_t features);
+    /// FEATURE_* of frames of the plan by the camera.
+    [[nodiscard]] std::uint32_t features_of_frames() const;
     void trace_primary(FrameContext& frame);
     /// Makes the samples of all components; returns how much of its light each has.
     std::vector<LightShare> sample(FrameContext& frame);

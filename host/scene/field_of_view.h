@@ -3,6 +3,7 @@
 #ifndef WEFT_SCENE_FIELD_OF_VIEW_H
 #define WEFT_SCENE_FIELD_OF_VIEW_H
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/scene.h"
@@ -25,6 +26,22 @@ namespace weft {
             return tangent / std::sqrt(1.0 + aspect * aspect);
     }
     return tangent;
+}
+
+/// Half the height of what an orthographic camera shows, in scene units; `aspect` as above.
+[[nodiscard]] inline double half_height(const Camera& camera, double aspect) {
+    return std::max(camera.half_extent.y, camera.half_extent.x / aspect);
+}
+
+/// The way a camera looks, of length 1.
+[[nodiscard]] inline glm::dvec3 viewing_axis(const Camera& camera) {
+    return glm::normalize(-glm::dvec3(camera.to_world[2]));
+}
+
+/// Where the ray through the middle of the image begins.
+[[nodiscard]] inline glm::dvec3 ray_start(const Camera& camera) {
+    const glm::dvec3 position(camera.to_world[3]);
+    return camera.orthographic() ? position + camera.near_plane * viewing_axis(camera) : position;
 }
 
 }  // namespace weft

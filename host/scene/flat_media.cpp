@@ -16,6 +16,7 @@
 #include "base/limits.h"
 #include "base/quote.h"
 #include "scene/convex_media.h"
+#include "scene/field_of_view.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
@@ -203,7 +204,7 @@ std::uint32_t outermost(const Scene& scene, const KernelUnits& units, const Flat
     if (scene.outer_medium >= 0) return medium_or_none(scene.outer_medium);
     const bool enclosed =
         !scene.cameras.empty() &&
-        boundaries_around(media, units.point(glm::dvec3(scene.cameras.front().to_world[3]))) != 0;
+        boundaries_around(media, units.point(ray_start(scene.cameras.front()))) != 0;
     if (scene.camera_medium >= 0 && !enclosed) return medium_or_none(scene.camera_medium);
     return outside_largest;
 }

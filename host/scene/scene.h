@@ -77,14 +77,21 @@ struct Environment {
 
 enum class FovAxis : std::uint32_t { x, y, diagonal, smaller, larger };
 
-/// A pinhole camera. Camera space looks along -z with +y up (the glTF convention).
+/// A pinhole camera, or an orthographic one, all of whose rays are parallel. Camera space looks
+/// along -z with +y up (the glTF convention).
 struct Camera {
     std::string name;
     glm::dmat4 to_world{1.0};  ///< at rest; rigid up to scale; scale is ignored
     double fov = 0.8;          ///< radians, full angle along `fov_axis`
     FovAxis fov_axis = FovAxis::y;
-    bool mirror_x = false;  ///< the file's camera space is left-handed
-    Attachment motion{};    ///< the node that carries it over time, if it moves
+    /// Of an orthographic camera half the width and height, in scene units, that its image shows at
+    /// least, one of them above 0; of a pinhole camera both are 0.
+    glm::dvec2 half_extent{0.0};
+    double near_plane = 0.0;  ///< orthographic: what lies nearer is not seen, scene units
+    bool mirror_x = false;    ///< the file's camera space is left-handed
+    Attachment motion{};      ///< the node that carries it over time, if it moves
+
+    [[nodiscard]] bool orthographic() const { return half_extent != glm::dvec2(0.0); }
 };
 
 /// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit, times the

@@ -70,6 +70,12 @@ class Validator {
     void check(const Camera& camera, const std::string& when) const {
         const std::string object = "camera " + quote(camera.name) + when;
         check_transform(camera.to_world, object);
+        const auto extent = [](double value) {
+            return value >= 0.0 && value <= limits::max_coordinate;
+        };
+        require(extent(camera.half_extent.x) && extent(camera.half_extent.y) &&
+                    extent(camera.near_plane),
+                object, "has an extent or near plane that is negative or above 1e15");
         require(camera.fov > 0.0 && camera.fov < std::numbers::pi, object,
                 "has a field of view outside (0, 180) degrees");
     }

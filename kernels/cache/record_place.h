@@ -8,6 +8,7 @@
 #include "kernels/cache/cache.h"
 #include "kernels/core/port.h"
 #include "kernels/core/types.h"
+#include "kernels/film/camera.h"
 
 // Largest radius of a record, in edges of a square as large as a pixel on its surface. The least is
 // the width of its own pixel: with an error of 0 every pixel is a record.
@@ -18,7 +19,7 @@ static inline void store_place(const RenderParams* params, GLOBAL const float4* 
                                GLOBAL const float4* gb_normal, uint pixel, uint stride,
                                GLOBAL float* record) {
     float4 at = gb_position[pixel];
-    float across = at.w * params->camera.pixel_angle;
+    float across = pixel_width(params, at.w);
     record[RECORD_LEAST * stride] = across;
     record[RECORD_MOST * stride] = MOST_PIXELS * square_root(gb_normal[pixel].w * across);
     record[RECORD_PLACE * stride] = at.x;

@@ -31,11 +31,12 @@
 #define FEATURE_MEDIA 4096u          // light goes through participating media
 #define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
 #define FEATURE_EMISSIVE_MEDIA 16384u
-#define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
-#define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records are stored from frame to frame
-#define FEATURE_HEMISPHERES 131072u  // irradiance records trace hemispheres of rays
-#define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
+#define FEATURE_CONVEX_MEDIA 32768u    // MediaRecord::convex
+#define FEATURE_TEMPORAL 65536u        // VPLs and irradiance records are stored from frame to frame
+#define FEATURE_HEMISPHERES 131072u    // irradiance records trace hemispheres of rays
+#define FEATURE_LOBES 262144u          // there are lobes other than Lambert's
 #define FEATURE_EMISSION_TEXTURES 524288u
+#define FEATURE_ORTHOGRAPHIC 1048576u  // rays of the camera are parallel
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -296,18 +297,20 @@ typedef struct {
 #define FILM_SQUARE_SHIFT 72
 #define FILM_PIXEL_WORDS 63
 
-// The camera and the image it makes: the ray through film point (s, t) in [-1,1]^2, +t up, has the
-// direction forward + s right + t up.
+// The camera and the image it makes: the ray through film point (s, t) in [-1,1]^2, +t up, begins
+// at the origin in the direction forward + s right + t up; that of an orthographic camera begins at
+// origin + s right + t up in the direction forward.
 typedef struct {
-    float4 origin;
+    float4 origin;   // w: of orthographic cameras, its distance from the camera, kernel units
     float4 forward;  // unit
     float4 right;
     float4 up;
     float jitter_x, jitter_y;  // of primary rays, in pixels, from the pixel's corner
-    float pixel_angle;         // radians between neighbouring pixels at the centre
-    float texture_angle;       // angle over which primary rays average textures
-    uint width, height;        // of the image, pixels
-    uint hides_environment;    // 1: rays that meet nothing show none
+    // Of orthographic cameras, both are widths in kernel units in place of angles.
+    float pixel_angle;       // radians between neighbouring pixels at the centre
+    float texture_angle;     // angle over which primary rays average textures
+    uint width, height;      // of the image, pixels
+    uint hides_environment;  // 1: rays that meet nothing show none
     uint pad;
 } CameraParams;
 

@@ -73,6 +73,14 @@ static inline WFloat3 direct_irradiance(const RenderParams* params, const SeenPi
     return e;
 }
 
+/// Distances of pixels' surfaces from the camera along its axis, 0 where there is none.
+static inline WFloat wide_depth(const RenderParams* params, const SeenPixels* seen, uint first) {
+    WFloat t = load_fourth(seen->position + first);
+    if (!HAS(params, FEATURE_ORTHOGRAPHIC)) return t;
+    WFloat zero = WIDE(0.0f);
+    return SELECT(t > zero, t + params->camera.origin.w, zero);
+}
+
 /// Alpha of pixels; see film_alpha.
 static inline WFloat wide_alpha(const RenderParams* params, const SeenPixels* seen,
                                 const IrradianceBuffers* buffers, uint first) {
@@ -97,7 +105,7 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
     sample->albedo = load_vectors(seen->albedo + first);
     sample->emission = load_vectors(seen->emission + first);
     sample->normal = load_vectors(seen->shading + first);
-    sample->depth = load_fourth(seen->position + first) / params->scene.unit;
+    sample->depth = wide_depth(params, seen, first) / params->scene.unit;
     sample->alpha = wide_alpha(params, seen, buffers, first);
     WFloat3 reflectance;
     reflectance.x = LAMBERT_REFLECTANCE(sample->albedo.x);

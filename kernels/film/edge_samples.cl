@@ -5,11 +5,10 @@
 // that is there already, from a pixel close by that shows the same surface. One work-item for as
 // many edge pixels as fill a packet of rays.
 #include "kernels/bsdf/surface.h"
-#include "kernels/bvh/trace.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/core/sampling.h"
-#include "kernels/film/camera.h"
+#include "kernels/film/camera_rays.h"
 #include "kernels/film/film.h"
 #include "kernels/light/environment.h"
 
@@ -42,8 +41,7 @@ static inline PixelSurface hit_surface(const RenderParams* params, const Surface
     surface.position = hit_point->position;
     surface.normal = hit_point->normal;
     surface.shading = hit_point->shading;
-    surface.reach =
-        params->filter.planes * (distance * params->camera.pixel_angle / m_max(facing, 0.05f));
+    surface.reach = params->filter.planes * (pixel_width(params, distance) / m_max(facing, 0.05f));
     surface.cosine = params->filter.cosine;
     return surface;
 }
@@ -151,7 +149,8 @@ static inline FilmSample hit_sample(const RenderParams* params, const Geometry* 
                            &light);
         return film_sample(params, nonfinite, pixel, 0, emission, none, light, none, 0.0f);
     }
-    Surface surface = surface_at(params, geometry, hit, direction, texture_angle);
+    Surface surface = surface_at(params, geometry, hit, direction,
+                                 seen_texture_angle(params, texture_angle, hit.t));
     float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
     if (max_component(albedo) > 0.0f) {
         uint from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
@@ -209,18 +208,15 @@ static inline void make_edge_rays(const RenderParams* params, GLOBAL const uint*
 static inline void trace_edge_rays(const RenderParams* params, Scene scene, EdgeRays* rays) {
     for (uint first = 0u; first < rays->count; first += LANES) {
         uint count = rays->count - first < LANES ? rays->count - first : LANES;
-        PacketDirections directions;
+        CameraPacket packet;
         Hit hits[LANES];
         for (uint lane = 0u; lane < LANES; ++lane) {
             // Lanes that are not in use repeat a ray.
-            float3 direction = rays->directions[first + (lane < count ? lane : 0u)];
-            directions.x[lane] = direction.x;
-            directions.y[lane] = direction.y;
-            directions.z[lane] = direction.z;
+            uint ray = first + (lane < count ? lane : 0u);
+            set_camera_ray(params, &packet, lane, rays->x[ray], rays->y[ray]);
         }
         uint active = 0xFFFFFFFFu >> (32u - count);
-        trace_closest_packet(scene, xyz(params->camera.origin), &directions, active, RAY_INFINITY,
-                             hits);
+        trace_camera_packet(params, scene, &packet, active, hits);
         for (uint lane = 0u; lane < count; ++lane) rays->hits[first + lane] = hits[lane];
     }
 }

@@ -10,6 +10,7 @@
 
 #include "kernels/bsdf/lambert.h"
 #include "kernels/core/guard.h"
+#include "kernels/film/camera.h"
 #include "kernels/film/discontinuity.h"
 #include "kernels/light/environment.h"
 
@@ -115,11 +116,11 @@ static inline float film_alpha(const RenderParams* params, int met, float3 trans
     return met != 0 ? 1.0f : background_alpha(params, transmittance);
 }
 
-/// What a surface under that light sends to the camera; `depth` in kernel units. Without a surface,
-/// `met` is 0.
+/// What a surface under that light sends to the camera; `t` is how far along its ray it lies.
+/// Without a surface, `met` is 0.
 static inline FilmSample film_sample(const RenderParams* params, GLOBAL NonfiniteCounter* nonfinite,
                                      uint pixel, int met, float3 emission, float3 albedo,
-                                     PixelLight light, float3 normal, float depth) {
+                                     PixelLight light, float3 normal, float t) {
     FilmSample sample;
     float3 reflectance = LAMBERT_REFLECTANCE(albedo);
     if (HAS(params, FEATURE_MEDIA)) {
@@ -139,8 +140,8 @@ static inline FilmSample film_sample(const RenderParams* params, GLOBAL Nonfinit
         sample.media = guard(nonfinite, COMPONENT_MEDIA, pixel, light.media);
     sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
     sample.normal = normal;
-    sample.depth =
-        guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth / params->scene.unit, 0.0f, 0.0f)).x;
+    float depth = (met != 0 ? camera_depth(params, t) : 0.0f) / params->scene.unit;
+    sample.depth = guard(nonfinite, COMPONENT_SURFACE, pixel, f3(depth, 0.0f, 0.0f)).x;
     sample.alpha = film_alpha(params, met, light.transmittance);
     return sample;
 }

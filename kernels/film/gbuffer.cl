@@ -4,9 +4,8 @@
 // Primary visibility: one ray a pixel, through its centre or the frame's jittered point, in packets
 // of a small block of pixels. One work-item per block, row by row.
 #include "kernels/bsdf/surface.h"
-#include "kernels/bvh/trace.h"
 #include "kernels/core/kernel.h"
-#include "kernels/film/camera.h"
+#include "kernels/film/camera_rays.h"
 #include "kernels/film/gbuffer.h"
 #include "kernels/light/environment.h"
 
@@ -27,14 +26,14 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
         gb_emission[pixel] = f4(sky.x, sky.y, sky.z, 0.0f);
         return;
     }
-    Surface surface =
-        surface_on(params, geometry, facet, hit, direction, params->camera.texture_angle);
+    Surface surface = surface_on(params, geometry, facet, hit, direction,
+                                 seen_texture_angle(params, params->camera.texture_angle, hit.t));
     // The forward component of `direction` is 1, so t is the distance along the viewing axis.
     float depth = hit.t;
     float length = length3(direction);
     float distance = depth * length;
     float facing = -dot3(surface.normal, direction) / length;
-    float footprint = distance * params->camera.pixel_angle / m_max(facing, 0.05f);
+    float footprint = pixel_width(params, distance) / m_max(facing, 0.05f);
     float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
     float lit = albedo.x > 0.0f || albedo.y > 0.0f || albedo.z > 0.0f ? 1.0f : 0.0f;
     gb_ids[2u * pixel] = surface.instance;
@@ -51,26 +50,22 @@ WEFT_KERNEL(gbuffer)
     uint block = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    float3 origin = xyz(params.camera.origin);
     const uint block_width = pixel_block_width((uint)LANES);
     const uint block_height = (uint)LANES / block_width;
     uint blocks = (params.camera.width + block_width - 1u) / block_width;
     uint left = block % blocks * block_width;
     uint top = block / blocks * block_height;
-    PacketDirections directions;
+    CameraPacket rays;
     uint inside = 0u;
     for (uint lane = 0u; lane < LANES; ++lane) {
         uint x = left + lane % block_width;
         uint y = top + lane / block_width;
-        float3 direction = camera_direction(&params, (float)x + params.camera.jitter_x,
-                                            (float)y + params.camera.jitter_y);
-        directions.x[lane] = direction.x;
-        directions.y[lane] = direction.y;
-        directions.z[lane] = direction.z;
+        set_camera_ray(&params, &rays, lane, (float)x + params.camera.jitter_x,
+                       (float)y + params.camera.jitter_y);
         if (x < params.camera.width && y < params.camera.height) inside |= 1u << lane;
     }
     Hit hits[LANES];
-    trace_closest_packet(scene, origin, &directions, inside, RAY_INFINITY, hits);
+    trace_camera_packet(&params, scene, &rays, inside, hits);
     Facet facet;
     uint facet_id = INVALID_INDEX;
     for (uint lane = 0u; lane < LANES; ++lane) {
@@ -81,8 +76,7 @@ WEFT_KERNEL(gbuffer)
             if (facet_id != INVALID_INDEX) facet = facet_of(&geometry, facet_id);
         }
         uint pixel = (top + lane / block_width) * params.camera.width + left + lane % block_width;
-        store_pixel(&params, &geometry, &facet, pixel,
-                    f3(directions.x[lane], directions.y[lane], directions.z[lane]), hits[lane],
+        store_pixel(&params, &geometry, &facet, pixel, lane_direction(&rays, lane), hits[lane],
                     gb_ids, gb_position, gb_normal, gb_shading, gb_albedo, gb_emission);
     }
 }

@@ -3,7 +3,7 @@
 //
 // The buffers of GROUP_SeenSurfaces hold what a primary ray found, per pixel.
 //   gb_ids       instance (INVALID_INDEX: background) and triangle id
-//   gb_position  point; w: distance along the viewing axis
+//   gb_position  point; w: distance along the viewing axis from where the ray begins
 //   gb_normal    geometric normal towards the camera; w: footprint of a pixel on the surface
 //   gb_shading   interpolated normal
 //   gb_albedo    diffuse albedo; w: 1 where that is not black

@@ -48,7 +48,7 @@ static inline DistantPlace distant_place(const ViewRay* ray, float sigma, float 
 static inline float3 scattered_from(const RenderParams* params, Scene scene, const Media* media,
                                     const ViewRay* ray, float3 from, DistantPlace at, uint number,
                                     uint* rays) {
-    float3 origin = xyz(params->camera.origin);
+    float3 origin = ray->origin;
     float3 place = origin + ray->direction * at.t;
     float3 none = f3(0.0f, 0.0f, 0.0f);
     ++*rays;

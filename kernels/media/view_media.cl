@@ -90,12 +90,12 @@ WEFT_KERNEL(view_media)
     if (WORK_ITEM(range) >= range.count) return;
     uint pixel = range.first + WORK_ITEM(range);
     MEDIA_MAKE(through);
-    float3 direction =
-        camera_direction(&params, (float)(pixel % params.camera.width) + params.camera.jitter_x,
-                         (float)(pixel / params.camera.width) + params.camera.jitter_y);
+    float x = (float)(pixel % params.camera.width) + params.camera.jitter_x;
+    float y = (float)(pixel / params.camera.width) + params.camera.jitter_y;
+    float3 direction = camera_direction(&params, x, y);
     int met = gb_ids[2u * pixel] != INVALID_INDEX ? 1 : 0;
     float length = met != 0 ? gb_position[pixel].w * length3(direction) : RAY_INFINITY;
-    MediumWalk walk = start_walk(&through, xyz(params.camera.origin), normalize3(direction),
+    MediumWalk walk = start_walk(&through, camera_origin(&params, x, y), normalize3(direction),
                                  through.record->around_camera);
     Passed passed = {f3(1.0f, 1.0f, 1.0f), f3(0.0f, 0.0f, 0.0f)};
     Scattering found = {0.0f, 0.0f, 0.0f, 0};

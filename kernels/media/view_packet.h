@@ -8,9 +8,9 @@
 #include "kernels/film/camera.h"
 #include "kernels/media/packet_media.h"
 
-// View rays of LANES pixels, all from the camera.
+// View rays of LANES pixels.
 typedef struct {
-    float3 origin;
+    WFloat3 origin;
     WFloat3 direction;  // unit
     WFloat begin, end;  // between which something scatters
     WMask valid;
@@ -18,7 +18,7 @@ typedef struct {
 
 /// The part of a pixel's view ray that scatters; see view_media.cl for the buffers.
 typedef struct {
-    float3 direction;
+    float3 origin, direction;
     float begin, end;
     int valid;
 } ViewRay;
@@ -26,14 +26,16 @@ typedef struct {
 static inline ViewRay view_ray(const RenderParams* params, GLOBAL const float4* end_position,
                                GLOBAL const float4* end_albedo, uint pixel) {
     ViewRay ray;
+    ray.origin = xyz(params->camera.origin);
     ray.direction = f3(0.0f, 0.0f, 1.0f);
     ray.begin = 0.0f;
     ray.end = 1.0f;
     ray.valid = 0;
     if (pixel == INVALID_INDEX || !(end_albedo[pixel].w > 0.0f)) return ray;
-    ray.direction = normalize3(
-        camera_direction(params, (float)(pixel % params->camera.width) + params->camera.jitter_x,
-                         (float)(pixel / params->camera.width) + params->camera.jitter_y));
+    float x = (float)(pixel % params->camera.width) + params->camera.jitter_x;
+    float y = (float)(pixel / params->camera.width) + params->camera.jitter_y;
+    ray.origin = camera_origin(params, x, y);
+    ray.direction = normalize3(camera_direction(params, x, y));
     ray.begin = end_position[pixel].x;
     ray.end = end_position[pixel].y;
     ray.valid = 1;
@@ -43,18 +45,19 @@ static inline ViewRay view_ray(const RenderParams* params, GLOBAL const float4* 
 static inline ViewPacket load_views(const RenderParams* params, GLOBAL const uint* slot_pixel,
                                     GLOBAL const float4* end_position,
                                     GLOBAL const float4* end_albedo, uint slot) {
-    LaneVectors directions;
+    LaneVectors origins, directions;
     float begin[LANES], end[LANES];
     uint valid = 0u;
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         ViewRay ray = view_ray(params, end_position, end_albedo, slot_pixel[slot + lane]);
+        set_lane(&origins, lane, ray.origin);
         set_lane(&directions, lane, ray.direction);
         begin[lane] = ray.begin;
         end[lane] = ray.end;
         valid |= (uint)ray.valid << lane;
     }
     ViewPacket packet;
-    packet.origin = xyz(params->camera.origin);
+    packet.origin = wide_of(&origins);
     packet.direction = wide_of(&directions);
     packet.begin = wide_load(begin, 0);
     packet.end = wide_load(end, 0);
@@ -84,17 +87,19 @@ typedef struct {
 /// correct for that.
 static inline ViewPlaces places_seen_from(const ViewPacket* view, float3 light, float extent,
                                           float apart, float u) {
-    float3 to = light - view->origin;
+    WFloat3 to = wide_vector(WIDE(light.x) - view->origin.x, WIDE(light.y) - view->origin.y,
+                             WIDE(light.z) - view->origin.z);
     WFloat3 v = view->direction;
     WFloat x = v.y * to.z - v.z * to.y;
     WFloat y = v.z * to.x - v.x * to.z;
     WFloat z = v.x * to.y - v.y * to.x;
-    WFloat least = WIDE(ANGULAR_LEAST * length3(to) + 5.9604645e-8f * extent);
+    WFloat least =
+        wide_square_root(wide_dot(to, to)) * ANGULAR_LEAST + WIDE(5.9604645e-8f * extent);
     WFloat beside = wide_square_root(x * x + y * y + z * z);
     beside = VMAX(beside, least);
     WMask moved = beside < WIDE(apart);
     beside = VMAX(beside, WIDE(apart));
-    WFloat along = wide_dot_scalar(v, to);
+    WFloat along = wide_dot(v, to);
     WFloat from = view->begin - along;
     WFloat until = view->end - along;
     WFloat square = beside * beside;
@@ -233,7 +238,6 @@ static inline PlaceMedia convex_media_at(const RenderParams* params, const Media
     found.g = WIDE(0.0f);
     scatters_at(media, media->record->outside, view->valid, &found);
     WFloat one = WIDE(1.0f);
-    WFloat3 origin = wide_vector(WIDE(view->origin.x), WIDE(view->origin.y), WIDE(view->origin.z));
     WFloat3 place = wide_vector(view->direction.x * places->t + view->origin.x,
                                 view->direction.y * places->t + view->origin.y,
                                 view->direction.z * places->t + view->origin.z);
@@ -242,7 +246,7 @@ static inline PlaceMedia convex_media_at(const RenderParams* params, const Media
     WideLengths lit = no_lengths(media, one);
     // The last to say what is about a place is the innermost.
     for (uint k = media->record->boundaries; k-- > 0u;) {
-        WideSegment segment = segment_within(media, k, origin, view->direction, places->t);
+        WideSegment segment = segment_within(media, k, view->origin, view->direction, places->t);
         WMask here = (segment.end >= places->t) & (segment.end > segment.begin);
         scatters_at(media, media->record->interior[k], here, &found);
         if (HAS(params, FEATURE_DENSITY_GRIDS))
@@ -269,6 +273,7 @@ static inline PlaceMedia media_at(const RenderParams* params, const Media* media
     WFloat zero = WIDE(0.0f);
     LaneVectors scatters = lanes_of(wide_same(0.0f));
     LaneVectors transmittance = scatters;
+    LaneVectors origins = lanes_of(view->origin);
     LaneVectors directions = lanes_of(view->direction);
     LaneVectors ways = lanes_of(places->d);
     float t[LANES], g[LANES];
@@ -278,9 +283,9 @@ static inline PlaceMedia media_at(const RenderParams* params, const Media* media
     for (uint lane = 0u; lane < (uint)LANES; ++lane) {
         if ((bits >> lane & 1u) == 0u) continue;
         float3 scatters_here, transmittance_here;
-        walk_to_place(params, media, view->origin, lane_vector(&directions, lane), t[lane],
-                      -lane_vector(&ways, lane), number, &scatters_here, &transmittance_here,
-                      g + lane);
+        walk_to_place(params, media, lane_vector(&origins, lane), lane_vector(&directions, lane),
+                      t[lane], -lane_vector(&ways, lane), number, &scatters_here,
+                      &transmittance_here, g + lane);
         set_lane(&scatters, lane, scatters_here);
         set_lane(&transmittance, lane, transmittance_here);
     }

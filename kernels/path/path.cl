@@ -22,9 +22,10 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
         x = 0.5f;
         y = 0.5f;
     }
-    float3 direction = camera_direction(params, (float)(pixel % params->camera.width) + x,
-                                        (float)(pixel / params->camera.width) + y);
-    Hit hit = trace_closest(world->scene, xyz(params->camera.origin), direction, RAY_INFINITY);
+    x += (float)(pixel % params->camera.width);
+    y += (float)(pixel / params->camera.width);
+    float3 direction = camera_direction(params, x, y);
+    Hit hit = trace_closest(world->scene, camera_origin(params, x, y), direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == INVALID_INDEX) {
         sample.emission = background_radiance(params, direction);
@@ -34,12 +35,12 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     PathVertex vertex;
     vertex.bounce = 0u;
     vertex.light_weight = 1.0f;
-    vertex.surface =
-        surface_at(params, &world->geometry, hit, direction, params->camera.texture_angle);
+    vertex.surface = surface_at(params, &world->geometry, hit, direction,
+                                seen_texture_angle(params, params->camera.texture_angle, hit.t));
     sample.emission = vertex.surface.emission;
     sample.albedo = bsdf_diffuse_albedo(&vertex.surface.bsdf);
     sample.normal = vertex.surface.shading;
-    sample.depth = hit.t;
+    sample.depth = camera_depth(params, hit.t);
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
     while (goes_on != 0) {
         *rays += next_event(params, world, &vertex, random, &sample.light);

@@ -23,10 +23,11 @@ static inline MediaPath camera_path(const RenderParams* params, const PathParams
         x = 0.5f;
         y = 0.5f;
     }
+    x += (float)(pixel % params->camera.width);
+    y += (float)(pixel / params->camera.width);
     // Media need t to be a distance, but the camera's directions are of any length.
-    path.direction = normalize3(camera_direction(params, (float)(pixel % params->camera.width) + x,
-                                                 (float)(pixel / params->camera.width) + y));
-    path.origin = xyz(params->camera.origin);
+    path.direction = normalize3(camera_direction(params, x, y));
+    path.origin = camera_origin(params, x, y);
     path.throughput = f3(1.0f, 1.0f, 1.0f);
     path.ratio = path.throughput;
     path.enclosing_media = media->record->around_camera;
@@ -149,12 +150,15 @@ static inline int advance(const RenderParams* params, const PathScene* world, co
     ++*rays;
     int met = hit.triangle != INVALID_INDEX ? 1 : 0;
     if (met != 0) {
-        float angle = path->kind == RAY_OF_CAMERA ? params->camera.texture_angle : 0.0f;
+        float angle = path->kind == RAY_OF_CAMERA
+                          ? seen_texture_angle(params, params->camera.texture_angle, hit.t)
+                          : 0.0f;
         path->surface = surface_at(params, &world->geometry, hit, path->direction, angle);
         if (path->kind == RAY_OF_CAMERA) {
             sample->albedo = bsdf_diffuse_albedo(&path->surface.bsdf);
             sample->normal = path->surface.shading;
-            sample->depth = hit.t * dot3(path->direction, xyz(params->camera.forward));
+            sample->depth =
+                camera_depth(params, hit.t * dot3(path->direction, xyz(params->camera.forward)));
         }
     }
     int scattered = cross_media(params, world, media, path, met != 0 ? hit.t : RAY_INFINITY, random,

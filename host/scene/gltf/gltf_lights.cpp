@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/limits.h"
 #include "base/quote.h"
 
 namespace weft {
@@ -77,28 +78,51 @@ std::optional<PunctualLight> read_gltf_light(const JsonValue& root, const GltfNo
     return light;
 }
 
+namespace {
+
+double read_yfov(const JsonValue& perspective) {
+    const JsonValue fov = perspective.at("yfov");
+    const double angle = fov.as_number();
+    if (angle <= 0.0 || angle >= std::numbers::pi)
+        throw fov.error("is " + std::to_string(angle) + ", expected an angle above 0 and below pi");
+    return angle;
+}
+
+double read_mag(const JsonValue& orthographic, const char* name) {
+    const JsonValue value = orthographic.at(name);
+    const double mag = std::abs(value.as_number());
+    if (!(mag > 0.0 && mag <= limits::max_coordinate))
+        throw value.error("is " + std::to_string(value.as_number()) +
+                          ", expected half the extent of what is seen, above 0");
+    return mag;
+}
+
+void read_orthographic(const JsonValue& orthographic, Camera& camera) {
+    camera.half_extent = {read_mag(orthographic, "xmag"), read_mag(orthographic, "ymag")};
+    const JsonValue near_plane = orthographic.at("znear");
+    camera.near_plane = near_plane.as_number();
+    if (!(camera.near_plane >= 0.0 && camera.near_plane <= limits::max_coordinate))
+        throw near_plane.error("is " + std::to_string(camera.near_plane) +
+                               ", expected a distance of at least 0");
+}
+
+}  // namespace
+
 std::optional<Camera> read_gltf_camera(const JsonValue& root, const GltfNode& node,
-                                       std::size_t number, WarningCollector& report) {
+                                       std::size_t number) {
     const std::optional<JsonValue> reference = node.value.find("camera");
     if (!reference) return std::nullopt;
     const std::size_t index = reference->as_index(root.size_of("cameras"), "cameras");
     const JsonValue value = root.at("cameras").element(index);
     const JsonValue type = value.at("type");
-    if (type.as_string() == "orthographic") {
-        report.count(value.place(), {"orthographic camera", "orthographic cameras"},
-                     "not simulated, left out");
-        return std::nullopt;
-    }
-    if (type.as_string() != "perspective")
+    Camera camera;
+    if (type.as_string() == "orthographic")
+        read_orthographic(value.at("orthographic"), camera);
+    else if (type.as_string() == "perspective")
+        camera.fov = read_yfov(value.at("perspective"));
+    else
         throw type.error("is " + quote(type.as_string()) +
                          ", expected perspective or orthographic");
-    const JsonValue fov = value.at("perspective").at("yfov");
-    Camera camera;
-    camera.fov = fov.as_number();
-    if (camera.fov <= 0.0 || camera.fov >= std::numbers::pi)
-        throw fov.error("is " + std::to_string(camera.fov) +
-                        ", expected an angle above 0 and below pi");
-    camera.fov_axis = FovAxis::y;
     camera.to_world = node.to_world;
     camera.name =
         !node.name.empty() ? node.name : value.name_or("camera " + std::to_string(number));

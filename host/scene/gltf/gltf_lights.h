@@ -17,10 +17,10 @@ namespace weft {
                                                            const GltfNode& node,
                                                            WarningCollector& report);
 
-/// The perspective camera of a node whose transform is usable, if it has one; orthographic ones
-/// are left out with a warning. `number` names a camera without a name. Throws Error (exit code 2).
+/// The camera of a node whose transform is usable, if it has one. `number` names a camera without a
+/// name. Throws Error (exit code 2).
 [[nodiscard]] std::optional<Camera> read_gltf_camera(const JsonValue& root, const GltfNode& node,
-                                                     std::size_t number, WarningCollector& report);
+                                                     std::size_t number);
 
 }  // namespace weft
 

@@ -78,7 +78,7 @@ class GltfReader {
             light->motion = node.motion;
             scene_.lights.push_back(*std::move(light));
         }
-        if (auto camera = read_gltf_camera(root_, node, scene_.cameras.size(), report_)) {
+        if (auto camera = read_gltf_camera(root_, node, scene_.cameras.size())) {
             if (node.motion.moves()) camera->motion = node.motion;
             scene_.cameras.push_back(*std::move(camera));
         }

@@ -65,12 +65,15 @@ void read_fov(Object& object, Camera& camera) {
 }
 
 /// Mitsuba's camera looks along +z and has +x on the left of the image, Weft's looks along -z
-/// and has +x on the right: half a turn about y.
-void read_pose(Object& object, Camera& camera) {
+/// and has +x on the right: half a turn about y. Returns by how much the transform scales each
+/// axis.
+glm::dvec3 read_pose(Object& object, Camera& camera) {
     const glm::dmat4 file = object.transform("to_world");
     glm::dmat3 axes(file);
+    glm::dvec3 scale(1.0);
     for (int i = 0; i < 3; ++i) {
         const double length = glm::length(axes[i]);
+        scale[i] = length;
         if (!(length > 0.0) || !std::isfinite(length))
             throw input_error(object.place(),
                               "camera to_world cannot be inverted, expected a "
@@ -90,6 +93,23 @@ void read_pose(Object& object, Camera& camera) {
     const glm::dvec3 right = camera.mirror_x ? axes[0] : -axes[0];
     camera.to_world = glm::dmat4(glm::dvec4(right, 0.0), glm::dvec4(axes[1], 0.0),
                                  glm::dvec4(-axes[2], 0.0), file[3]);
+    return scale;
+}
+
+/// Mitsuba's orthographic camera shows [-1, 1] of its own x axis, and as much of y as the image is
+/// high; its transform scales that.
+void read_extent(Object& object, const glm::dvec3& scale, Context& context, const Element& sensor,
+                 Camera& camera) {
+    constexpr double default_near = 0.01;
+    constexpr double tolerance = 1e-4;
+    if (std::abs(scale.x - scale.y) > tolerance * scale.x)
+        context.warnings.once(sensor,
+                              "to_world scales x and y of the sensor differently: the scale of x "
+                              "is used for both");
+    camera.half_extent = {scale.x, 0.0};
+    camera.near_plane = object.number("near_clip", default_near) * scale.z;
+    if (!(camera.near_plane >= 0.0))
+        throw input_error(object.place(), "near_clip below 0, expected a distance");
 }
 
 std::uint32_t read_edge(Object& film, const char* name, long missing) {
@@ -130,15 +150,19 @@ int read_medium(Object& object, MediumReader& media) {
 
 void read_camera(const Element& sensor, Context& context, MediumReader& media, Scene& scene) {
     Object object(sensor, context);
-    if (object.type() != "perspective" && object.type() != "thinlens") {
+    const bool orthographic = object.type() == "orthographic";
+    if (!orthographic && object.type() != "perspective" && object.type() != "thinlens") {
         context.warnings.count(sensor, {"sensor", "sensors"},
                                "type " + quote(object.type()) + " is not supported, left out");
         return;
     }
     Camera camera;
     camera.name = object.id_or(fmt::format("camera{}", scene.cameras.size()));
-    read_pose(object, camera);
-    read_fov(object, camera);
+    const glm::dvec3 scale = read_pose(object, camera);
+    if (orthographic)
+        read_extent(object, scale, context, sensor, camera);
+    else
+        read_fov(object, camera);
     const FilmSize film = read_film(object, context);
     const int medium = read_medium(object, media);
     (void)object.nested("sampler");

@@ -274,20 +274,42 @@ TEST(GltfReader, ReadsCameras) {
     const Json perspective = {{"type", "perspective"},
                               {"name", "lens"},
                               {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}};
-    const Json orthographic = {{"type", "orthographic"}, {"orthographic", Json::object()}};
+    const Json orthographic = {
+        {"type", "orthographic"},
+        {"orthographic", {{"xmag", 2.0}, {"ymag", -0.5}, {"znear", 0.25}, {"zfar", 9.0}}}};
     builder.json["cameras"] = {orthographic, perspective};
     builder.json["nodes"] = {{{"camera", 1}, {"translation", {0, 0, 5}}, {"children", {1}}},
                              {{"camera", 0}},
                              {{"camera", 1}, {"name", "second"}}};
     builder.json["scenes"][0]["nodes"] = {0, 2};
     const Scene scene = builder.read();
-    ASSERT_EQ(scene.cameras.size(), 2U);
+    ASSERT_EQ(scene.cameras.size(), 3U);
     EXPECT_EQ(scene.cameras[0].name, "lens");
+    EXPECT_FALSE(scene.cameras[0].orthographic());
     EXPECT_EQ(scene.cameras[0].fov, 0.7);
     EXPECT_EQ(scene.cameras[0].fov_axis, FovAxis::y);
     EXPECT_EQ(scene.cameras[0].to_world[3][2], 5.0);
-    EXPECT_EQ(scene.cameras[1].name, "second");
-    EXPECT_TRUE(builder.warned("1 orthographic camera: not simulated, left out; at "));
+    EXPECT_TRUE(scene.cameras[1].orthographic());
+    EXPECT_EQ(scene.cameras[1].half_extent, glm::dvec2(2.0, 0.5));
+    EXPECT_EQ(scene.cameras[1].near_plane, 0.25);
+    EXPECT_EQ(scene.cameras[1].to_world[3][2], 5.0);
+    EXPECT_EQ(scene.cameras[2].name, "second");
+}
+
+TEST(GltfReader, RefusesOrthographicCamerasWithoutExtent) {
+    const auto error = [](const Json& orthographic) {
+        GltfBuilder builder = GltfBuilder::triangle();
+        builder.json["cameras"] = {{{"type", "orthographic"}, {"orthographic", orthographic}}};
+        builder.json["nodes"].push_back({{"camera", 0}});
+        builder.json["scenes"][0]["nodes"].push_back(builder.json["nodes"].size() - 1);
+        return builder.error();
+    };
+    EXPECT_NE(error({{"xmag", 0.0}, {"ymag", 1.0}, {"znear", 0.0}, {"zfar", 1.0}}).find("xmag"),
+              std::string::npos);
+    EXPECT_NE(error({{"xmag", 1.0}, {"znear", 0.0}, {"zfar", 1.0}}).find("ymag"),
+              std::string::npos);
+    EXPECT_NE(error({{"xmag", 1.0}, {"ymag", 1.0}, {"znear", -1.0}, {"zfar", 1.0}}).find("znear"),
+              std::string::npos);
 }
 
 TEST(GltfReader, ReadsPunctualLights) {

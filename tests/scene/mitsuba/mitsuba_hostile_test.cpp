@@ -250,7 +250,7 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
         "<shape type=\"cube\" colour=\"red\">\n<float name=\"gloss\" value=\"1\"/>\n"
         "<teapot/>\nhello<bsdf type=\"diffuse\" id=\"I\"><string name=\"x\" value=\"y\"/></bsdf>"
         "</shape>\n<shape type=\"hair\"/><shape type=\"serialized\"/><sensor "
-        "type=\"orthographic\"/>"
+        "type=\"irradiancemeter\"/>"
         "<emitter type=\"envmap\"/><emitter type=\"sunsky\"/>\n";
     std::string again = shape;
     again.replace(again.find("\"I\""), 3, "\"J\"");
@@ -264,7 +264,7 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
         "s.xml:3: property 'gloss' of shape 'cube' is not supported, ignored (and at 1 more place)",
         "2 shapes: type 'hair' is not supported, left out; first: s.xml:6",
         "2 shapes: type 'serialized' is not supported, left out; first: s.xml:6",
-        "2 sensors: type 'orthographic' is not supported, left out; first: s.xml:6",
+        "2 sensors: type 'irradiancemeter' is not supported, left out; first: s.xml:6",
         "2 emitters: type 'envmap' is not supported, left out; first: s.xml:6",
         "2 emitters: type 'sunsky' is not supported, left out; first: s.xml:6",
     };

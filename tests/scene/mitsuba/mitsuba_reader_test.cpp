@@ -331,6 +331,32 @@ TEST(MitsubaReader, ReadsLightsWithoutArea) {
     EXPECT_EQ(folder.warnings().size(), 1U) << "the edge of the spot";
 }
 
+TEST(MitsubaReader, ReadsOrthographicSensors) {
+    MitsubaFolder folder;
+    const auto camera = [&](const std::string& inside) {
+        const Scene scene = folder.read("<sensor type=\"orthographic\">" + inside + "</sensor>");
+        return scene.cameras.at(0);
+    };
+    const Camera plain = camera("");
+    EXPECT_TRUE(plain.orthographic());
+    EXPECT_EQ(plain.half_extent, glm::dvec2(1.0, 0.0));
+    EXPECT_EQ(plain.near_plane, 0.01);
+    const Camera scaled = camera(
+        "<float name=\"near_clip\" value=\"0.5\"/><transform name=\"to_world\">"
+        "<scale value=\"3\"/><translate x=\"7\"/></transform>");
+    EXPECT_EQ(scaled.half_extent, glm::dvec2(3.0, 0.0));
+    EXPECT_EQ(scaled.near_plane, 1.5);
+    EXPECT_EQ(scaled.to_world[3].x, 7.0);
+    EXPECT_TRUE(folder.warnings().empty() ||
+                folder.warnings()[0].find("scales") == std::string::npos);
+    const Camera uneven =
+        camera("<transform name=\"to_world\"><scale x=\"2\" y=\"1\" z=\"1\"/></transform>");
+    EXPECT_EQ(uneven.half_extent.x, 2.0);
+    ASSERT_FALSE(folder.warnings().empty());
+    EXPECT_NE(folder.warnings()[0].find("scales x and y of the sensor differently"),
+              std::string::npos);
+}
+
 TEST(MitsubaReader, PlacesTheSphereByCentreRadiusAndTransform) {
     MitsubaFolder folder;
     const Scene scene = folder.read(
