@@ -374,7 +374,11 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     const FlatScene& flat = moving.flat();
     options.spp = samples_of(given, scene);
     const RenderSettings settings = settings_of(options, scene);
-    const Camera camera = choose_camera(scene, flat, options.camera.value_or(""), diagnostics);
+    std::optional<SceneBounds> shown;
+    if (options.frames && scene.cameras.empty())
+        shown = moving.bounds(options.frames->first, options.frames->end);
+    const Camera camera =
+        choose_camera(scene, flat, options.camera.value_or(""), diagnostics, shown);
     const bool media_shine = flat.media.radiance > 0.0;
     if (flat.lights.empty() && !media_shine)
         diagnostics.warn(scene.source, "no light shines in the scene, the image will be dark");

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "plan/halton.h"
+#include "render/automatic_camera.h"
 #include "scene/field_of_view.h"
 #include "scene/validate_scene.h"
 
@@ -99,7 +100,7 @@ void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed,
 }
 
 Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::string& name,
-                     Diagnostics& diagnostics) {
+                     Diagnostics& diagnostics, const std::optional<SceneBounds>& bounds) {
     if (!name.empty()) {
         std::string names;
         for (const Camera& camera : scene.cameras) {
@@ -112,17 +113,7 @@ Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::strin
     }
     if (!scene.cameras.empty()) return scene.cameras.front();
     diagnostics.warn(scene.source, "no camera, one that shows the whole scene is used");
-    Camera camera;
-    camera.name = "automatic";
-    camera.fov_axis = FovAxis::smaller;
-    const glm::dvec3 backward = glm::normalize(glm::dvec3(0.5, 0.35, 1.0));
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), backward));
-    const double distance =
-        static_cast<double>(flat.radius) / flat.units.scale / std::sin(0.5 * camera.fov);
-    camera.to_world = glm::dmat4(
-        glm::dvec4(right, 0.0), glm::dvec4(glm::cross(backward, right), 0.0),
-        glm::dvec4(backward, 0.0), glm::dvec4(flat.units.centre + backward * distance, 1.0));
-    return camera;
+    return automatic_camera(flat, bounds ? *bounds : bounds_of(scene));
 }
 
 Camera camera_at(const Scene& scene, const Camera& camera, double time) {

@@ -4,11 +4,13 @@
 #define WEFT_RENDER_CAMERA_PARAMS_H
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "base/diagnostics.h"
 #include "scene/flat_scene.h"
 #include "scene/scene.h"
+#include "scene/scene_bounds.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -38,9 +40,11 @@ void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderPa
 void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::RenderParams& params);
 
 /// The camera of that name; the first where `name` is empty. A scene without cameras gets one that
-/// frames its geometry, and a warning says so. Throws Error (exit code 1) that lists the names.
+/// shows `bounds`, by default those of the scene as it stands, and a warning says so. Throws Error
+/// (exit code 1) that lists the names.
 [[nodiscard]] Camera choose_camera(const Scene& scene, const FlatScene& flat,
-                                   const std::string& name, Diagnostics& diagnostics);
+                                   const std::string& name, Diagnostics& diagnostics,
+                                   const std::optional<SceneBounds>& bounds = {});
 
 /// The camera as it stands at `time`, seconds; unchanged where it does not move. Throws Error (exit
 /// code 2) where its transform is unusable then, such as one scaled to nothing.

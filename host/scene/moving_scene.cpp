@@ -116,6 +116,19 @@ void MovingScene::check_frame(std::uint32_t frame) {
     if (moves_) pose(frame);
 }
 
+SceneBounds MovingScene::bounds(std::uint32_t first, std::uint32_t end) {
+    if (!moves_) return bounds_of(rest_);
+    constexpr std::uint64_t most = 64;
+    const std::uint64_t last = end - first - 1;
+    const std::uint64_t count = std::min(most, last + 1);
+    SceneBounds bounds = bounds_of(rest_, BoundsOf::still);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        pose(first + static_cast<std::uint32_t>(i * last / std::max<std::uint64_t>(1, count - 1)));
+        bounds.add(bounds_of(posed_, BoundsOf::moving));
+    }
+    return bounds;
+}
+
 void MovingScene::set_frame(std::uint32_t frame) {
     if (!moves_) return;
     pose(frame);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/flat_scene.h"
+#include "scene/scene_bounds.h"
 #include "scene/scene_edits.h"
 
 namespace weft {
@@ -33,6 +34,9 @@ class MovingScene {
     [[nodiscard]] bool moves() const { return moves_; }
     /// Throws Error as set_frame does, and changes nothing.
     void check_frame(std::uint32_t frame);
+    /// The box of all that is in the scene in frames [first, end): in all of them where they are no
+    /// more than 64, else in as many that are evenly spaced. Throws Error as set_frame does.
+    [[nodiscard]] SceneBounds bounds(std::uint32_t first, std::uint32_t end);
     /// Brings the scene to a frame. Throws Error (exit code 2) that names the frame where a
     /// transform is singular or not finite then, a vertex not finite or too far away, or a number
     /// of a light or material unusable; the scene stays what it was.
