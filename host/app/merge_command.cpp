@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "app/commands.h"
 #include "base/file.h"
 #include "base/quote.h"
+#include "film/cryptomatte.h"
 #include "film/film_sums_file.h"
 #include "image/exr.h"
 
@@ -25,6 +28,14 @@ constexpr const char* kept_metadata[] = {"software", "scene", "algorithm", "seed
 std::string background_of(const std::map<std::string, std::string>& metadata) {
     const auto found = metadata.find("background");
     return found != metadata.end() ? found->second : "";
+}
+
+/// The layers of identifiers, which are the same in all parts of an image but for their noise.
+std::vector<Layer> mattes_of(const Image& image) {
+    std::vector<Layer> layers;
+    std::copy_if(image.layers.begin(), image.layers.end(), std::back_inserter(layers),
+                 [](const Layer& layer) { return is_cryptomatte(layer.name); });
+    return layers;
 }
 
 /// What lies between ranges, which are in order and apart.
@@ -51,6 +62,7 @@ void warn_about_other_backends(const FilmSums& whole, const FilmSums& part,
 void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
     FilmSums whole;
     std::map<std::string, std::string> metadata;
+    std::vector<Layer> mattes;
     for (std::size_t i = 0; i < options.parts.size(); ++i) {
         const std::filesystem::path& part = options.parts[i];
         const Image image = read_exr(part);
@@ -58,6 +70,7 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
         if (i == 0) {
             whole = std::move(sums);
             metadata = image.metadata;
+            mattes = mattes_of(image);
             continue;
         }
         const std::string before =
@@ -84,8 +97,11 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
     for (const char* const key : kept_metadata)
         if (const auto found = metadata.find(key); found != metadata.end())
             image.metadata.insert(*found);
+    for (const auto& [key, value] : metadata)
+        if (is_cryptomatte(key)) image.metadata[key] = value;
     if (const std::string text = background_of(metadata); !text.empty())
         put_behind(parse_background(options.parts.front().string(), text), image);
+    for (Layer& layer : mattes) image.layers.push_back(std::move(layer));
     image.metadata["samples"] = std::to_string(whole.samples());
     attach_sums(whole, image);
     write_exr(options.output, image);

@@ -33,6 +33,7 @@ namespace fs = std::filesystem;
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
+constexpr std::array<std::string_view, 2> matte_names = {"object", "material"};
 constexpr std::array<std::string_view, 3> tone_names = {"none", "filmic", "agx"};
 constexpr std::array<std::string_view, 7> command_names = {
     "render", "merge", "compare", "tradeoff", "info", "devices", "selftest"};
@@ -80,6 +81,8 @@ void add_render(CLI::App& app) {
         render, "--background", "COLOUR|transparent",
         "Behind what the camera sees: white, black, #rrggbb or linear R,G,B, or nothing, with "
         "alpha (default: the environment)");
+    add_value(render, "--cryptomatte", "LIST",
+              "Identifiers of what pixels show as layers of an EXR: object, material or both");
     add_overlays(render);
     add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
     add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
@@ -242,6 +245,14 @@ void read_image(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--background"))
         options.background = parse_background("--background", *text);
     options.output = output_path(value_of(command, "--output"), options.scene);
+    if (const auto text = value_of(command, "--cryptomatte")) {
+        for (const std::string& name : parse_name_list("--cryptomatte", *text, matte_names))
+            (name == matte_names[0] ? options.object_mattes : options.material_mattes) = true;
+        if (extension_of(options.output) != ".exr")
+            throw usage_error(
+                "--cryptomatte: needs a file with layers, expected an .exr file as "
+                "--output");
+    }
 }
 
 RenderOptions read_render(const CLI::App& command) {
@@ -376,6 +387,9 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["tone"] = to_string(options.tone);
     json["background"] =
         options.background ? nlohmann::json(to_string(*options.background)) : nullptr;
+    json["cryptomatte"] = nlohmann::json::array();
+    if (options.object_mattes) json["cryptomatte"].push_back(matte_names[0]);
+    if (options.material_mattes) json["cryptomatte"].push_back(matte_names[1]);
     json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
     json["progress"] = to_string(options.progress);
     json["verbose"] = options.verbose;

@@ -79,6 +79,8 @@ struct RenderOptions {
     std::optional<double> exposure_ev = 0.0;  ///< stops, for PNG; empty means automatic
     ToneCurve tone = ToneCurve::none;         ///< for PNG
     std::optional<Background> background;     ///< default: the environment
+    bool object_mattes = false;               ///< identifiers as layers of an .exr output
+    bool material_mattes = false;             ///< likewise
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
     bool verbose = false;  ///< names every place of a warning

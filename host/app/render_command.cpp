@@ -404,6 +404,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
                                          options, settings, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
+    session.set_mattes({options.object_mattes, options.material_mattes});
     guard.keep_work();
     const std::uint32_t finished = render_images(session, output, camera, options, progress, clock);
     times.render_ms += watch.lap();  // where no image was written

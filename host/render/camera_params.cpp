@@ -68,6 +68,12 @@ void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderPa
     params.scene.unit = static_cast<float>(units.scale);
 }
 
+std::uint32_t pixel_blocks(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
+    const std::uint32_t columns = shared::pixel_block_width(lanes);
+    const std::uint32_t rows = lanes / columns;
+    return ((width + columns - 1) / columns) * ((height + rows - 1) / rows);
+}
+
 std::uint32_t camera_features(const Camera& camera) {
     return camera.orthographic() ? FEATURE_ORTHOGRAPHIC : 0U;
 }

@@ -26,6 +26,10 @@ void set_scene(const FlatScene& scene, shared::RenderParams& params);
 /// square pixels.
 void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params);
 
+/// Number of blocks of pixels that cover an image, each a packet of primary rays of `lanes`.
+[[nodiscard]] std::uint32_t pixel_blocks(std::uint32_t width, std::uint32_t height,
+                                         std::uint32_t lanes);
+
 /// FEATURE_* of kernels that make rays of the camera.
 [[nodiscard]] std::uint32_t camera_features(const Camera& camera);
 

@@ -19,13 +19,6 @@ namespace weft {
 
 namespace {
 
-/// Number of blocks of pixels that cover an image, each a packet of primary rays.
-std::uint32_t pixel_blocks(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
-    const std::uint32_t columns = shared::pixel_block_width(lanes);
-    const std::uint32_t rows = lanes / columns;
-    return ((width + columns - 1) / columns) * ((height + rows - 1) / rows);
-}
-
 /// Number of runs of pixels in the rows of an image (kernels/film/wide_pixels.h).
 std::uint32_t pixel_runs(std::uint32_t width, std::uint32_t height, std::uint32_t lanes) {
     return (width + lanes - 1) / lanes * height;

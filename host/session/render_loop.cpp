@@ -151,6 +151,7 @@ void RenderSession::deliver(bool complete) {
     if (!complete && (samples() == 0 || is_dark(light()))) return;
     SessionImage result = image();
     result.complete = complete;
+    add_identifiers(result.image);
     // Sums that cannot be saved are no reason to lose the image.
     std::exception_ptr unsaved;
     if (result.sums && output_->save_interval_ms()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/render_session.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace weft {
@@ -95,6 +96,29 @@ void RenderSession::rebuild(const std::function<void(Scene&)>& change) {
     scene_.rebuild(change);
     upload();
     make_renderer({});
+}
+
+void RenderSession::add_identifiers(Image& image) {
+    if (!mattes_.any()) return;
+    // As many as the image has, so that edges fit it: more where these are too few for a share, and
+    // one through the centre where the image has such edges.
+    constexpr std::uint32_t least = 16;
+    constexpr std::uint32_t most = 64;
+    std::uint32_t samples = 1;
+    std::uint32_t seed = 0;
+    if (const auto* const path = std::get_if<PathSettings>(&settings_)) {
+        seed = path->seed;
+        if (!path->through_centres)
+            samples = static_cast<std::uint32_t>(
+                std::clamp<std::uint64_t>(renderer_->samples(), least, most));
+    } else {
+        const auto& preview = std::get<RenderSettings>(settings_);
+        seed = preview.seed;
+        if (preview.samples > 1 || plan().edge_samples > 0)
+            samples = std::clamp(preview.samples, least, most);
+    }
+    (void)add_mattes(executor_, scene_.at_rest(), scene_.flat(), *buffers_,
+                     {camera_, image.width, image.height, samples, seed}, mattes_, image);
 }
 
 SessionImage RenderSession::image() {

@@ -16,6 +16,7 @@
 #include "render/renderer.h"
 #include "scene/moving_scene.h"
 #include "session/display_resolve.h"
+#include "session/matte_pass.h"
 #include "session/output_driver.h"
 #include "session/session_stats.h"
 
@@ -78,6 +79,9 @@ class RenderSession {
     /// outlive its use.
     void set_display(DisplayDriver* display) { display_ = display; }
 
+    /// Sets which identifiers images get that are handed to the output; by default none.
+    void set_mattes(const MatteSettings& mattes) { mattes_ = mattes; }
+
     /// Adds samples to the image until the budget is spent, shows it after each frame, and writes
     /// it to the output in the end. What that takes is measured, and is part of the budget's time.
     /// A call that ends early before there is any light writes nothing. A cancelled call writes
@@ -132,6 +136,7 @@ class RenderSession {
     /// Milliseconds that the next call of `deliver` will take: as long as the one before, or as the
     /// resolve of the image as it is now and a rehearsal of its output.
     double delivery_ms();
+    void add_identifiers(Image& image);
 
     CancellableExecutor executor_;
     MovingScene scene_;
@@ -145,6 +150,7 @@ class RenderSession {
     OutputDriver* output_ = nullptr;
     std::optional<double> delivery_ms_;  ///< of the last image of these settings for this output
     DisplayDriver* display_ = nullptr;
+    MatteSettings mattes_;
 };
 
 }  // namespace weft
