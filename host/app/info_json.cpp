@@ -93,12 +93,17 @@ std::string_view axis_name(FovAxis axis) {
 }
 
 json camera_json(const Camera& camera, bool fallback) {
-    return {{"name", camera.name},
-            {"kind", "perspective"},
-            {"field_of_view", glm::degrees(camera.fov)},
-            {"field_of_view_axis", axis_name(camera.fov_axis)},
-            {"animated", camera.motion.moves()},
-            {"fallback", fallback}};
+    json found{{"name", camera.name},
+               {"kind", camera.orthographic() ? "orthographic" : "perspective"},
+               {"animated", camera.motion.moves()},
+               {"fallback", fallback}};
+    if (camera.orthographic()) {
+        found["extent"] = {2.0 * camera.half_extent.x, 2.0 * camera.half_extent.y};
+    } else {
+        found["field_of_view"] = glm::degrees(camera.fov);
+        found["field_of_view_axis"] = axis_name(camera.fov_axis);
+    }
+    return found;
 }
 
 json camera_list(const Scene& scene, const Camera& chosen) {

@@ -102,9 +102,13 @@ std::string counted(const json& number, std::string_view one, std::string_view m
 }
 
 std::string camera_text(const json& camera) {
-    std::string text = fmt::format("{}, {:.3g} degrees ({})", camera["kind"].get<std::string>(),
-                                   camera["field_of_view"].get<double>(),
-                                   camera["field_of_view_axis"].get<std::string>());
+    std::string text = camera["kind"].get<std::string>();
+    if (camera.contains("extent"))
+        text += fmt::format(", {:.3g} x {:.3g} scene units", camera["extent"][0].get<double>(),
+                            camera["extent"][1].get<double>());
+    else
+        text += fmt::format(", {:.3g} degrees ({})", camera["field_of_view"].get<double>(),
+                            camera["field_of_view_axis"].get<std::string>());
     if (camera["animated"]) text += ", animated";
     if (camera["fallback"]) text += ", added by Weft";
     return text;

@@ -133,6 +133,40 @@ TEST(InfoJson, LargeNumbersHaveNoExponent) {
     EXPECT_NE(text.find("flash  directional, 3e+09 W/m^2\n"), std::string::npos) << text;
 }
 
+TEST(InfoJson, OrthographicCamerasTellWhatTheyShow) {
+    Scene scene = square().scene;
+    Camera plan;
+    plan.name = "plan";
+    plan.half_extent = {4.0, 1.5};
+    scene.cameras.push_back(plan);
+    const json camera = info_of(scene)["camera_list"][0];
+    EXPECT_EQ(camera["kind"], "orthographic");
+    EXPECT_EQ(camera["extent"], json({8.0, 3.0}));
+    EXPECT_FALSE(camera.contains("field_of_view"));
+    const std::string text = rows(info_text(info_of(scene)), "cameras");
+    EXPECT_NE(text.find("orthographic, 8 x 3 scene units"), std::string::npos) << text;
+}
+
+TEST(InfoJson, TexturedEmissionCountsByItsTexels) {
+    test::SceneBuilder builder = square();
+    Texture texture;
+    texture.width = texture.height = 1;
+    texture.srgb = false;
+    texture.rgba = {51, 51, 51, 255};
+    builder.scene.textures.push_back(texture);
+    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(10.0F));
+    builder.scene.materials[glow].emission.texture = 0;
+    builder.add(test::quad_mesh({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), glow);
+    const json info = info_of(builder.scene);
+    const json light = info["light_list"][0];
+    EXPECT_EQ(light["textured"], true);
+    EXPECT_EQ(light["triangles"], 2);
+    EXPECT_NEAR(light["power"][0].get<double>(), 3.14159265 * 10.0 * 0.2, 1e-4);
+    EXPECT_EQ(info["effects"][0], "area lights");
+    EXPECT_EQ(info["effects"][2], "textured emission");
+    EXPECT_TRUE(info["indirect"]["vpls_landed"].is_number());
+}
+
 TEST(InfoJson, DefaultLightsAreMarked) {
     Scene scene = square().scene;
     Diagnostics diagnostics;
