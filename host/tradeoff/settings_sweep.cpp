@@ -106,10 +106,14 @@ class Sweep {
         add("filter 2", ais, wide);
         wide.interleave = 5;
         add("interleave 5 filter 2", ais, wide);
-        if (scene_.media) return;  // the residual does not support media
+        if (scene_.media) return;  // neither the residual nor bounce rays support media
         SamplingSettings whole;
         whole.compensation = true;
         for (const std::uint32_t samples : {4U, 16U}) add("compensation", ais, whole, samples);
+        if (!scene_.indirect) return;
+        SamplingSettings rays;
+        rays.bounce_rays = true;
+        for (const std::uint32_t samples : {4U, 16U}) add("indirect rays", ais, rays, samples);
     }
 
     void add_adaptive_records() {
