@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -21,6 +20,7 @@
 #include "device/native/native_executor.h"
 #include "render/camera_params.h"
 #include "render/renderer.h"
+#include "scene/scene_bounds.h"
 
 namespace weft {
 namespace {
@@ -58,22 +58,15 @@ json numbers(const glm::dvec3& v) {
 }
 
 /// Lowest and highest coordinates of everything that is placed, null where there is nothing.
-json bounds_of(const Scene& scene) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    glm::dvec3 low(infinity);
-    glm::dvec3 high(-infinity);
-    const auto include = [&](std::uint32_t mesh, const glm::dmat4& to_world) {
-        for (const glm::vec3& position : scene.meshes[mesh].positions) {
-            const glm::dvec3 placed(to_world * glm::dvec4(glm::dvec3(position), 1.0));
-            low = glm::min(low, placed);
-            high = glm::max(high, placed);
-        }
-    };
-    for (const Instance& instance : scene.instances) include(instance.mesh, instance.to_world);
+json bounds_json(const Scene& scene) {
+    SceneBounds bounds = bounds_of(scene);
     for (const MediumBoundary& boundary : scene.medium_boundaries)
-        include(boundary.mesh, boundary.to_world);
-    if (!(low.x <= high.x)) return nullptr;
-    return {{"low", numbers(low)}, {"high", numbers(high)}, {"size", numbers(high - low)}};
+        for (const glm::vec3& position : scene.meshes[boundary.mesh].positions)
+            bounds.add(glm::dvec3(boundary.to_world * glm::dvec4(glm::dvec3(position), 1.0)));
+    if (bounds.empty()) return nullptr;
+    return {{"low", numbers(bounds.low)},
+            {"high", numbers(bounds.high)},
+            {"size", numbers(bounds.high - bounds.low)}};
 }
 
 std::string_view axis_name(FovAxis axis) {
@@ -276,7 +269,7 @@ json info_json(const Scene& scene, Diagnostics& diagnostics) {
             {"instances", scene.instances.size()},
             {"materials", scene.materials.size()},
             {"textures", scene.textures.size()},
-            {"bounds", bounds_of(scene)},
+            {"bounds", bounds_json(scene)},
             {"lights", flat.lights.size()},
             {"light_list", light_list(scene, flat)},
             {"media", scene.media.size()},

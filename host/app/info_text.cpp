@@ -101,7 +101,7 @@ std::string counted(const json& number, std::string_view one, std::string_view m
     return fmt::format("{} {}", number.get<std::size_t>(), number == 1 ? one : many);
 }
 
-std::string camera_text(const json& camera) {
+std::string describe_camera(const json& camera) {
     std::string text = camera["kind"].get<std::string>();
     if (camera.contains("extent"))
         text += fmt::format(", {:.3g} x {:.3g} scene units", camera["extent"][0].get<double>(),
@@ -114,7 +114,7 @@ std::string camera_text(const json& camera) {
     return text;
 }
 
-std::string light_text(const json& light) {
+std::string describe_light(const json& light) {
     const json& power = light["power"];
     const bool grey = power[0] == power[1] && power[1] == power[2];
     const std::string amount =
@@ -127,7 +127,7 @@ std::string light_text(const json& light) {
     return text;
 }
 
-std::string animation_text(const json& animation) {
+std::string describe_animation(const json& animation) {
     const std::size_t all = animation["channels"];
     const std::size_t played = animation["channels_played"];
     std::string text =
@@ -196,13 +196,13 @@ std::string info_text(const json& info) {
     text += block("materials", {fmt::format("{}, with {}", info["materials"].get<std::size_t>(),
                                             counted(info["textures"], "texture", "textures"))});
     text += bounds_block(info["bounds"]);
-    text += named_block("cameras", info["camera_list"], camera_text);
-    text += named_block("lights", info["light_list"], light_text);
+    text += named_block("cameras", info["camera_list"], describe_camera);
+    text += named_block("lights", info["light_list"], describe_light);
     text += block("media",
                   info["medium_list"].empty() ? std::vector<std::string>{"none"}
                                               : info["medium_list"].get<std::vector<std::string>>(),
                   2);
-    text += named_block("animations", info["animations"], animation_text);
+    text += named_block("animations", info["animations"], describe_animation);
     text += approximation_block(info["approximations"]);
     text += block("indirect", {indirect_text(info["indirect"])});
     for (const char* label : {"effects", "components", "kernels"})

@@ -36,7 +36,7 @@ class CompileServerSlow : public testing::Test {
         json stats;
         Image image;
         bool had_workers = false;
-        std::size_t entries = 0;  ///< of the cache
+        std::size_t entries = 0;  ///< programs in the cache
     };
     using Interference = std::function<void(pid_t program, pid_t server)>;
 
@@ -74,7 +74,8 @@ class CompileServerSlow : public testing::Test {
         run.messages = program.err();
         run.stats = json::parse(text_of_file(at("x.json")), nullptr, false);
         if (fs::exists(at("x.exr"))) run.image = read_exr(at("x.exr"));
-        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(at("weft"))) ++run.entries;
+        for (const auto& entry : fs::directory_iterator(at("weft")))
+            if (entry.path().extension() == ".program") ++run.entries;
         return run;
     }
 

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -239,9 +240,11 @@ std::vector<KernelBuild> built(const ServerCheck& check, const fs::path& cache, 
     return executor->builds();
 }
 
+/// Programs in the folder, in which there may also be the times of their compilation.
 std::ptrdiff_t entries(const fs::path& folder) {
     std::error_code error;
-    return std::distance(fs::directory_iterator(folder, error), {});
+    return std::count_if(fs::directory_iterator(folder, error), {},
+                         [](const auto& entry) { return entry.path().extension() == ".program"; });
 }
 
 int check_executor() {
