@@ -79,12 +79,12 @@ static inline void trace_closest_packet(Scene scene, float3 origin,
     }
     const Hit none = {INVALID_INDEX, 0.0f, 0.0f, 0.0f};
     for (uint lane = 0u; lane < LANES; ++lane)
-        hits[lane] = (active >> lane & 1u) == 0u
-                         ? none
-                         : trace_closest(scene, origin,
-                                         f3(directions->x[lane], directions->y[lane],
-                                            directions->z[lane]),
-                                         t_max);
+        hits[lane] =
+            (active >> lane & 1u) == 0u
+                ? none
+                : trace_closest(scene, origin,
+                                f3(directions->x[lane], directions->y[lane], directions->z[lane]),
+                                t_max);
 }
 
 static inline int trace_any(Scene scene, float3 origin, float3 direction, float t_max) {
