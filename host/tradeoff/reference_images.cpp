@@ -171,6 +171,9 @@ Reference ReferenceImages::make(const FlatScene& scene, const Camera& camera,
             add_sums(whole, part);
     }
     Reference made{resolve_sums(whole), folder_ / (name + ".exr"), whole.samples(), true};
+    // References measure light: from a file, alpha would come back as a part of beauty.
+    std::erase_if(made.image.layers,
+                  [](const Layer& layer) { return layer.name == alpha_layer_name; });
     if (halves.size() == parts.size())
         made.image.layers.insert(made.image.layers.end(), halves.begin(), halves.end());
     made.image.metadata["picture"] = identity;

@@ -146,7 +146,8 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
         const bool has_no_default =
             name == "time" || name == "frame_time" || name == "samples" || name == "target_error" ||
             name == "resume" || name == "frames" || name == "edits" || name == "cache_records" ||
-            name == "cache_rays" || name == "cache_error" || name == "preset";
+            name == "cache_rays" || name == "cache_error" || name == "preset" ||
+            name == "background";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
     EXPECT_EQ(chosen.at("algorithm"), "ais");
