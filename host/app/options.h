@@ -51,11 +51,11 @@ struct RenderOptions {
     std::optional<Preset> preset;                      ///< content of preset_file
     /// Of ais and amax; default: of ais rays in open scenes, else VPLs.
     std::optional<IndirectSource> indirect;
-    std::optional<std::uint32_t> cache_records;        ///< of tic: most records kept, 1 and up
-    bool cache_masks = true;                           ///< of tic
-    std::optional<std::uint32_t> cache_rays;           ///< of irradiance_cache: rays of a record
-    std::optional<double> cache_error;                 ///< of irradiance_cache: 0 to 1
-    bool compensation = false;                         ///< of all that gather VPLs by pixels
+    std::optional<std::uint32_t> cache_records;  ///< of tic: most records kept, 1 and up
+    bool cache_masks = true;                     ///< of tic
+    std::optional<std::uint32_t> cache_rays;     ///< of irradiance_cache: rays of a record
+    std::optional<double> cache_error;           ///< of irradiance_cache: 0 to 1
+    bool compensation = false;                   ///< of all that gather VPLs by pixels
     std::optional<Backend> backend;
     std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
     std::optional<std::uint32_t> threads;  ///< 1 and up

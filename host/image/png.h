@@ -41,8 +41,9 @@ void write_png(const std::filesystem::path& path, const Image& image, double exp
 /// Exposure in stops for the beauty layer, from the luminances Y of its pixels that are finite and
 /// not black (Y > 2^-20 of their mean): `key = log2(0.18 / exp(mean(log Y)))` puts the log-average
 /// at middle grey. Pixels half of whose luminance or more is that of their layer "emission", lamps
-/// and the sky, have no part in the mean, unless fewer than one in a hundred are left. Highlights are protected by at most two stops: the result is
-/// `max(key - 2, min(key, -log2(P)))`, P being the 95th percentile of Y. 0 for a black image.
+/// and the sky, have no part in the mean, unless fewer than one in a hundred are left. Highlights
+/// are protected by at most two stops: the result is `max(key - 2, min(key, -log2(P)))`, P being
+/// the 95th percentile of Y. 0 for a black image.
 [[nodiscard]] double auto_exposure(const Image& image);
 
 }  // namespace weft

@@ -144,7 +144,7 @@ struct Scene {
                              ///< see flatten_media for when it is used
     int outer_medium = -1;   ///< outside of all boundaries: index into `media`, or -1
     std::optional<FilmSize> film;
-    bool light_named = false;  ///< the file names an area light, perhaps one without power
+    bool light_named = false;    ///< the file names an area light, perhaps one without power
     bool default_light = false;  ///< the last light is not the file's: default_light.h
     bool default_sky = false;    ///< nor is the environment
 };

@@ -31,10 +31,10 @@
 #define FEATURE_MEDIA 4096u          // light goes through participating media
 #define FEATURE_AIRLIGHT 8192u       // and what they scatter to the camera is in the plan
 #define FEATURE_EMISSIVE_MEDIA 16384u
-#define FEATURE_CONVEX_MEDIA 32768u    // MediaRecord::convex
-#define FEATURE_TEMPORAL 65536u        // VPLs and irradiance records are stored from frame to frame
-#define FEATURE_HEMISPHERES 131072u    // irradiance records trace hemispheres of rays
-#define FEATURE_LOBES 262144u          // there are lobes other than Lambert's
+#define FEATURE_CONVEX_MEDIA 32768u  // MediaRecord::convex
+#define FEATURE_TEMPORAL 65536u      // VPLs and irradiance records are stored from frame to frame
+#define FEATURE_HEMISPHERES 131072u  // irradiance records trace hemispheres of rays
+#define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
 #define FEATURE_EMISSION_TEXTURES 524288u
 #define FEATURE_ORTHOGRAPHIC 1048576u  // rays of the camera are parallel
 

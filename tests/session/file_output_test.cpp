@@ -73,8 +73,7 @@ TEST(FileOutput, StatesTheLightOfImagesThatHoldAPartOfIt) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "x.exr";
     Diagnostics diagnostics;
-    FileOutput output({.file = file, .exposure_ev = 0.0, .sums = {}, .scene = "room.gltf"},
-                      diagnostics);
+    FileOutput output(settings_for(file), diagnostics);
     output.write(rendered_image());
     EXPECT_FALSE(read_exr(file).metadata.contains("light"));
     SessionImage part = rendered_image();
