@@ -18,6 +18,7 @@
 
 #include "components/component.h"
 #include "device/native/native_executor.h"
+#include "plan/quality.h"
 #include "render/camera_params.h"
 #include "render/renderer.h"
 #include "scene/scene_bounds.h"
@@ -223,6 +224,7 @@ json landed_json(const FramePlan& plan) {
 /// The plan of an image without options. Whether the scene is open takes light paths to find out.
 FramePlan plan_by_default(const FlatScene& flat, const Camera& camera) {
     RenderSettings settings;
+    settings.samples = samples_of(Quality::preview, flat.media.present());
     FramePlan plan = plan_for(flat, settings);
     if (!plan.gathers_vpls() || plan.media) return plan;
     settings.sampling.bounce_rays_if_open = true;
@@ -255,8 +257,9 @@ json info_json(const Scene& scene, Diagnostics& diagnostics) {
     const Camera camera = choose_camera(scene, flat, "", diagnostics);
     const FramePlan plan = plan_by_default(flat, camera);
     json active = json::array();
-    for (const ComponentKind& kind : components())
-        if (kind.is_enabled(plan)) active.push_back(kind.name);
+    if (plan.has_direct()) active.push_back("direct");
+    if (plan.has_indirect()) active.push_back("indirect");
+    if (plan.media_light) active.push_back("media");
     json kernels = json::array();
     for (const KernelId kernel : kernels_of(plan)) kernels.push_back(kernel_name(kernel));
     json media = json::array();

@@ -156,6 +156,8 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     used.threads = usable_threads(used.threads.value_or(
         device.is_cpu ? device.compute_units : std::thread::hardware_concurrency()));
     used.size = FilmSize{settings.width, settings.height};
+    if (!used.indirect)
+        used.indirect = session.plan().bounce_rays ? IndirectSource::rays : IndirectSource::vpl;
     used.camera = camera.name;
     used.components.emplace();
     if (settings.direct) used.components->emplace_back("direct");

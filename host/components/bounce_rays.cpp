@@ -68,7 +68,7 @@ std::unique_ptr<Component> make(const ComponentInputs& inputs) {
 }  // namespace
 
 ComponentKind bounce_rays_component() {
-    return {name, Choice::unnamed, is_enabled, requirements, make};
+    return {"bounce_rays", Choice::unnamed, is_enabled, requirements, make};
 }
 
 }  // namespace weft

@@ -67,12 +67,14 @@ TEST(AlgorithmOptions, IndirectLightMayComeFromRecords) {
         EXPECT_EQ(render_refusal({"--algorithm", name, "--indirect", "ic"}),
                   "--indirect: is for adaptive sampling, expected --algorithm ais or amax");
     EXPECT_EQ(render_refusal({"--indirect", "cache"}),
-              "--indirect: 'cache' is not valid, expected one of vpl, ic, tic");
+              "--indirect: 'cache' is not valid, expected one of vpl, ic, tic, rays");
     for (const char* const name : {"--algorithm", "--indirect"})
         EXPECT_TRUE(render({name, "tic"}).caches_indirect() &&
                     render({name, "tic"}).keeps_records());
     EXPECT_FALSE(render({"--algorithm", "ic"}).keeps_records());
-    EXPECT_EQ(options_json(render({}))["indirect"], "vpl");
+    EXPECT_TRUE(options_json(render({}))["indirect"].is_null());
+    EXPECT_EQ(options_json(render({"--indirect", "rays"}))["indirect"], "rays");
+    EXPECT_FALSE(render({"--indirect", "rays"}).caches_indirect());
     EXPECT_EQ(options_json(render({"--indirect", "ic"}))["indirect"], "ic");
 }
 

@@ -77,7 +77,7 @@ TEST_F(ProgramRender, WritesImagesOnEveryBackend) {
         const Image image = read_exr(at(backend + ".exr"));
         EXPECT_EQ(image.width, 48u);
         EXPECT_EQ(image.height, 40u);
-        EXPECT_EQ(image.metadata.at("samples"), "1");
+        EXPECT_EQ(image.metadata.at("samples"), "6");
         for (const char* layer : {"", "direct", "indirect", "albedo", "normal", "depth"}) {
             ASSERT_NE(image.find(layer), nullptr) << layer;
             EXPECT_GT(std::abs(mean(*image.find(layer))), 1e-4) << layer;
@@ -147,7 +147,7 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
             name == "time" || name == "frame_time" || name == "samples" || name == "target_error" ||
             name == "resume" || name == "frames" || name == "edits" || name == "cache_records" ||
             name == "cache_rays" || name == "cache_error" || name == "preset" ||
-            name == "background";
+            name == "background" || name == "light";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
     EXPECT_EQ(chosen.at("algorithm"), "ais");
@@ -155,7 +155,8 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
     EXPECT_EQ(chosen.at("backend"), "embree");
     EXPECT_EQ(chosen.at("camera"), "camera");
     EXPECT_EQ(chosen.at("components"), json({"direct", "indirect"}));
-    EXPECT_EQ(chosen.at("spp"), 1);
+    EXPECT_EQ(chosen.at("spp"), 6);
+    EXPECT_EQ(chosen.at("indirect"), "vpl");
     EXPECT_GE(chosen.at("threads"), 1);
     const json given = stats_of(
         box("x.png", {"--backend", "native", "--threads", "1", "--spp", "3", "--seed", "9",
@@ -204,8 +205,8 @@ TEST_F(ProgramRender, InfoListsWhatIsBuiltWhereNothingElseIsAskedFor) {
         for (const json& kernel : stats["kernels"]) built.push_back(kernel["name"]);
         EXPECT_EQ(info["kernels"], built);
         EXPECT_EQ(info["components"], stats["options"]["components"]);
-        // Adaptive sampling decides by tiles, and smooths edges.
-        for (const char* kernel : {"tile_geometry", "lattice_signal", "edge_samples"})
+        // Adaptive sampling decides by tiles.
+        for (const char* kernel : {"tile_geometry", "lattice_signal"})
             EXPECT_NE(std::find(built.begin(), built.end(), kernel), built.end()) << kernel;
     }
 }
