@@ -24,10 +24,13 @@ std::uint32_t pixel_runs(std::uint32_t width, std::uint32_t height, std::uint32_
     return (width + lanes - 1) / lanes * height;
 }
 
-/// Angle that a texture lookup covers: that of a pixel, less where samples share it.
-float texture_angle(const shared::RenderParams& params, const RenderSettings& settings) {
+/// Angle that a texture lookup covers: that of a pixel, less where samples share it. Where there
+/// are more than expected it goes on falling, so that what is averaged over neighbouring texels
+/// vanishes as samples accumulate.
+float texture_angle(const shared::RenderParams& params, const RenderSettings& settings,
+                    std::uint32_t frame = 0) {
     return static_cast<float>(static_cast<double>(params.camera.pixel_angle) /
-                              std::sqrt(std::max(1U, settings.samples)));
+                              std::sqrt(std::max(frame + 1, settings.samples)));
 }
 
 WorkList work_list_of(const FramePlan& plan, const RenderSettings& settings) {
@@ -237,6 +240,7 @@ shared::RenderParams Renderer::params_of_frame(std::uint32_t frame) const {
     const double growth = bound_growth(frame);
     sampling.vpl_bound = static_cast<float>(plan_.vpl_bound * growth);
     sampling.lights.bound_scale = static_cast<float>(plan_.light_bound_scale * growth);
+    params.camera.texture_angle = texture_angle(params, settings_, frame);
     set_jitter(frame, settings_.samples <= 1, settings_.seed, params);
     return params;
 }

@@ -202,5 +202,37 @@ TEST(Progressive, AFirstFrameEndedEarlyIsKeptAndClean) {
     }
 }
 
+// An atlas has white beside black: what is averaged over neighbouring texels shows as a rim.
+TEST(Progressive, TexturesGetSharperWithMoreSamplesThanExpected) {
+    SceneBuilder builder;
+    Texture texture;
+    texture.width = texture.height = 64;
+    texture.srgb = false;
+    for (std::uint32_t i = 0; i < 64 * 64; ++i)
+        for (int c = 0; c < 4; ++c) texture.rgba.push_back(i % 64 < 32 ? 0 : 255);
+    builder.scene.textures.push_back(texture);
+    const std::uint32_t material = builder.material(glm::vec3(1.0F));
+    set_albedo_texture(builder.scene.materials[material], 0);
+    // Only the black half is used, up to one texel before the white one.
+    Mesh quad = test::quad_mesh({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    for (glm::vec2& uv : quad.uvs) uv.x = 0.02F + uv.x * 0.46F;
+    builder.add(std::move(quad), material);
+    builder.scene.environment = Environment{glm::vec3(1.0F)};
+    const FlatScene flat = flatten(builder.scene);
+    RenderSettings settings = test::small_settings(Algorithm::ais, 8, 8);
+    settings.samples = 2;
+    const auto rim = [&](std::uint32_t frames) {
+        const Rendering rendering =
+            test::render_flat(test::shared_executor(TestBackend::own_bvh), flat,
+                              test::look_at({0, 0, 3.0}, {0, 0, 0}, 0.8), settings, frames);
+        double sum = 0.0;
+        for (const double value : test::channel_of(rendering, "albedo", 0)) sum += value;
+        return sum;
+    };
+    const double expected = rim(2);
+    EXPECT_GT(expected, 0.01) << "there is nothing to see";
+    EXPECT_LT(rim(64), 0.5 * expected);
+}
+
 }  // namespace
 }  // namespace weft::progressive_test
