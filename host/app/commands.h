@@ -10,7 +10,7 @@
 namespace weft {
 
 /// `weft render`: reads, renders, writes. Returns success or interrupted; failures are Errors.
-[[nodiscard]] ExitCode render_command(const RenderOptions& options, Diagnostics& diagnostics);
+[[nodiscard]] ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics);
 
 /// `weft merge`: adds up the exact sums of disjoint sample ranges, and writes an image that holds
 /// them. Warns where samples between those of the parts are missing.

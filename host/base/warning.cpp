@@ -34,7 +34,7 @@ std::string fit_place(std::string_view place, std::size_t room) {
     const std::string_view part = place.substr(begin);
     for (std::size_t slash = file.find('/'); slash != std::string_view::npos;
          slash = file.find('/', slash + 1)) {
-        const std::string shorter = std::string(dots) + std::string(place.substr(slash));
+        std::string shorter = std::string(dots) + std::string(place.substr(slash));
         if (count_characters(shorter) <= room) return shorter;
     }
     const std::string_view name = file.substr(file.rfind('/') + 1);

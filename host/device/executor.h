@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bvh/wide_bvh.h"
@@ -160,7 +161,9 @@ class Executor {
 
     /// Sets what is called some times a second while kernels are compiled, which takes seconds
     /// where no earlier run has left them; may be empty.
-    virtual void watch_builds(std::function<void(const BuildProgress&)> watch) { (void)watch; }
+    virtual void watch_builds(std::function<void(const BuildProgress&)> watch) {
+        (void)std::move(watch);
+    }
 
     /// Makes kernels ready for frames with these features (RenderParams::features of their
     /// launches).

@@ -36,6 +36,7 @@ enum class Stage : std::uint8_t {
         case Stage::shadow_probes:
         case Stage::vpl_gather:
         case Stage::vpl_residual:
+        case Stage::bounce_rays:
         case Stage::cache_lookup:
         case Stage::media_area_lights:
         case Stage::media_punctual_lights:

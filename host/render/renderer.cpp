@@ -119,9 +119,9 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene,
 }
 
 void Renderer::choose_indirect() {
-    const bool is_open = settings_.sampling.bounce_rays_if_open && plan_.adaptive &&
-                         plan_.gathers_vpls() && !plan_.cached && !plan_.media;
-    if (!is_open) return;
+    const bool undecided = settings_.sampling.bounce_rays_if_open && plan_.adaptive &&
+                           plan_.gathers_vpls() && !plan_.cached && !plan_.media;
+    if (!undecided) return;
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
     FrameContext frame(inputs, params_of_frame(0), {});
     walk_vpls(frame, "indirect");

@@ -19,7 +19,8 @@ namespace {
 double share_of_frame(Stage stage, double done) {
     constexpr double before_gather = 0.1;
     constexpr double direct = 0.15;
-    if (stage == Stage::vpl_gather || stage == Stage::hemisphere_rays)
+    if (stage == Stage::vpl_gather || stage == Stage::hemisphere_rays ||
+        stage == Stage::bounce_rays)
         return before_gather + direct + 0.7 * done;
     if (stage == Stage::area_lights || stage == Stage::distant_light)
         return before_gather + direct * done;

@@ -42,10 +42,16 @@ bool is_black(const Layer& layer) {
 TEST(LightShare, GrowsFromNothingToAll) {
     const FlatScene scene = lit_room();
     const Camera camera = test::look_at({0.2, 0.2, 0.9}, {-0.1, -0.2, 0.0}, 1.2);
-    for (const Algorithm algorithm : {Algorithm::ais, Algorithm::amax, Algorithm::igi,
-                                      Algorithm::ic, Algorithm::irradiance_cache}) {
+    struct Case {
+        Algorithm algorithm;
+        bool bounce_rays = false;
+    };
+    for (const auto& [algorithm, bounce_rays] :
+         {Case{Algorithm::ais}, Case{Algorithm::ais, true}, Case{Algorithm::amax},
+          Case{Algorithm::igi}, Case{Algorithm::ic}, Case{Algorithm::irradiance_cache}}) {
         SCOPED_TRACE(static_cast<int>(algorithm));
         RenderSettings settings = test::small_settings(algorithm, 45, 38);
+        settings.sampling.bounce_rays = bounce_rays;
         settings.sampling.vpls_per_set = 8;
         settings.sampling.threshold = 2.0;
         QuarteredExecutor executor(test::make_executor(TestBackend::embree));
