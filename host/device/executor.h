@@ -12,7 +12,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "bvh/wide_bvh.h"
@@ -161,8 +160,8 @@ class Executor {
 
     /// Sets what is called some times a second while kernels are compiled, which takes seconds
     /// where no earlier run has left them; may be empty.
-    virtual void watch_builds(std::function<void(const BuildProgress&)> watch) {
-        (void)std::move(watch);
+    virtual void watch_builds(const std::function<void(const BuildProgress&)>& watch) {
+        (void)watch;
     }
 
     /// Makes kernels ready for frames with these features (RenderParams::features of their

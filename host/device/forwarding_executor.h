@@ -8,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include <utility>
-
 #include "device/executor.h"
 
 namespace weft {
@@ -38,8 +36,8 @@ class ForwardingExecutor : public Executor {
         inner_.update_scene(scene, geometry);
     }
     void compile(std::span<const KernelUse> uses) override { inner_.compile(uses); }
-    void watch_builds(std::function<void(const BuildProgress&)> watch) override {
-        inner_.watch_builds(std::move(watch));
+    void watch_builds(const std::function<void(const BuildProgress&)>& watch) override {
+        inner_.watch_builds(watch);
     }
     void build(std::span<const KernelId> kernels, std::uint32_t features) override {
         inner_.build(kernels, features);

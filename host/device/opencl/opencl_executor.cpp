@@ -105,8 +105,8 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::unique_ptr<TracedScene> make_scene(const TracedGeometry& geometry) override;
     void update_scene(TracedScene& scene, const TracedGeometry& geometry) override;
     void compile(std::span<const KernelUse> uses) override;
-    void watch_builds(std::function<void(const BuildProgress&)> watch) override {
-        watch_ = std::move(watch);
+    void watch_builds(const std::function<void(const BuildProgress&)>& watch) override {
+        watch_ = watch;
     }
     void build(std::span<const KernelId> kernels, std::uint32_t features) override;
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
