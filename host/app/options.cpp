@@ -179,7 +179,7 @@ void check_command(const CLI::App& app, const CLI::App* command) {
         if (before[0][0] == '-' || command != nullptr) refuse_extra(app, before[0]);
         if (is_scene_name(before[0]))
             throw usage_error("unknown command " + quote(before[0]) + ", expected weft render " +
-                              shell_file(before[0]));
+                              one_line(shell_file(before[0])));
         throw usage_error("unknown command " + quote(before[0]) +
                           ", expected render, merge, compare, tradeoff, info, devices or selftest" +
                           did_you_mean(before[0], command_names));
