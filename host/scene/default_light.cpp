@@ -43,13 +43,12 @@ bool media_emit(const Scene& scene) {
 double mean_emission(const Scene& scene) {
     double all = 0.0;
     glm::dvec3 emitted(0.0);
+    EmissionMeans emission_means(scene);
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Emission& emission = scene.materials[instance.material].emission;
         std::vector<glm::vec3> means;
-        if (emission.texture >= 0)
-            means =
-                emission_means(mesh, scene.textures[static_cast<std::size_t>(emission.texture)]);
+        if (emission.texture >= 0) means = emission_means.of(mesh, emission.texture);
         const double sides = emission.both_sides ? 2.0 : 1.0;
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             const auto corner = [&](std::size_t k) {

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "scene/mip_levels.h"
-
 namespace weft {
 namespace {
 
@@ -69,8 +67,10 @@ glm::dvec3 mean_over(const std::array<glm::dvec2, 3>& corners, const Texture& te
 
 }  // namespace
 
-std::vector<glm::vec3> emission_means(const Mesh& mesh, const Texture& texture) {
-    const std::vector<LinearLevel> levels = linear_mip_levels(texture);
+std::vector<glm::vec3> EmissionMeans::of(const Mesh& mesh, int number) {
+    const Texture& texture = scene_.textures[static_cast<std::size_t>(number)];
+    if (number != last_) levels_ = linear_mip_levels(texture);
+    last_ = number;
     const std::vector<glm::vec2>& uvs = emission_uvs(mesh);
     std::vector<glm::vec3> means;
     means.reserve(mesh.triangles.size());
@@ -78,7 +78,7 @@ std::vector<glm::vec3> emission_means(const Mesh& mesh, const Texture& texture) 
         std::array<glm::dvec2, 3> corners{};
         for (std::size_t i = 0; i < 3 && !uvs.empty(); ++i)
             corners[i] = glm::dvec2(uvs[triangle[i]]);
-        means.emplace_back(mean_over(corners, texture, levels));
+        means.emplace_back(mean_over(corners, texture, levels_));
     }
     return means;
 }

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "scene/mip_levels.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -16,10 +17,23 @@ namespace weft {
     return mesh.emission_uvs.empty() ? mesh.uvs : mesh.emission_uvs;
 }
 
-/// Mean linear colour of a texture over each triangle of a mesh, to within a few percent where
-/// texels are smaller than triangles. It is above 0 wherever a look-up of single texels is above 0
-/// anywhere on the triangle: light samples find all that shines.
-[[nodiscard]] std::vector<glm::vec3> emission_means(const Mesh& mesh, const Texture& texture);
+/// Measures the emission of a scene's meshes. It keeps the averages of the last texture, which the
+/// instances of a model share.
+class EmissionMeans {
+  public:
+    /// The scene must outlive this.
+    explicit EmissionMeans(const Scene& scene) : scene_(scene) {}
+
+    /// Mean linear colour of texture number `texture` over each triangle of a mesh, to within a few
+    /// percent where texels are smaller than triangles. It is above 0 wherever a look-up of single
+    /// texels is above 0 anywhere on the triangle: light samples find all that shines.
+    [[nodiscard]] std::vector<glm::vec3> of(const Mesh& mesh, int texture);
+
+  private:
+    const Scene& scene_;
+    int last_ = -1;
+    std::vector<LinearLevel> levels_;  ///< of the last texture
+};
 
 }  // namespace weft
 

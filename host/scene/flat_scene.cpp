@@ -180,12 +180,12 @@ void append_instances(const Scene& scene, const Attributes& attributes, FlatScen
 /// measures the emission of triangles.
 void append_emission(const Scene& scene, FlatScene& flat) {
     flat.emission_means.resize(scene.instances.size());
+    EmissionMeans means(scene);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
         const Material& material = scene.materials[scene.instances[i].material];
         if (material.emission.texture < 0) continue;
-        const auto texture = static_cast<std::size_t>(material.emission.texture);
-        flat.emission_means[i] = emission_means(mesh, scene.textures[texture]);
+        flat.emission_means[i] = means.of(mesh, material.emission.texture);
         if (mesh.emission_uvs.empty()) continue;
         const auto end = static_cast<std::uint32_t>(flat.texture_coordinates.size() / 2);
         flat.instances[i].emission_uv = end - flat.ranges[i].first_vertex;

@@ -24,7 +24,7 @@
 #define FEATURE_DIRECTIONAL_LIGHTS 32u
 #define FEATURE_AREA_LIGHTS 64u
 #define FEATURE_ONE_SIDED 128u
-#define FEATURE_INDIRECT 256u        // the plan has VPLs
+#define FEATURE_INDIRECT 256u        // the plan has indirect light
 #define FEATURE_SAMPLED_DIRECT 512u  // and direct light that is filtered
 #define FEATURE_EXACT_DIRECT 1024u   // and direct light that is not
 #define FEATURE_DENSITY_GRIDS 2048u  // of media

@@ -6,6 +6,8 @@
 // bound b. The rest, max(0, G - b), is the share max(0, 1 - b / G) of what a scattered ray from x
 // finds at y: of light by up to SamplingParams::bounces surfaces before x. Light by more surfaces
 // has no virtual lights at all, so its share is 1. Samples on area lights have bounds of their own.
+// With a bound of 0 and no bounces that have virtual lights this is all of the indirect light
+// (host/components/bounce_rays.cpp).
 //
 // A work-item adds one path to the irradiance of one receiver: to the direct part where bit 0 of
 // `parts` is set, to the indirect part where bit 1 is.

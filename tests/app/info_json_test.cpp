@@ -154,9 +154,9 @@ TEST(InfoJson, TexturedEmissionCountsByItsTexels) {
     texture.srgb = false;
     texture.rgba = {51, 51, 51, 255};
     builder.scene.textures.push_back(texture);
-    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(10.0F));
-    builder.scene.materials[glow].emission.texture = 0;
-    builder.add(test::quad_mesh({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), glow);
+    const std::uint32_t emitter = builder.material(glm::vec3(0.5F), glm::vec3(10.0F));
+    builder.scene.materials[emitter].emission.texture = 0;
+    builder.add(test::quad_mesh({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), emitter);
     const json info = info_of(builder.scene);
     const json light = info["light_list"][0];
     EXPECT_EQ(light["textured"], true);

@@ -31,10 +31,10 @@ TEST(WarningLine, DropsFoldersBeforeItCutsNames) {
     const auto line = [](const std::string& place, std::size_t longest) {
         return warning_line(warning_at(place), longest);
     };
-    const std::string place = "/home/me/models/car.gltf#/materials/0";
+    const std::string place = "data/my/models/car.gltf#/materials/0";
     EXPECT_EQ(line(place, 2 + tail.size() + place.size()), "2 " + tail + place);
     EXPECT_EQ(line(place, 2 + tail.size() + place.size() - 1),
-              "2 " + tail + ".../me/models/car.gltf#/materials/0");
+              "2 " + tail + ".../my/models/car.gltf#/materials/0");
     EXPECT_EQ(line(place, 70), "2 " + tail + ".../car.gltf#/materials/0");
     EXPECT_EQ(line("a/b/a-very-long-name-indeed.gltf#/materials/10", 72),
               "2 " + tail + "a-very-l...eed.gltf#/materials/10");

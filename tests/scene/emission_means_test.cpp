@@ -30,6 +30,13 @@ Mesh cells(std::uint32_t n) {
     return test::quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, n);
 }
 
+/// Those of a mesh in a scene that has no other texture.
+std::vector<glm::vec3> emission_means(const Mesh& mesh, const Texture& texture) {
+    Scene scene;
+    scene.textures.push_back(texture);
+    return EmissionMeans(scene).of(mesh, 0);
+}
+
 double mean_of(const std::vector<glm::vec3>& means) {
     double sum = 0.0;
     for (const glm::vec3& mean : means) sum += static_cast<double>(mean.g);
@@ -107,6 +114,18 @@ TEST(EmissionMeans, AreThoseOfTheFirstTexelWithoutCoordinates) {
     Mesh mesh = cells(1);
     mesh.uvs.clear();
     EXPECT_EQ(emission_means(mesh, texture).at(1).g, 1.0F);
+}
+
+TEST(EmissionMeans, AreThoseOfEachTextureInTurn) {
+    Scene scene;
+    for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{51}, std::uint8_t{255}})
+        scene.textures.push_back(grey(4, 4, value));
+    EmissionMeans means(scene);
+    const Mesh mesh = cells(1);
+    for (const int texture : {2, 1, 1, 0, 2}) {
+        const float expected = texture == 0 ? 0.0F : (texture == 1 ? 0.2F : 1.0F);
+        EXPECT_NEAR(means.of(mesh, texture).at(0).r, expected, 1e-6F) << texture;
+    }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "scene/flat_scene.h"
-#include "tests/testing/scene_builder.h"
+#include "tests/testing/floor_scenes.h"
 
 namespace weft::light_table_test {
 namespace {
@@ -152,25 +152,13 @@ TEST(LightTable, EmissiveTrianglesGoByArea) {
         EXPECT_GT(triangle_area(flat, flat.triangles.at(entry.triangle)), 0.0);
 }
 
-/// Two texels beside each other: black, and linear white.
-Texture black_and_white() {
-    Texture texture;
-    texture.width = 2;
-    texture.height = 1;
-    texture.srgb = false;
-    texture.nearest = true;
-    texture.wrap_u = Wrap::clamp;
-    texture.rgba = {0, 0, 0, 255, 255, 255, 255, 255};
-    return texture;
-}
-
 TEST(LightTable, TexturedTrianglesGoByAreaTimesRadiance) {
     SceneBuilder builder = unit_scene();
-    builder.scene.textures.push_back(black_and_white());
-    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(2.0F, 4.0F, 8.0F));
-    builder.scene.materials[glow].emission.texture = 0;
+    builder.scene.textures.push_back(test::black_beside(255, 255, 255));
+    const std::uint32_t emitter = builder.material(glm::vec3(0.5F), glm::vec3(2.0F, 4.0F, 8.0F));
+    builder.scene.materials[emitter].emission.texture = 0;
     // The first eighth of the columns is dark, the last one bright.
-    builder.add(quad_mesh({-1, -1, 0.5F}, {2, 0, 0}, {0, 2, 0}, 8), glow);
+    builder.add(quad_mesh({-1, -1, 0.5F}, {2, 0, 0}, {0, 2, 0}, 8), emitter);
     const FlatScene flat = flatten(builder.scene);
     EXPECT_TRUE((flat.features & FEATURE_EMISSION_TEXTURES) != 0);
     ASSERT_EQ(flat.lights.size(), 1u);
@@ -199,25 +187,25 @@ TEST(LightTable, TexturedTrianglesGoByAreaTimesRadiance) {
 
 TEST(LightTable, TexturesThatAreBlackAreNoLights) {
     SceneBuilder builder = unit_scene();
-    builder.scene.textures.push_back(black_and_white());
+    builder.scene.textures.push_back(test::black_beside(255, 255, 255));
     builder.scene.textures[0].rgba.assign(8, 0);
-    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(1.0F));
-    builder.scene.materials[glow].emission.texture = 0;
-    builder.add(square(1.0), glow);
+    const std::uint32_t emitter = builder.material(glm::vec3(0.5F), glm::vec3(1.0F));
+    builder.scene.materials[emitter].emission.texture = 0;
+    builder.add(square(1.0), emitter);
     EXPECT_TRUE(flatten(builder.scene).lights.empty());
 }
 
 TEST(LightTable, EmissionHasCoordinatesOfItsOwn) {
     SceneBuilder builder = unit_scene();
-    builder.scene.textures.push_back(black_and_white());
-    const std::uint32_t glow = builder.material(glm::vec3(0.5F), glm::vec3(1.0F));
-    builder.scene.materials[glow].emission.texture = 0;
+    builder.scene.textures.push_back(test::black_beside(255, 255, 255));
+    const std::uint32_t emitter = builder.material(glm::vec3(0.5F), glm::vec3(1.0F));
+    builder.scene.materials[emitter].emission.texture = 0;
     Mesh dark = square(1.0);
     dark.emission_uvs.assign(dark.uvs.size(), glm::vec2(0.0F));
     Mesh bright = square(1.0);
     bright.emission_uvs.assign(bright.uvs.size(), glm::vec2(1.0F));
-    builder.add(std::move(dark), glow);
-    builder.add(std::move(bright), glow);
+    builder.add(std::move(dark), emitter);
+    builder.add(std::move(bright), emitter);
     const FlatScene flat = flatten(builder.scene);
     ASSERT_EQ(flat.lights.size(), 1u);
     EXPECT_EQ(flat.instances[1].light, INVALID_INDEX);

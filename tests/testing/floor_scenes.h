@@ -29,18 +29,23 @@ inline LitFloor faint_area_lights_beside_a_sun() {
     return {std::move(builder.scene), irradiance, 0.0};
 }
 
-/// A square above the floor whose texture makes it shine in the half y > 0 alone, in cells some of
-/// which are dark, some bright, and some both.
-inline Scene half_bright_square() {
-    SceneBuilder builder = floor_scene();
+/// Two texels beside each other: black, and the linear colour of these bytes.
+inline Texture black_beside(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
     Texture texture;
     texture.width = 2;
     texture.height = 1;
     texture.srgb = false;
     texture.nearest = true;
     texture.wrap_u = Wrap::clamp;
-    texture.rgba = {0, 0, 0, 255, 51, 255, 255, 255};
-    builder.scene.textures.push_back(texture);
+    texture.rgba = {0, 0, 0, 255, r, g, b, 255};
+    return texture;
+}
+
+/// A square above the floor whose texture makes it shine in the half y > 0 alone, in cells some of
+/// which are dark, some bright, and some both.
+inline Scene half_bright_square() {
+    SceneBuilder builder = floor_scene();
+    builder.scene.textures.push_back(black_beside(51, 255, 255));
     const std::uint32_t material = builder.material(glm::vec3(0.5F), radiance);
     builder.scene.materials[material].emission.texture = 0;
     builder.add(quad_mesh({-0.5F, -0.5F, 1}, {0, 1, 0}, {1, 0, 0}, 3), material);
