@@ -24,10 +24,10 @@ class EmissionMeans {
     /// The scene must outlive this.
     explicit EmissionMeans(const Scene& scene) : scene_(scene) {}
 
-    /// Mean linear colour of texture number `texture` over each triangle of a mesh, to within a few
-    /// percent where texels are smaller than triangles. It is above 0 wherever a look-up of single
-    /// texels is above 0 anywhere on the triangle: light samples find all that shines.
-    [[nodiscard]] std::vector<glm::vec3> of(const Mesh& mesh, int texture);
+    /// Mean linear colour of texture `number` of the scene over each triangle of a mesh, to within
+    /// a few percent where texels are smaller than triangles. It is above 0 wherever a look-up of
+    /// single texels is above 0 anywhere on the triangle: light samples find all that shines.
+    [[nodiscard]] std::vector<glm::vec3> of(const Mesh& mesh, int number);
 
   private:
     const Scene& scene_;
