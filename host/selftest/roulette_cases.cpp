@@ -30,7 +30,7 @@ Estimate mean_weight(float throughput) {
         vertex.surface.bsdf.albedo = white;
         vertex.throughput = white * throughput;
         vertex.survival = 1.0F;
-        if (native::survives(&vertex, ROULETTE_START, &random) == 0) continue;
+        if (native::survives(&vertex, ROULETTE_START, ROULETTE_LEVEL, &random) == 0) continue;
         const double weight = static_cast<double>(native::scattered_throughput(&vertex, white).x) /
                               static_cast<double>(throughput);
         sum += weight;
@@ -55,20 +55,22 @@ Estimate furnace(Executor& executor, float albedo, std::uint32_t samples) {
 std::vector<SelftestCase> roulette_cases() {
     const std::string random = "paths end by chance; the sum of those that go on keeps its mean";
     const std::string binomial = "of 200,000 paths the survivors are binomial";
-    return {host_case(35, "roulette at any probability",
-                      {{"weight where 1 of 20 survives", 1.0, by_chance(0.02, 1e-6), binomial},
-                       {"weight where 1 of 2 survives", 1.0, by_chance(0.02, 1e-6), binomial}},
-                      []() -> std::vector<Measured> {
-                          return {mean_weight(0.01F), mean_weight(0.5F)};
-                      }),
-            {35,
-             "roulette at any probability",
-             RunsOn::devices,
-             {{"furnace of albedo 1/10", 1.0 / 0.9, by_chance(0.01, 1e-5), random},
-              {"furnace of albedo 95/100", 20.0, by_chance(0.02, 2e-5), random}},
-             [](Executor& executor) -> std::vector<Measured> {
-                 return {furnace(executor, 0.1F, 64), furnace(executor, 0.95F, 64)};
-             }}};
+    return {
+        host_case(
+            35, "roulette at any probability",
+            {{"weight where 1 of 20 survives", 1.0, by_chance(0.02, 1e-6), binomial},
+             {"weight where 1 of 2 survives", 1.0, by_chance(0.02, 1e-6), binomial}},
+            []() -> std::vector<Measured> {
+                return {mean_weight(0.05F * ROULETTE_LEVEL), mean_weight(0.5F * ROULETTE_LEVEL)};
+            }),
+        {35,
+         "roulette at any probability",
+         RunsOn::devices,
+         {{"furnace of albedo 1/10", 1.0 / 0.9, by_chance(0.01, 1e-5), random},
+          {"furnace of albedo 95/100", 20.0, by_chance(0.02, 2e-5), random}},
+         [](Executor& executor) -> std::vector<Measured> {
+             return {furnace(executor, 0.1F, 64), furnace(executor, 0.95F, 64)};
+         }}};
 }
 
 }  // namespace weft::selftest

@@ -13,8 +13,8 @@ typedef struct {
     float3 position;
     float3 normal;    // geometric
     float3 shading;   // interpolated, on the side of `normal`
-    float3 back;      // the way back to the viewer, of any length
     Bsdf bsdf;        // black on the back of one-sided materials
+    float3 out;       // bsdf.h's `out`, towards the viewer; without FEATURE_LOBES any
     float3 emission;  // towards the viewer
     uint triangle;
     uint instance;
@@ -85,7 +85,9 @@ static inline Surface surface_on(const RenderParams* params, const Geometry* geo
         if (surface.front == 0) smooth = -smooth;
         if (dot3(smooth, surface.normal) > 0.0f) surface.shading = smooth;
     }
-    surface.back = -direction;
+    surface.out = f3(0.0f, 0.0f, 1.0f);
+    if (HAS(params, FEATURE_LOBES))
+        surface.out = local_direction(normalize3(-direction), surface.shading);
     surface.bsdf.lobe = HAS(params, FEATURE_LOBES) ? material.lobe : (uint)LOBE_LAMBERT;
     surface.bsdf.albedo = xyz(material.albedo);
     surface.bsdf.parameters = material.parameters;
@@ -111,11 +113,6 @@ static inline Surface surface_at(const RenderParams* params, const Geometry* geo
                                  float3 direction, float angle) {
     Facet facet = facet_of(geometry, hit.triangle);
     return surface_on(params, geometry, &facet, hit, direction, angle);
-}
-
-/// Where light that the viewer sees leaves the surface: bsdf.h's `out`, about the shading normal.
-static inline float3 surface_out(const Surface* surface) {
-    return local_direction(normalize3(surface->back), surface->shading);
 }
 
 #endif

@@ -18,8 +18,6 @@
 #include "kernels/core/receiver_values.h"
 #include "kernels/path/path.h"
 
-#define ROULETTE_START 3u  // surfaces that every path may reach, the record's among them
-
 /// The point (u, v) of a cell, as a unit direction about `axis`.
 static inline float3 cell_direction(uint elevations, uint azimuths, uint cell, float u, float v,
                                     float3 axis) {
@@ -52,7 +50,7 @@ static inline float4 trace_cell(const RenderParams* params, const PathScene* wor
     while (goes_on != 0) {
         *rays += next_event(params, world, &vertex, random, &sum);
         goes_on = scatter(params, world, &vertex, random, &sum, rays);
-        if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, random);
+        if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, 1.0f, random);
     }
     // Nearer than rays start off their surfaces is rounding, and its reciprocal might overflow.
     float distance = m_max(hit.t, surface_offset(position, params->scene.extent));

@@ -90,7 +90,7 @@ static inline int scatter(const RenderParams* params, Hit hit, const Geometry* g
         surface.position + surface.normal * surface_offset(surface.position, params->scene.extent);
     vertex->kind = VPL_SURFACE;
     vertex->normal = surface.normal;
-    vertex->back = surface.back;
+    vertex->back = -path->direction;
     vertex->bsdf = surface.bsdf;
     vertex->g = 0.0f;
     return 1;

@@ -10,8 +10,6 @@
 #include "kernels/path/path.h"
 #include "kernels/path/path_film.h"
 
-#define ROULETTE_START 3u  // surfaces that every path may reach
-
 static inline PathSample trace_path(const RenderParams* params, const PathParams* path_params,
                                     const PathScene* world, uint pixel, Random* random,
                                     uint* rays) {
@@ -46,7 +44,7 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
         *rays += next_event(params, world, &vertex, random, &sample.light);
         goes_on = scatter(params, world, &vertex, random, &sample.light, rays);
         if (!HAS(params, FEATURE_INDIRECT)) break;
-        if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, random);
+        if (goes_on != 0) goes_on = survives(&vertex, ROULETTE_START, ROULETTE_LEVEL, random);
     }
     return sample;
 }

@@ -14,6 +14,13 @@
 #define ROULETTE_LEAST 0.05f
 #define ROULETTE_MOST 0.999f
 
+#define ROULETTE_START 3u  // surfaces and media that every path may be scattered by
+
+// Throughput down to which camera paths go on without roulette. Ending more of them is quicker, and
+// noisier: survivors carry the weight of those that end. Of 0.1, 0.2, 0.4 and 1 it has the least
+// variance times time in five scenes (docs/results/algorithms.md).
+#define ROULETTE_LEVEL 0.2f
+
 // A path under way.
 typedef struct {
     Surface surface;
@@ -56,7 +63,7 @@ static inline float3 scattered_throughput(const PathVertex* vertex, float3 colou
 /// Largest channel of the throughput that the vertex scatters, before roulette.
 static inline float most_scattered(const PathVertex* vertex) {
     return max_component(vertex->throughput *
-                         bsdf_albedo(&vertex->surface.bsdf, surface_out(&vertex->surface)));
+                         bsdf_albedo(&vertex->surface.bsdf, vertex->surface.out));
 }
 
 /// Moves to a surface that was hit. Returns 0 where it scatters nothing.
@@ -81,7 +88,7 @@ static inline uint next_event(const RenderParams* params, const PathScene* world
     LightSample light =
         sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
                       &vertex->surface, vertex->origin, choice, u, v);
-    float3 out = surface_out(&vertex->surface);
+    float3 out = vertex->surface.out;
     float3 irradiance = weighted_irradiance(&light, bsdf_pdf(&vertex->surface.bsdf, out, light.in));
     if (!(max_component(irradiance) > 0.0f)) return 0u;
     int seen = light.distant != 0 ? sees_infinity(world->scene, params, light.origin, light.towards)
@@ -108,7 +115,7 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
                           Random* random, PathLight* sum, uint* rays) {
     float u = next_random(random);
     float v = next_random(random);
-    BsdfSample sample = bsdf_sample(&vertex->surface.bsdf, surface_out(&vertex->surface), u, v);
+    BsdfSample sample = bsdf_sample(&vertex->surface.bsdf, vertex->surface.out, u, v);
     float3 direction = normalize3(to_world(sample.in, vertex->surface.shading));
     LitPoint lit = lit_point(&vertex->surface);
     if (faces(&lit, direction) == 0) return 0;
@@ -129,11 +136,12 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
     return enter_surface(params, vertex, throughput);
 }
 
-/// Russian roulette, from surface number `start` on. Returns 0 where the path ends.
-static inline int survives(PathVertex* vertex, uint start, Random* random) {
+/// Russian roulette, from surface number `start` on, for paths that scatter less than `level`, up
+/// to which survivors are raised. Returns 0 where the path ends.
+static inline int survives(PathVertex* vertex, uint start, float level, Random* random) {
     float draw = next_random(random);
     if (vertex->bounce < start) return 1;
-    float q = m_clamp(most_scattered(vertex), ROULETTE_LEAST, ROULETTE_MOST);
+    float q = m_clamp(most_scattered(vertex) / level, ROULETTE_LEAST, ROULETTE_MOST);
     if (draw >= q) return 0;
     vertex->survival = 1.0f / q;
     return 1;

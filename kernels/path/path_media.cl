@@ -12,8 +12,6 @@
 #include "kernels/path/path_grid.h"
 #include "kernels/path/path_media.h"
 
-#define ROULETTE_START 3u  // scatterings that every path may reach
-
 static inline MediaPath camera_path(const RenderParams* params, const PathParams* path_params,
                                     const Media* media, uint pixel, Random* random) {
     MediaPath path;
@@ -133,7 +131,7 @@ static inline int scatter_on_surface(const RenderParams* params, const PathScene
     *rays += surface_light(params, world, media, path, &vertex, random, sum);
     float u = next_random(random);
     float v = next_random(random);
-    BsdfSample scattered = bsdf_sample(&path->surface.bsdf, surface_out(&path->surface), u, v);
+    BsdfSample scattered = bsdf_sample(&path->surface.bsdf, path->surface.out, u, v);
     path->direction = normalize3(to_world(scattered.in, path->surface.shading));
     path->pdf = scattered.pdf;
     path->origin = vertex.origin;
@@ -166,8 +164,7 @@ static inline int advance(const RenderParams* params, const PathScene* world, co
     if (scattered < 0) return 0;
     if (scattered > 0)
         return path_survives(
-            path, ROULETTE_START,
-            path->enclosing_media != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST, random);
+            path, path->enclosing_media != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST, random);
     float3 light = f3(0.0f, 0.0f, 0.0f);
     if (met == 0 && path->bounce == 0u) {
         light = background_radiance(params, path->direction);
@@ -182,7 +179,7 @@ static inline int advance(const RenderParams* params, const PathScene* world, co
     add_met(params, path, light, sample);
     if (met == 0) return 0;
     if (scatter_on_surface(params, world, media, path, random, &sample->light, rays) == 0) return 0;
-    return path_survives(path, ROULETTE_START, ROULETTE_MOST, random);
+    return path_survives(path, ROULETTE_MOST, random);
 }
 
 WEFT_KERNEL(path_media)

@@ -206,7 +206,7 @@ static inline uint surface_light(const RenderParams* params, const PathScene* wo
         sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
                       &vertex->surface, vertex->origin, choice, u, v);
     const Bsdf* bsdf = &vertex->surface.bsdf;
-    float3 out = surface_out(&vertex->surface);
+    float3 out = vertex->surface.out;
     float3 irradiance = weighted_irradiance(&light, bsdf_pdf(bsdf, out, light.in));
     if (!(max_component(irradiance) > 0.0f)) return 0u;
     int seen = light.distant != 0 ? sees_infinity(world->scene, params, light.origin, light.towards)
@@ -236,10 +236,11 @@ static inline void scatter_path(const MediumSegment* segment, float t, float u, 
 }
 
 /// Russian roulette. Returns 0 where the path ends.
-static inline int path_survives(MediaPath* path, uint start, float most, Random* random) {
+static inline int path_survives(MediaPath* path, float most, Random* random) {
     float draw = next_random(random);
-    if (path->bounce < start) return 1;
-    float q = m_clamp(max_component(path->throughput * path->ratio), ROULETTE_LEAST, most);
+    if (path->bounce < ROULETTE_START) return 1;
+    float q = m_clamp(max_component(path->throughput * path->ratio) / ROULETTE_LEVEL,
+                      ROULETTE_LEAST, most);
     if (draw >= q) return 0;
     path->throughput = path->throughput * (1.0f / q);
     return 1;

@@ -68,7 +68,7 @@ static inline PathLight trace_residual(const RenderParams* params, const PathSce
         vertex.light_weight = vertex.bounce <= params->sampling.bounces + 1u ? share : 1.0f;
         if (vertex.light_weight > 0.0f) *rays += next_event(params, world, &vertex, random, &sum);
         goes_on = scatter(params, world, &vertex, random, &sum, rays);
-        if (goes_on != 0) goes_on = survives(&vertex, 1u, random);
+        if (goes_on != 0) goes_on = survives(&vertex, 1u, 1.0f, random);
     }
     return sum;
 }

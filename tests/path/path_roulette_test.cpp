@@ -50,7 +50,7 @@ TEST(PathRoulette, FirstBouncesAlwaysSurvive) {
     for (std::uint32_t bounce = 1; bounce < ROULETTE_START; ++bounce)
         for (int i = 0; i < 1000; ++i) {
             native::PathVertex vertex = vertex_of(bounce, 1e-3F);
-            ASSERT_EQ(native::survives(&vertex, ROULETTE_START, &random), 1);
+            ASSERT_EQ(native::survives(&vertex, ROULETTE_START, ROULETTE_LEVEL, &random), 1);
             ASSERT_EQ(scattered(vertex).y, 1e-3F);
         }
 }
@@ -60,14 +60,15 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
     constexpr int n = 200'000;
     for (const float throughput :
          {1e-6F, 0.01F, 0.05F, 0.2F, 0.5F, 0.9F, 0.95F, 0.99F, 1.0F, 10.0F})
-        for (const std::uint32_t bounce : {ROULETTE_START, ROULETTE_START + 1U, 50U}) {
-            SCOPED_TRACE("throughput " + std::to_string(throughput));
-            native::Random random = native::make_random(5, bounce, 7);
+        for (const float level : {1.0F, ROULETTE_LEVEL, 0.01F}) {
+            SCOPED_TRACE("throughput " + std::to_string(throughput) + " level " +
+                         std::to_string(level));
+            native::Random random = native::make_random(5, 6, 7);
             int survivors = 0;
             double weight = 0.0;
             for (int i = 0; i < n; ++i) {
-                native::PathVertex vertex = vertex_of(bounce, throughput);
-                if (native::survives(&vertex, ROULETTE_START, &random) == 0) continue;
+                native::PathVertex vertex = vertex_of(ROULETTE_START, throughput);
+                if (native::survives(&vertex, ROULETTE_START, level, &random) == 0) continue;
                 ++survivors;
                 const auto after = static_cast<double>(scattered(vertex).y);
                 ASSERT_TRUE(survivors == 1 || after / static_cast<double>(throughput) == weight);
@@ -78,8 +79,8 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
             ASSERT_GT(survivors, 0);
             const double q = 1.0 / weight;
             EXPECT_NEAR(q,
-                        std::clamp(static_cast<double>(throughput), double{ROULETTE_LEAST},
-                                   double{ROULETTE_MOST}),
+                        std::clamp(static_cast<double>(throughput) / static_cast<double>(level),
+                                   double{ROULETTE_LEAST}, double{ROULETTE_MOST}),
                         1e-6);
             EXPECT_NEAR(survivors * weight / n, 1.0,
                         test::sidak_limit(comparisons) * std::sqrt((1.0 - q) / (q * n)));
