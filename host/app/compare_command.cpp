@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/compared_image.h"
 #include "app/print.h"
-#include "base/quote.h"
+#include "app/split_reference.h"
+#include "base/error.h"
 #include "image/load_image.h"
 #include "image/png.h"
 #include "metrics/flip.h"
@@ -19,22 +21,13 @@
 #include "metrics/heat_map.h"
 #include "metrics/numeric.h"
 #include "metrics/rgb_view.h"
+#include "metrics/unbiased_mse.h"
+#include "tradeoff/reference_images.h"
 
 namespace weft {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
-
-/// The layer of an image that is compared.
-struct ComparedImage {
-    std::vector<float> rgb;
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    bool display_referred = false;
-
-    [[nodiscard]] RgbView view() const { return {rgb, width, height}; }
-};
 
 /// A map of one metric, and the value of its brightest colour.
 struct Map {
@@ -57,55 +50,6 @@ struct Report {
     }
 };
 
-std::string layer_names(const Image& image) {
-    std::string names;
-    for (const Layer& layer : image.layers)
-        names += (names.empty() ? "" : ", ") + (layer.name.empty() ? "beauty" : quote(layer.name));
-    return names;
-}
-
-void check_finite(const ComparedImage& compared, const std::string& place) {
-    const std::size_t pixels = compared.view().pixels();
-    std::size_t count = 0;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const bool finite = std::isfinite(compared.rgb[i]) &&
-                            std::isfinite(compared.rgb[pixels + i]) &&
-                            std::isfinite(compared.rgb[2 * pixels + i]);
-        if (finite) continue;
-        if (count++ == 0) first = i;
-    }
-    if (count > 0)
-        throw input_error(place, fmt::format("{} of {} pixels {} NaN or infinite, the first at "
-                                             "column {}, row {}; expected finite values",
-                                             count, pixels, count == 1 ? "is" : "are",
-                                             first % compared.width, first / compared.width));
-}
-
-/// Reads the colours of one layer; grey ones from a layer of one channel.
-ComparedImage load_compared(const fs::path& path, const std::optional<std::string>& layer_name) {
-    const std::string place = path.string();
-    Image image = load_image(path);
-    const Layer* layer = image.find(layer_name.value_or(""));
-    if (layer == nullptr)
-        throw input_error(place, (layer_name ? "has no layer " + quote(*layer_name)
-                                             : std::string("has no beauty layer")) +
-                                     ", its layers are: " + layer_names(image));
-    ComparedImage compared{{}, image.width, image.height, is_display_referred(image)};
-    const std::size_t pixels = compared.view().pixels();
-    const bool grey = layer->channels.size() == 1;
-    if (layer->words || (!grey && !layer->channels.starts_with("RGB")))
-        throw input_error(place, "has the channels " + quote(layer->channels) +
-                                     " in the layer to compare, expected RGB or a single one");
-    const auto begin = layer->values.begin();
-    const auto end = begin + static_cast<std::ptrdiff_t>(grey ? pixels : 3 * pixels);
-    compared.rgb.reserve(3 * pixels);
-    for (int copy = 0; copy < (grey ? 3 : 1); ++copy)
-        compared.rgb.insert(compared.rgb.end(), begin, end);
-    check_finite(compared, place);
-    return compared;
-}
-
 /// null where there is no value, as JSON has no infinity either.
 json json_number(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? json(*value) : json();
@@ -115,15 +59,26 @@ std::string number_text(const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "undefined";
 }
 
+std::string percent(const std::optional<HdrVdpResult>& result, double HdrVdpResult::*member) {
+    return result ? fmt::format("{:.4f} %", (*result).*member) : "undefined";
+}
+
+json shares_json(const std::optional<HdrVdpResult>& result) {
+    return {{"p75", result ? json(result->p75) : json()},
+            {"p95", result ? json(result->p95) : json()},
+            {"mean", result ? json(result->mean) : json()}};
+}
+
 /// Measures a pair of images, one metric after another.
 class Comparison {
   public:
-    Comparison(const ComparedImage& reference, const ComparedImage& test,
+    Comparison(const SplitReference& reference, const ComparedImage& test,
                const CompareOptions& options)
-        : reference_(reference),
+        : split_(reference),
+          reference_(reference.whole()),
           test_(test),
           options_(options),
-          display_(reference.display_referred && test.display_referred),
+          display_(reference_.display_referred && test.display_referred),
           luminance_scale_(options.luminance_scale.value_or(display_ ? 80.0 : 100.0)) {}
 
     /// The metrics that the options choose; FLIP in the variant that suits the images.
@@ -134,6 +89,8 @@ class Comparison {
                        Metric::relmse_trimmed, Metric::mape,     Metric::bias,
                        Metric::mean_ratio,     Metric::psnr,     Metric::ssim,
                        Metric::pu21_psnr,      Metric::pu21_ssim};
+        if (options_.metrics.empty() && split_.is_split())
+            metrics.insert(metrics.end(), {Metric::unbiased_mse, Metric::unbiased_relmse});
         std::vector<Metric> result;
         for (Metric metric : metrics) {
             if (metric == Metric::flip && !display_) metric = Metric::hdrflip;
@@ -156,39 +113,68 @@ class Comparison {
             case Metric::pu21_psnr:
             case Metric::pu21_ssim:
                 return measure_pu21(metric, report);
+            case Metric::unbiased_mse:
+            case Metric::unbiased_relmse:
+                return measure_unbiased(metric, report);
             default:
                 return measure_relative(metric, report);
         }
     }
 
   private:
+    /// What the floor of a metric is: its value for the two references, or halves, against each
+    /// other.
+    [[nodiscard]] const char* floor_note() const {
+        return split_.has_halves() ? "one half of REF against the other; the whole has less noise"
+                                   : "the second reference against REF";
+    }
+
+    /// A row for the floor of a metric, beside the value of the image.
+    void add_floor(std::string_view name, const std::string& floor, bool within,
+                   Report& report) const {
+        report.add_row(name, floor,
+                       std::string(floor_note()) +
+                           (within ? "; TEST differs by no more, which says nothing of it" : ""));
+    }
+
     void measure_hdr_vdp(Report& report) {
         HdrVdpSettings settings;
         settings.luminance_scale = luminance_scale_;
         settings.pixels_per_degree = options_.ppd.value_or(settings.pixels_per_degree);
         settings.legacy_fan = options_.legacy_fan;
         settings.legacy_otf_grid = options_.legacy_otf_grid;
-        std::optional<HdrVdpResult> result;
-        // A single row or column has no frequencies across it.
-        if (std::min(reference_.width, reference_.height) >= 2)
-            result = hdr_vdp(luminance(test_.view()), luminance(reference_.view()),
-                             reference_.width, reference_.height, settings);
+        const auto seen = [&](const ComparedImage& reference, const ComparedImage& test) {
+            std::optional<HdrVdpResult> result;
+            // A single row or column has no frequencies across it.
+            if (std::min(reference.width, reference.height) >= 2)
+                result = hdr_vdp(luminance(test.view()), luminance(reference.view()),
+                                 reference.width, reference.height, settings);
+            return result;
+        };
+        std::optional<HdrVdpResult> result = seen(reference_, test_);
         const std::string note = fmt::format("{:g} cd/m2 at value 1, {:g} pixels per degree{}{}",
                                              settings.luminance_scale, settings.pixels_per_degree,
                                              settings.legacy_fan ? ", legacy fan" : "",
                                              settings.legacy_otf_grid ? ", legacy OTF grid" : "");
-        const auto percent = [&](double HdrVdpResult::*member) {
-            return result ? fmt::format("{:.4f} %", (*result).*member) : "undefined";
-        };
-        report.add_row("hdrvdp p75", percent(&HdrVdpResult::p75), note);
-        report.add_row("hdrvdp p95", percent(&HdrVdpResult::p95), "");
-        report.keys["hdrvdp"] = {{"p75", result ? json(result->p75) : json()},
-                                 {"p95", result ? json(result->p95) : json()},
-                                 {"mean", result ? json(result->mean) : json()},
-                                 {"luminance_scale", settings.luminance_scale},
-                                 {"ppd", settings.pixels_per_degree},
-                                 {"legacy_fan", settings.legacy_fan},
-                                 {"legacy_otf_grid", settings.legacy_otf_grid}};
+        report.add_row("hdrvdp p75", percent(result, &HdrVdpResult::p75), note);
+        report.add_row("hdrvdp p95", percent(result, &HdrVdpResult::p95), "");
+        json keys = shares_json(result);
+        keys.update({{"luminance_scale", settings.luminance_scale},
+                     {"ppd", settings.pixels_per_degree},
+                     {"legacy_fan", settings.legacy_fan},
+                     {"legacy_otf_grid", settings.legacy_otf_grid}});
+        if (split_.is_split()) {
+            const std::optional<HdrVdpResult> floor = seen(split_.first(), split_.second());
+            const auto within = [&](double HdrVdpResult::*member) {
+                return result && floor && (*result).*member <= (*floor).*member;
+            };
+            add_floor("  floor p75", percent(floor, &HdrVdpResult::p75), within(&HdrVdpResult::p75),
+                      report);
+            add_floor("  floor p95", percent(floor, &HdrVdpResult::p95), within(&HdrVdpResult::p95),
+                      report);
+            keys["floor"] = shares_json(floor);
+        }
+        report.keys["hdrvdp"] = std::move(keys);
         if (result) report.keep_map(std::move(result->probability), 1.0);
     }
 
@@ -196,20 +182,27 @@ class Comparison {
         const double ppd = options_.ppd.value_or(flip_default_ppd);
         std::string note = fmt::format("{:.4g} pixels per degree", ppd);
         json keys = {{"ppd", ppd}};
-        FlipResult result;
-        if (metric == Metric::flip) {
-            result = ldr_flip(reference_.view(), test_.view(), ppd);
-        } else {
-            const FlipExposures exposures = flip_exposures(reference_.view());
-            result = hdr_flip(reference_.view(), test_.view(), exposures, ppd);
+        FlipExposures exposures;
+        if (metric == Metric::hdrflip) {
+            exposures = flip_exposures(reference_.view());
             note += fmt::format(", {} exposures from {:.4g} to {:.4g} EV", exposures.count,
                                 exposures.start, exposures.stop);
             keys["start_exposure"] = exposures.start;
             keys["stop_exposure"] = exposures.stop;
             keys["exposures"] = exposures.count;
         }
+        const auto flip = [&](const ComparedImage& reference, const ComparedImage& test) {
+            return metric == Metric::flip ? ldr_flip(reference.view(), test.view(), ppd)
+                                          : hdr_flip(reference.view(), test.view(), exposures, ppd);
+        };
+        FlipResult result = flip(reference_, test_);
         keys["mean"] = result.mean;
         report.add_row(to_string(metric), number_text(result.mean), note);
+        if (split_.is_split()) {
+            const double floor = flip(split_.first(), split_.second()).mean;
+            add_floor("  floor", number_text(floor), result.mean <= floor, report);
+            keys["floor"] = floor;
+        }
         report.keys[std::string(to_string(metric))] = std::move(keys);
         report.keep_map(std::move(result.map), 1.0);
     }
@@ -280,24 +273,53 @@ class Comparison {
                        report);
     }
 
+    void measure_unbiased(Metric metric, Report& report) {
+        if (!split_.is_split())
+            throw input_error(reference_.place,
+                              fmt::format("holds no halves, without which there is no {}, expected "
+                                          "--second-reference or a file with the layers '{}' and "
+                                          "'{}'",
+                                          to_string(metric), first_half_layer, second_half_layer));
+        if (!unbiased_) unbiased_ = unbiased_errors(split_.halves(), test_.view());
+        const bool relative = metric == Metric::unbiased_relmse;
+        const std::optional<ErrorEstimate> found =
+            relative ? unbiased_->relmse : std::optional(unbiased_->mse);
+        const std::optional<double> noise =
+            relative ? unbiased_->noise_relmse : std::optional(unbiased_->noise_mse);
+        std::string note;
+        if (found)
+            note = fmt::format("{:.6g} to {:.6g} with a confidence of 95 %{}", found->low,
+                               found->high, found->low <= 0.0 ? "; 0 is among these" : "");
+        if (relative && noise && *noise > most_noise_relmse)
+            note += "; REF has too much noise for this interval";
+        report.add_row(to_string(metric),
+                       number_text(found ? std::optional(found->value) : std::nullopt), note);
+        json& keys = report.keys[std::string(to_string(metric))];
+        if (found)
+            keys = {{"value", json_number(found->value)},
+                    {"low", json_number(found->low)},
+                    {"high", json_number(found->high)},
+                    {"noise", json_number(noise)}};
+    }
+
+    const SplitReference& split_;
     const ComparedImage& reference_;
     const ComparedImage& test_;
     const CompareOptions& options_;
     bool display_;
     double luminance_scale_;
+    std::optional<UnbiasedErrors> unbiased_;
     std::optional<RelativeErrors> relative_;
 };
 
 }  // namespace
 
 void compare_command(const CompareOptions& options) {
-    const ComparedImage reference = load_compared(options.reference, options.layer);
-    const ComparedImage test = load_compared(options.test, options.layer);
-    if (test.width != reference.width || test.height != reference.height)
-        throw input_error(options.test.string(),
-                          fmt::format("has {} x {} pixels, expected {} x {} as the reference {}",
-                                      test.width, test.height, reference.width, reference.height,
-                                      quote(options.reference.string())));
+    const SplitReference reference(options);
+    const ComparedImage test =
+        compared_image(load_image(options.test), options.test.string(), options.layer);
+    check_same_size(test, reference.whole());
+    reference.check_independent(test);
     Comparison comparison(reference, test, options);
     Report report;
     for (const Metric metric : comparison.chosen()) comparison.measure(metric, report);

@@ -15,9 +15,21 @@ namespace {
 namespace fs = std::filesystem;
 
 // The names of Metric in their order; the last one stands for all metrics.
-constexpr std::array<std::string_view, 13> metric_names = {
-    "hdrvdp",     "flip", "hdrflip", "relmse",    "relmse_trimmed", "mape", "bias",
-    "mean_ratio", "psnr", "ssim",    "pu21_psnr", "pu21_ssim",      "all"};
+constexpr std::array<std::string_view, 15> metric_names = {"hdrvdp",
+                                                           "flip",
+                                                           "hdrflip",
+                                                           "relmse",
+                                                           "relmse_trimmed",
+                                                           "mape",
+                                                           "bias",
+                                                           "mean_ratio",
+                                                           "psnr",
+                                                           "ssim",
+                                                           "pu21_psnr",
+                                                           "pu21_ssim",
+                                                           "unbiased_mse",
+                                                           "unbiased_relmse",
+                                                           "all"};
 std::vector<Metric> read_metrics(const CLI::App& command) {
     std::vector<Metric> metrics;
     bool all = false;
@@ -41,9 +53,15 @@ void add_compare(CLI::App& app) {
     CLI::App& compare = add_command(app, "compare", "Measures how two images differ");
     add_value(compare, "REF", "", "Reference image, .exr, .hdr or .png");
     add_value(compare, "TEST", "", "Image of the same size to compare with it");
-    add_value(compare, "--metric", "NAME",
-              "hdrvdp, flip, hdrflip, relmse, relmse_trimmed, mape, bias, mean_ratio, psnr, ssim, "
-              "pu21_psnr, pu21_ssim or all; may be given several times (default: all)");
+    add_value(
+        compare, "--metric", "NAME",
+        "hdrvdp, flip, hdrflip, relmse, relmse_trimmed, mape, bias, mean_ratio, psnr, ssim, "
+        "pu21_psnr, pu21_ssim, unbiased_mse, unbiased_relmse or all; may be given several times "
+        "(default: all)");
+    add_value(
+        compare, "--second-reference", "REF2",
+        "Independent image of the view of REF, for unbiased errors and the floor of hdrvdp and "
+        "flip (default: the halves that REF may hold)");
     add_value(compare, "--luminance-scale", "K",
               "cd/m^2 of the value 1 (default: 100; 80 where both images are PNG)");
     add_value(compare, "--ppd", "N", "Pixels per degree (default: 30 for HDR-VDP, 67.02 for FLIP)");
@@ -61,6 +79,7 @@ CompareOptions read_compare(const CLI::App& command) {
     CompareOptions options;
     options.reference = *value_of(command, "REF");
     options.test = *value_of(command, "TEST");
+    if (const auto text = value_of(command, "--second-reference")) options.second_reference = *text;
     options.metrics = read_metrics(command);
     if (const auto text = value_of(command, "--luminance-scale"))
         options.luminance_scale =
@@ -75,7 +94,8 @@ CompareOptions read_compare(const CLI::App& command) {
     if (!options.map) return options;
     if (extension_of(*options.map) != ".png")
         throw usage_error("--map: " + quote(options.map->string()) + ", expected a name in .png");
-    for (const fs::path& image : {options.reference, options.test})
+    for (const fs::path& image :
+         {options.reference, options.test, options.second_reference.value_or(options.test)})
         if (options.map->lexically_normal() == image.lexically_normal())
             throw usage_error("--map: names the same file as an image to compare");
     if (!options.metrics.empty() &&

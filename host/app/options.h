@@ -133,6 +133,8 @@ enum class Metric {
     ssim,
     pu21_psnr,
     pu21_ssim,
+    unbiased_mse,
+    unbiased_relmse,
 };
 
 /// The name the command line and JSON use.
@@ -142,6 +144,7 @@ enum class Metric {
 struct CompareOptions {
     std::filesystem::path reference;
     std::filesystem::path test;
+    std::optional<std::filesystem::path> second_reference;
     std::vector<Metric> metrics;               ///< in the order given, each once; empty means all
     std::optional<double> luminance_scale;     ///< cd/m^2 of the value 1
     std::optional<double> ppd;                 ///< pixels per degree, 1 to 1000
