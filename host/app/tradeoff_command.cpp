@@ -159,6 +159,7 @@ class TradeoffRun {
         for (OtherRendererPoint& other : result_.others) {
             how.report(1.0, "images of others");
             other.errors = how.judge(other.image);
+            other.unbiased_relmse = how.unbiased(other.image);
             // The page shows no more than this; whole images would take memory from measurements.
             other.image = scaled_down(other.image, thumbnail_edge);
         }
@@ -179,12 +180,17 @@ class TradeoffRun {
         wish.height = result_.height;
         wish.spp = options_.reference_spp;
         wish.with_halves = true;
-        const Reference found = images.find(flat_, camera_, wish);
+        Reference found = images.find(flat_, camera_, wish);
         TradeoffReference& reference = result_.reference;
         reference.samples = found.samples;
         reference.image = layer_as_beauty(found.image, "");
         reference.noise_floor = error_values(layer_as_beauty(found.image, first_half_layer),
                                              layer_as_beauty(found.image, second_half_layer));
+        halves_ = std::move(found.image);
+        std::erase_if(halves_.layers, [](const Layer& layer) {
+            return layer.name != first_half_layer && layer.name != second_half_layer;
+        });
+        reference.noise_relmse = noise_relmse_of(halves_);
         result_.exposure_ev = auto_exposure(reference.image);
     }
 
@@ -226,7 +232,8 @@ class TradeoffRun {
                 [this](double done, const std::string& what) {
                     if (interrupt_flag()) end_interrupted();
                     progress_.update(done, what);
-                }};
+                },
+            .unbiased = [this](const Image& image) { return unbiased_value(halves_, image); }};
     }
 
     void measure(const std::vector<Candidate>& all) {
@@ -274,6 +281,7 @@ class TradeoffRun {
     Progress progress_;
     std::unique_ptr<Executor> executor_;
     SharedScene shared_;
+    Image halves_;  ///< of the reference, without other layers
     TradeoffResult result_;
 };
 

@@ -31,7 +31,7 @@ RgbView beauty(const Image& image) {
 }  // namespace
 
 std::vector<double> error_values(const Image& reference, const Image& image) {
-    const ImageErrors errors = image_errors(reference, image, "", {});
+    const ImageErrors errors = image_errors(reference, image, "", {.unbiased = false});
     return {value_of(errors.hdrflip),
             errors.published->p75,
             errors.published->p95,
@@ -39,6 +39,21 @@ std::vector<double> error_values(const Image& reference, const Image& image) {
             errors.display->p95,
             value_of(errors.relmse),
             std::abs(value_of(errors.bias))};
+}
+
+std::optional<ErrorEstimate> unbiased_value(const Image& reference, const Image& image) {
+    const std::optional<ReferenceHalves> halves = halves_of(reference);
+    if (!halves) return std::nullopt;
+    const std::optional<ErrorEstimate> found = unbiased_errors(*halves, beauty(image)).relmse;
+    (void)value_of(found ? std::optional(found->value) : std::nullopt);
+    return found;
+}
+
+std::optional<double> noise_relmse_of(const Image& reference) {
+    const std::optional<ReferenceHalves> halves = halves_of(reference);
+    if (!halves) return std::nullopt;
+    // It does not depend on the image that is compared.
+    return unbiased_errors(*halves, halves->first).noise_relmse;
 }
 
 std::vector<float> error_map(const Image& reference, const Image& image) {

@@ -11,6 +11,8 @@
 #include "metrics/hdr_vdp.h"
 #include "metrics/numeric.h"
 #include "metrics/rgb_view.h"
+#include "tradeoff/error_values.h"
+#include "tradeoff/reference_images.h"
 
 namespace weft {
 namespace {
@@ -48,12 +50,27 @@ nlohmann::json shares_json(const std::optional<VisibleShares>& value) {
 }  // namespace
 
 nlohmann::json ImageErrors::json() const {
-    return {{"hdrvdp_published", shares_json(published)},
-            {"hdrvdp_display", shares_json(display)},
-            {"hdrflip", number(hdrflip)},
-            {"relmse", number(relmse)},
-            {"relmse_trimmed", number(relmse_trimmed)},
-            {"bias", number(bias)}};
+    nlohmann::json json{{"hdrvdp_published", shares_json(published)},
+                        {"hdrvdp_display", shares_json(display)},
+                        {"hdrflip", number(hdrflip)},
+                        {"relmse", number(relmse)},
+                        {"relmse_trimmed", number(relmse_trimmed)},
+                        {"bias", number(bias)}};
+    if (unbiased_relmse) json["unbiased_relmse"] = estimate_json(*unbiased_relmse);
+    return json;
+}
+
+nlohmann::json estimate_json(const ErrorEstimate& estimate) {
+    return {{"value", number(estimate.value)},
+            {"low", number(estimate.low)},
+            {"high", number(estimate.high)}};
+}
+
+std::optional<ReferenceHalves> halves_of(const Image& reference) {
+    if (reference.find(first_half_layer) == nullptr || reference.find(second_half_layer) == nullptr)
+        return std::nullopt;
+    return ReferenceHalves{view_of(reference, first_half_layer),
+                           view_of(reference, second_half_layer)};
 }
 
 ImageErrors image_errors(const Image& reference, const Image& test, std::string_view layer,
@@ -74,7 +91,16 @@ ImageErrors image_errors(const Image& reference, const Image& test, std::string_
         errors.display = visible(test_map, reference_map, seen, display_scale);
     }
     if (choice.hdrflip) errors.hdrflip = hdr_flip(expected, seen, flip_exposures(expected)).mean;
+    const auto halves =
+        choice.unbiased && layer.empty() ? halves_of(reference) : std::optional<ReferenceHalves>();
+    if (halves) errors.unbiased_relmse = unbiased_errors(*halves, seen).relmse;
     return errors;
+}
+
+std::optional<ImageErrors> floor_errors(const Image& reference) {
+    if (!halves_of(reference)) return std::nullopt;
+    return image_errors(layer_as_beauty(reference, first_half_layer),
+                        layer_as_beauty(reference, second_half_layer), "", {});
 }
 
 }  // namespace weft

@@ -91,6 +91,7 @@ void summarize(TradeoffPoint& point, const TimeSpread& spread) {
     point.ms = time_interval(point.runs_ms, spread);
     for (std::size_t measure = 0; measure < error_measures; ++measure)
         point.errors.push_back(interval_of(point.runs_errors, measure));
+    if (!point.runs_unbiased.empty()) point.unbiased_relmse = mean_estimate(point.runs_unbiased);
 }
 
 bool within(const Interval& interval, double value) {
@@ -130,6 +131,9 @@ std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,
                 measuring.make(point.preset, image_seed(plan.seed, round), false);
             point.runs_ms.push_back(made.ms);
             point.runs_errors.push_back(measuring.judge(made.image));
+            if (measuring.unbiased)
+                if (const auto found = measuring.unbiased(made.image))
+                    point.runs_unbiased.push_back(*found);
             if (round == 0) point.rays = made.rays;
             done_ms += entrants[i].expected_ms;
         }

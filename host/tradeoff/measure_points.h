@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct Measuring {
     /// Called before each image with the share that is done and what comes next; may throw to end
     /// the measurement.
     std::function<void(double done, const std::string& what)> report;
+    /// Unbiased relative squared error, or none where the reference has no halves; may be left out.
+    std::function<std::optional<ErrorEstimate>(const Image&)> unbiased{};
 };
 
 /// Seed of image `index` of a setting: `first` and the numbers after it, except reference_seed.

@@ -90,7 +90,7 @@ RendererRow renderer_row(const OtherRendererPoint& point, ErrorMeasure chosen, b
              {"denoised", point.denoised},
              {"time", duration_text(1000.0 * point.seconds)},
              {"samples", point.samples > 0.0 ? round_text(point.samples) : ""},
-             {"errors", error_cells(point.errors, chosen)},
+             {"errors", error_cells(point.errors, chosen, point.unbiased_relmse)},
              {"image", std::move(image)}}};
 }
 
@@ -109,6 +109,7 @@ Json budget_values(const TradeoffResult& result, double budget_s, const Json& im
         setting.seconds = 1e-3 * best.ms.median;
         for (const ErrorMeasure measure : all_measures())
             setting.errors.push_back(error_of(best, measure).median);
+        setting.unbiased_relmse = best.unbiased_relmse;
         rows.push_back(renderer_row(
             setting, result.measure, true,
             again(images["cards"][place]["thumbnails"][0]["image"], "Image of " + best.name)));

@@ -28,6 +28,13 @@ nlohmann::json error_cell(ErrorMeasure measure, const Interval& error, ErrorMeas
             {"chosen", measure == chosen}};
 }
 
+nlohmann::json unbiased_cell(const std::optional<ErrorEstimate>& unbiased) {
+    if (!unbiased) return {{"error", ""}, {"range", ""}, {"chosen", false}};
+    return {{"error", figure_text(unbiased->value)},
+            {"range", error_range({unbiased->value, unbiased->low, unbiased->high})},
+            {"chosen", false}};
+}
+
 }  // namespace
 
 std::array<ErrorMeasure, error_measures> all_measures() {
@@ -69,15 +76,18 @@ nlohmann::json error_cells(const TradeoffPoint& point, ErrorMeasure chosen) {
     auto cells = nlohmann::json::array();
     for (const ErrorMeasure measure : all_measures())
         cells.push_back(error_cell(measure, error_of(point, measure), chosen));
+    cells.push_back(unbiased_cell(point.unbiased_relmse));
     return cells;
 }
 
-nlohmann::json error_cells(std::span<const double> errors, ErrorMeasure chosen) {
+nlohmann::json error_cells(std::span<const double> errors, ErrorMeasure chosen,
+                           const std::optional<ErrorEstimate>& unbiased) {
     auto cells = nlohmann::json::array();
     for (const ErrorMeasure measure : all_measures()) {
         const double error = error_of(errors, measure);
         cells.push_back(error_cell(measure, {error, error, error}, chosen));
     }
+    cells.push_back(unbiased_cell(unbiased));
     return cells;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,9 +34,11 @@ namespace weft {
 [[nodiscard]] std::string time_range(const Interval& ms);
 [[nodiscard]] std::string error_range(const Interval& error);
 
-/// Cells of a table's row, one for each measure: `error`, `range`, and whether it is the `chosen`.
+/// Cells of a table's row, one for each measure and one for the unbiased relMSE: `error`, `range`,
+/// and whether it is the `chosen`. Without an estimate the last is empty.
 [[nodiscard]] nlohmann::json error_cells(const TradeoffPoint& point, ErrorMeasure chosen);
-[[nodiscard]] nlohmann::json error_cells(std::span<const double> errors, ErrorMeasure chosen);
+[[nodiscard]] nlohmann::json error_cells(std::span<const double> errors, ErrorMeasure chosen,
+                                         const std::optional<ErrorEstimate>& unbiased);
 
 /// A list for a part of a template that is left out where the list is empty: `all` within it.
 [[nodiscard]] nlohmann::json unless_empty(nlohmann::json list);

@@ -11,6 +11,9 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "tradeoff/image_errors.h"
+#include "tradeoff/noise_floor.h"
+#include "tradeoff/page_values.h"
 #include "tradeoff/stale_presets.h"
 #include "tradeoff/tradeoff_page.h"
 
@@ -33,20 +36,29 @@ Json interval_json(const Interval& interval) {
     return {{"median", interval.median}, {"low", interval.low}, {"high", interval.high}};
 }
 
-Json point_json(const TradeoffPoint& point) {
+Json unbiased_json(const std::optional<ErrorEstimate>& estimate) {
+    return estimate ? estimate_json(*estimate) : Json();
+}
+
+Json point_json(const TradeoffPoint& point, const TradeoffResult& result) {
     Json errors = Json::object();
     for (std::size_t i = 0; i < point.errors.size(); ++i)
         errors[to_string(measure_at(i))] = interval_json(point.errors[i]);
     Json runs = Json::array();
-    for (std::size_t i = 0; i < point.runs_ms.size(); ++i)
+    for (std::size_t i = 0; i < point.runs_ms.size(); ++i) {
         runs.push_back(
             {{"ms", point.runs_ms[i]}, {"errors", errors_json(point.runs_errors.at(i))}});
+        if (i < point.runs_unbiased.size())
+            runs.back()["unbiased_relmse"] = estimate_json(point.runs_unbiased[i]);
+    }
     return {{"name", point.name},
             {"family", point.family},
             {"on_front", point.on_front},
             {"preset", preset_json(point.preset)},
             {"ms", interval_json(point.ms)},
             {"errors", errors},
+            {"unbiased_relmse", unbiased_json(point.unbiased_relmse)},
+            {"within_floor", within_floor(point, result)},
             {"rays", point.rays},
             {"runs", runs}};
 }
@@ -58,9 +70,13 @@ Json spread_json(const TimeSpread& spread) {
 }
 
 Json other_json(const OtherRendererPoint& other) {
-    return {{"name", other.name},         {"budget_s", other.budget_s},
-            {"seconds", other.seconds},   {"samples", other.samples},
-            {"denoised", other.denoised}, {"errors", errors_json(other.errors)}};
+    return {{"name", other.name},
+            {"budget_s", other.budget_s},
+            {"seconds", other.seconds},
+            {"samples", other.samples},
+            {"denoised", other.denoised},
+            {"errors", errors_json(other.errors)},
+            {"unbiased_relmse", unbiased_json(other.unbiased_relmse)}};
 }
 
 Json advice_json(const TradeoffAdvice& advice, const TradeoffResult& result) {
@@ -97,6 +113,37 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
+/// The unbiased errors of the front.
+std::string unbiased_text(const TradeoffResult& result) {
+    std::string text;
+    for (const TradeoffPoint& point : result.points) {
+        if (!point.on_front || !point.unbiased_relmse) continue;
+        if (text.empty())
+            text = fmt::format("\n{:<32} {:>15} {:>22}\n", "without the reference's noise",
+                               "unbiased relMSE", "95 %");
+        const ErrorEstimate& error = *point.unbiased_relmse;
+        text += fmt::format("{:<32} {:>15.3g} {:>22}\n", point.name, error.value,
+                            fmt::format("{:.3g} to {:.3g}", error.low, error.high));
+    }
+    if (!text.empty() && result.reference.noise_relmse.value_or(0.0) > most_noise_relmse)
+        text +=
+            "the reference has too much noise for these intervals: --reference-spp has to be "
+            "higher\n";
+    return text.empty() ? text : text + "\n";
+}
+
+/// The floor by every measure, and which settings are within it.
+std::string floor_text(const TradeoffResult& result) {
+    const std::vector<double>& floor = result.reference.noise_floor;
+    if (floor.empty()) return {};
+    std::string text = fmt::format("one half of the reference's {} samples against the other:",
+                                   result.reference.samples);
+    for (std::size_t i = 0; i < floor.size(); ++i)
+        text += fmt::format("{} {} {}", i > 0 ? "," : "", label(measure_at(i)),
+                            error_figure(measure_at(i), floor[i]));
+    return text + "\n" + floor_sentence(result) + "\n";
+}
+
 void write_text(const std::filesystem::path& file, const std::string& text) {
     write_file_atomically(file, std::as_bytes(std::span(text)));
 }
@@ -110,7 +157,7 @@ std::string document(const Json& json) {
 
 Json tradeoff_json(const TradeoffResult& result) {
     Json points = Json::array();
-    for (const TradeoffPoint& point : result.points) points.push_back(point_json(point));
+    for (const TradeoffPoint& point : result.points) points.push_back(point_json(point, result));
     Json others = Json::array();
     for (const OtherRendererPoint& other : result.others) others.push_back(other_json(other));
     Json advice = Json::array();
@@ -125,7 +172,9 @@ Json tradeoff_json(const TradeoffResult& result) {
             {"command", result.command},
             {"reference",
              {{"samples", result.reference.samples},
-              {"noise_floor", errors_json(result.reference.noise_floor)}}},
+              {"noise_floor", errors_json(result.reference.noise_floor)},
+              {"noise_relmse",
+               result.reference.noise_relmse ? Json(*result.reference.noise_relmse) : Json()}}},
             {"points", points},
             {"time_spread", spread_json(result.time_spread)},
             {"skipped", result.skipped},
@@ -141,14 +190,17 @@ std::string tradeoff_csv(const TradeoffResult& result) {
         const char* const name = to_string(measure_at(i));
         text += fmt::format(",{},{}_low,{}_high", name, name, name);
     }
-    text += "\n";
+    text += ",unbiased_relmse,unbiased_relmse_low,unbiased_relmse_high\n";
     for (const TradeoffPoint& point : result.points) {
         text += fmt::format("{},{},{},{},{},{},{},{}", cell(point.name), cell(point.family),
                             point.on_front ? 1 : 0, point.preset.samples, point.ms.median,
                             point.ms.low, point.ms.high, point.rays);
         for (const Interval& error : point.errors)
             text += fmt::format(",{},{},{}", error.median, error.low, error.high);
-        text += "\n";
+        const auto& unbiased = point.unbiased_relmse;
+        text += unbiased
+                    ? fmt::format(",{},{},{}\n", unbiased->value, unbiased->low, unbiased->high)
+                    : ",,,\n";
     }
     return text;
 }
@@ -170,9 +222,7 @@ std::string tradeoff_text(const TradeoffResult& result) {
             "one more time lies within a factor of {:.3g} of its median, by {} times of all "
             "settings\n",
             result.time_spread.factor, result.time_spread.deviations);
-    if (kind < result.reference.noise_floor.size())
-        text += fmt::format("one half of the reference's {} samples against the other: {:.3g}\n",
-                            result.reference.samples, result.reference.noise_floor[kind]);
+    text += unbiased_text(result) + floor_text(result);
     for (const std::string& name : result.skipped)
         text += fmt::format("{} was too slow to measure\n", name);
     text += "\n";

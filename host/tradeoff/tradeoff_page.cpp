@@ -16,6 +16,7 @@
 #include "base/shell_word.h"
 #include "tradeoff/fill_template.h"
 #include "tradeoff/html_text.h"
+#include "tradeoff/noise_floor.h"
 #include "tradeoff/page_images.h"
 #include "tradeoff/page_values.h"
 #include "tradeoff/svg_plot.h"
@@ -144,6 +145,7 @@ Json heading_values(ErrorMeasure chosen) {
     auto headings = Json::array();
     for (const ErrorMeasure measure : all_measures())
         headings.push_back({{"label", unbroken(label(measure))}, {"chosen", measure == chosen}});
+    headings.push_back({{"label", "unbiased relMSE"}, {"chosen", false}});
     return headings;
 }
 
@@ -216,7 +218,9 @@ std::string tradeoff_page(const TradeoffResult& result) {
         {"small_plots", small_plots(result)},
         {"headings", heading_values(result.measure)},
         {"front", std::move(front)},
-        {"noise_floor", error_cells(result.reference.noise_floor, result.measure)},
+        {"noise_floor", error_cells(result.reference.noise_floor, result.measure, {})},
+        {"floor_sentence", floor_sentence(result)},
+        {"noisy_reference", result.reference.noise_relmse.value_or(0.0) > most_noise_relmse},
         {"check", check_values(result.check)},
         {"images", images},
         {"equal_time", equal_time_values(result, images)},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "metrics/unbiased_mse.h"
 #include "plan/preset.h"
 
 namespace weft {
@@ -54,9 +55,13 @@ struct TradeoffPoint {
     std::vector<Interval> errors;                  ///< by ErrorMeasure, error_measures of them
     std::vector<double> runs_ms;                   ///< raw times, one for each seed
     std::vector<std::vector<double>> runs_errors;  ///< raw errors by seed, each by ErrorMeasure
-    std::uint64_t rays = 0;                        ///< of one image
-    bool on_front = false;  ///< by time and the chosen measure; see pareto_front
-    Image image;            ///< beauty layer, of the first seed; kept for points on the front
+    /// Relative squared error without the reference's noise, from its halves: the mean of the
+    /// images of all seeds with its interval, and that of each; none where there are no halves.
+    std::optional<ErrorEstimate> unbiased_relmse{};
+    std::vector<ErrorEstimate> runs_unbiased{};
+    std::uint64_t rays = 0;  ///< of one image
+    bool on_front = false;   ///< by time and the chosen measure; see pareto_front
+    Image image;             ///< beauty layer, of the first seed; kept for points on the front
     std::vector<float> error_map;  ///< HDR-FLIP by pixel, row-major; kept for points on the front
 };
 
@@ -68,7 +73,8 @@ struct OtherRendererPoint {
     double samples = 0.0;   ///< per pixel, 0 where unknown
     bool denoised = false;
     std::vector<double> errors;  ///< by ErrorMeasure
-    Image image;                 ///< at least as large as its thumbnail
+    std::optional<ErrorEstimate> unbiased_relmse{};
+    Image image;  ///< at least as large as its thumbnail
 };
 
 /// Advice on a budget or an error: a sentence, and the point that it names.
@@ -87,6 +93,9 @@ struct TradeoffReference {
     /// noise of the whole causes, and in relMSE four times. Errors as small as that of the whole's
     /// noise are meaningless.
     std::vector<double> noise_floor;
+    /// What the noise of the whole adds to relMSE; intervals of unbiased_relmse are too narrow
+    /// where it is above most_noise_relmse.
+    std::optional<double> noise_relmse{};
     Image image;
 };
 

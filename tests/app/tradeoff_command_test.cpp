@@ -67,6 +67,8 @@ TEST_F(TradeoffCommand, WritesAllThatItFound) {
     EXPECT_EQ(found["measure"], "hdrflip");
     EXPECT_EQ(found["reference"]["samples"], 16);
     EXPECT_GT(found["reference"]["noise_floor"]["relmse"].get<double>(), 0.0);
+    EXPECT_GT(found["reference"]["noise_relmse"].get<double>(), 0.0);
+    EXPECT_NE(result.out.find("unbiased relMSE"), std::string::npos) << result.out;
     EXPECT_EQ(found["machine"]["backend"], "native");
     EXPECT_TRUE(found["check"].is_null());
     // igi, ic, and path with 4, 16 and 64 samples.
@@ -87,6 +89,14 @@ TEST_F(TradeoffCommand, WritesAllThatItFound) {
         EXPECT_EQ(point["runs"].size(), 4U);
         EXPECT_EQ(point["errors"].size(), 7U);
         EXPECT_GT(point["errors"]["hdrflip"]["median"], 0.0);
+        const json& unbiased = point["unbiased_relmse"];
+        EXPECT_LT(unbiased["low"], unbiased["value"]);
+        EXPECT_LT(unbiased["value"], unbiased["high"]);
+        double mean = 0.0;
+        for (const json& run : point["runs"])
+            mean += run["unbiased_relmse"]["value"].get<double>() / 4.0;
+        EXPECT_NEAR(unbiased["value"].get<double>(), mean, 1e-12);
+        EXPECT_TRUE(point["within_floor"].is_boolean());
         any_on_front = any_on_front || point["on_front"].get<bool>();
     }
     EXPECT_TRUE(any_on_front);

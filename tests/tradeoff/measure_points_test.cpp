@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -77,6 +78,30 @@ TEST(MeasurePoints, VisitsEveryCandidateOnceInARound) {
     ASSERT_EQ(points[0].errors.size(), error_measures);
     EXPECT_DOUBLE_EQ(points[0].errors[0].median, 0.1);
     EXPECT_EQ(points[0].rays, 10U);
+}
+
+TEST(MeasurePoints, UnbiasedErrorsAreMeansOverTheImages) {
+    MadeUp machine;
+    Measuring measuring = machine.measuring();
+    std::vector<std::string> skipped;
+    const MeasurePlan plan{.repetitions = 2, .seed = 5, .slow_ms = 500.0};
+    for (const TradeoffPoint& point : measure_points(some_candidates(), plan, measuring, skipped)) {
+        EXPECT_FALSE(point.unbiased_relmse.has_value()) << "without halves";
+        EXPECT_TRUE(point.runs_unbiased.empty());
+    }
+    int asked = 0;
+    measuring.unbiased = [&](const Image& image) {
+        const double value = image.width + (asked++ < 3 ? 0.0 : 1.0);  // three settings a round
+        return std::optional(ErrorEstimate{value, value - 2.0, value + 3.0});
+    };
+    const auto points = measure_points(some_candidates(), plan, measuring, skipped);
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_EQ(asked, 6);
+    ASSERT_EQ(points[0].runs_unbiased.size(), 2U);
+    EXPECT_EQ(points[0].runs_unbiased[1].value, 11.0);
+    EXPECT_EQ(points[0].unbiased_relmse.value().value, 10.5);
+    EXPECT_EQ(points[0].unbiased_relmse->low, 8.5);
+    EXPECT_EQ(points[0].unbiased_relmse->high, 13.5);
 }
 
 TEST(MeasurePoints, TimesOfAllSettingsSayHowFarThoseOfOneMayLie) {

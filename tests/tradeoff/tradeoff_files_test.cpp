@@ -133,6 +133,40 @@ TEST_F(TradeoffFiles, AReportThatLeadsElsewhereIsNotFollowed) {
     EXPECT_EQ(written_presets(at("run")).size(), 1U);
 }
 
+TEST(TradeoffFilesText, HaveTheUnbiasedErrorAndTheFloor) {
+    TradeoffResult result = run_of({20.0}, {});
+    result.points[0].unbiased_relmse = ErrorEstimate{0.25, 0.125, 0.375};
+    result.points[0].runs_unbiased.assign(2, ErrorEstimate{0.25, 0.1, 0.4});
+    result.reference = {.samples = 64,
+                        .noise_floor = std::vector<double>(error_measures, 0.25),
+                        .noise_relmse = 0.001,
+                        .image = {}};
+    const json found = tradeoff_json(result);
+    const json& point = found["points"][0];
+    EXPECT_EQ(point["unbiased_relmse"], (json{{"value", 0.25}, {"low", 0.125}, {"high", 0.375}}));
+    EXPECT_EQ(point["runs"][1]["unbiased_relmse"]["high"], 0.4);
+    EXPECT_FALSE(point["within_floor"]);
+    EXPECT_TRUE(found["points"][1]["within_floor"]);
+    EXPECT_TRUE(found["points"][1]["unbiased_relmse"].is_null());
+    EXPECT_EQ(found["reference"]["noise_relmse"], 0.001);
+    const std::string csv = tradeoff_csv(result);
+    EXPECT_NE(csv.find(",unbiased_relmse,unbiased_relmse_low,unbiased_relmse_high\n"),
+              std::string::npos);
+    EXPECT_NE(csv.find(",0.25,0.125,0.375\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",,,\n"), std::string::npos) << csv;
+    const std::string text = tradeoff_text(result);
+    EXPECT_NE(text.find("0.125 to 0.375"), std::string::npos) << text;
+    EXPECT_NE(text.find("64 samples against the other: HDR-FLIP 0.250, HDR-VDP 75 % 0.250 %"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("where comparing says nothing: ais spp 4, ais spp 16."), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("too much noise"), std::string::npos) << text;
+    result.reference.noise_relmse = 0.02;
+    EXPECT_NE(tradeoff_text(result).find("the reference has too much noise for these intervals"),
+              std::string::npos);
+}
+
 TEST_F(TradeoffFiles, ADamagedReportIsAsIfThereWereNone) {
     EXPECT_TRUE(written_presets(folder_.path()).empty());
     for (const char* const text :

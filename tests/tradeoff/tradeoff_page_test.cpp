@@ -139,6 +139,26 @@ TEST(TradeoffPage, SetsTheBestOfTheSameTimeBesideOthers) {
     EXPECT_FALSE(page_of_unsteady.holds("No setting of the front is that fast."));
 }
 
+TEST(TradeoffPage, SaysWhatTheNoiseOfTheReferenceHides) {
+    TradeoffResult result = made_up();
+    result.points[2].unbiased_relmse = ErrorEstimate{0.25, -0.125, 0.625};
+    const Page clear(result);
+    const std::string row = "/tbody/tr[th='ais 2']";
+    EXPECT_EQ(
+        clear.count(in_table("Pareto front by rising time", row + "/td[small='-0.125 to 0.625']")),
+        1U);
+    EXPECT_EQ(clear.count("//th[.='unbiased relMSE']"), 4U) << "in the tables of each kind";
+    EXPECT_TRUE(clear.holds("No setting is within the floor, HDR-FLIP 0.00100"));
+    EXPECT_FALSE(clear.holds("The reference has too much noise"));
+    result.reference.noise_floor.assign(error_measures, 0.1);
+    result.reference.noise_relmse = 0.1;
+    const Page noisy(result);
+    EXPECT_TRUE(noisy.holds("where comparing says nothing: ais 2, path 1."));
+    EXPECT_TRUE(noisy.holds("The reference has too much noise"));
+    result.reference.noise_floor.clear();
+    EXPECT_FALSE(Page(result).holds("within the floor"));
+}
+
 TEST(TradeoffPage, NeedsNothingElse) {
     const Page page(made_up());
     EXPECT_EQ(page.count("//script | //link | //iframe | //object | //embed | //*[@src]"), 0U);
