@@ -120,9 +120,10 @@ void add_options(CLI::App& app, Settings& settings) {
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--roulette", settings.roulette, "of ais; default: that of the quality")
         ->check(CLI::Range(0.0, 1e3));
-    app.add_option("--references", settings.references, "folder of path-traced references");
+    app.add_option("--references", settings.references,
+                   "folder of path-traced references, each with its halves");
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
-        ->check(CLI::Range(1U, limits::max_samples_per_pixel));
+        ->check(CLI::Range(2U, limits::max_samples_per_pixel));
     app.add_option("--filters", settings.filters, "compare with references of these filters only")
         ->check(CLI::IsMember({"box", "centre"}));
     app.add_flag("--no-errors", settings.without_errors, "times alone, without references");

@@ -119,12 +119,28 @@ std::string percent_cell(const std::optional<double>& value) {
     return cell(value ? std::optional(100.0 * *value) : std::nullopt);
 }
 
+/// The value and the ends of the interval.
+std::string unbiased_cells(const std::optional<ErrorEstimate>& error) {
+    std::string cells;
+    for (double ErrorEstimate::*const member :
+         {&ErrorEstimate::value, &ErrorEstimate::low, &ErrorEstimate::high})
+        cells += cell(error ? std::optional((*error).*member) : std::nullopt, 4);
+    return cells;
+}
+
+std::string noise_line(const char* filter, const std::optional<double>& noise) {
+    if (!noise) return {};
+    return fmt::format("  the noise of the reference ({}) adds {:.4f} to relMSE{}\n", filter,
+                       *noise, *noise > most_noise_relmse ? ": intervals are too narrow" : "");
+}
+
 std::string error_row(const std::string& method, const char* what, const ImageErrors& box,
                       const ImageErrors& centre) {
     std::string row = fmt::format("  {:10}{:9}", method, what);
     for (const ImageErrors* const errors : {&box, &centre})
         row += shares_cells(errors->published) + shares_cells(errors->display) +
-               cell(errors->hdrflip, 4) + cell(errors->relmse, 4) + percent_cell(errors->bias);
+               cell(errors->hdrflip, 4) + cell(errors->relmse, 4) +
+               unbiased_cells(errors->unbiased_relmse) + percent_cell(errors->bias);
     return row + "\n";
 }
 
@@ -195,8 +211,11 @@ std::string adaptive_legend() {
            "x i.cpu: the full frame against igi. Ratios are medians of those within repetitions.\n"
            "Errors against path tracing with a box filter, then through pixel centres (ctr): p75,\n"
            "p95: percent of the pixels whose difference is seen with that probability (HDR-VDP)\n"
-           "at 1 cd/m2 of value 1; d75, d95: at 100; HDR-FLIP; relMSE; bias of the mean, "
-           "percent.\n";
+           "at 1 cd/m2 of value 1; d75, d95: at 100; HDR-FLIP; relMSE; unb., low,\n"
+           "high: relMSE without the noise of the reference, and its interval (95 %); bias of the\n"
+           "mean, percent. floor: one half of the reference's samples against the other; errors "
+           "as\n"
+           "small as that say nothing.\n";
 }
 
 std::string adaptive_tables(const AdaptiveScene& scene) {
@@ -213,7 +232,8 @@ std::string adaptive_tables(const AdaptiveScene& scene) {
     if (scene.errors.empty()) return text;
     text += fmt::format("  {:10}{:9}", "method", "layer");
     for (const char* const filter : {"box ", "ctr "})
-        for (const char* const title : {"p75", "p95", "d75", "d95", "FLIP", "rMSE", "bias"})
+        for (const char* const title :
+             {"p75", "p95", "d75", "d95", "FLIP", "rMSE", "unb.", "low", "high", "bias"})
             text += fmt::format("{:>9}", std::string(filter) + title);
     text += "\n";
     for (std::size_t m = 0; m < scene.errors.size(); ++m) {
@@ -224,6 +244,11 @@ std::string adaptive_tables(const AdaptiveScene& scene) {
         text += error_row("", "indirect", box.indirect, centre.indirect);
         text += error_row("", "direct", box.direct, centre.direct);
     }
+    if (scene.floors.box || scene.floors.centre)
+        text += error_row("floor", "beauty", scene.floors.box.value_or(ImageErrors{}),
+                          scene.floors.centre.value_or(ImageErrors{}));
+    text += noise_line("box", scene.floors.box_noise);
+    text += noise_line("centre", scene.floors.centre_noise);
     return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,16 @@ struct MethodErrors {
     LayerErrors centre;
 };
 
+/// Errors of one half of a reference's samples against the other, which its noise leaves between
+/// images that show the same; none where no errors were measured.
+struct ReferenceFloors {
+    std::optional<ImageErrors> box;
+    std::optional<ImageErrors> centre;
+    /// What the noise of all samples adds to relMSE; see noise_relmse_of.
+    std::optional<double> box_noise;
+    std::optional<double> centre_noise;
+};
+
 /// All that is known of one scene.
 struct AdaptiveScene {
     std::string name;
@@ -39,6 +50,7 @@ struct AdaptiveScene {
     std::size_t triangles = 0;
     AdaptiveFrames frames;
     std::vector<MethodErrors> errors;  ///< by method; empty where errors were not wanted
+    ReferenceFloors floors;
     nlohmann::json references;
 
     [[nodiscard]] const MethodErrors* errors_of(std::string_view method) const;

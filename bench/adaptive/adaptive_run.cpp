@@ -9,6 +9,7 @@
 #include "image/png.h"
 #include "render/camera_params.h"
 #include "scene/flat_scene.h"
+#include "tradeoff/error_values.h"
 #include "tradeoff/reference_images.h"
 
 namespace weft::bench {
@@ -54,11 +55,19 @@ void compare(const AdaptiveRun& run, const FlatScene& flat, const Camera& camera
     const std::vector<MethodFrames>& methods = scene.frames.methods;
     scene.errors.resize(methods.size());
     for (const bool centre : {false, true}) {
-        const ReferenceWish wish{scene.name, run.frames.size, centre, run.reference_spp};
+        ReferenceWish wish{scene.name, run.frames.size, centre, run.reference_spp};
+        wish.with_halves = true;
         if (std::find(run.filters.begin(), run.filters.end(), wish.filter()) == run.filters.end())
             continue;
         const Reference reference = references.find(flat, camera, wish);
-        scene.references[wish.filter()] = reference.json();
+        std::optional<ImageErrors>& floor = centre ? scene.floors.centre : scene.floors.box;
+        floor = floor_errors(reference.image);
+        nlohmann::json& json = scene.references[wish.filter()];
+        json = reference.json();
+        if (floor) json["floor"] = floor->json();
+        std::optional<double>& noise = centre ? scene.floors.centre_noise : scene.floors.box_noise;
+        noise = noise_relmse_of(reference.image);
+        if (noise) json["noise_relmse"] = *noise;
         for (std::size_t m = 0; m < methods.size(); ++m) {
             MethodErrors& errors = scene.errors[m];
             (centre ? errors.centre : errors.box) = layer_errors(

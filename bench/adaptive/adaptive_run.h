@@ -35,8 +35,8 @@ struct AdaptiveSource {
     bool shipped = false;  ///< with Weft
 };
 
-/// Measures frames of the scene by all methods on `executor`, and compares them with references,
-/// which `path_executor` renders where they are missing. Throws Error.
+/// Measures frames of the scene by all methods on `executor`, and compares them with references of
+/// two halves, which `path_executor` renders where they are missing. Throws Error.
 [[nodiscard]] AdaptiveScene measure_scene(const AdaptiveSource& source, const AdaptiveRun& run,
                                           Executor& executor, Executor& path_executor,
                                           Diagnostics& diagnostics);

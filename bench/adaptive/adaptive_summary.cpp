@@ -91,6 +91,14 @@ Value error(const std::string& method, bool centre, const Pick& pick) {
     };
 }
 
+/// An error of one half of the reference against the other.
+Value floor_of(bool centre, const Pick& pick) {
+    return [=](const AdaptiveScene& scene) -> std::optional<double> {
+        const std::optional<ImageErrors>& floor = centre ? scene.floors.centre : scene.floors.box;
+        return floor ? pick({*floor, {}, {}}) : std::nullopt;
+    };
+}
+
 Value difference(const Value& a, const Value& b) {
     return [=](const AdaptiveScene& scene) -> std::optional<double> {
         const auto x = a(scene);
@@ -131,7 +139,8 @@ void add_speeds(const SceneSet& scenes, const std::string& ais, nlohmann::json& 
     summary["baseline_ray_share_direct"] = smallest(scenes, least_share(false, true));
 }
 
-/// Keys vdp75_ais and so on; the pixel-centre reference and the display protocol as suffixes.
+/// Keys vdp75_ais and so on, vdp75_floor for the halves of the reference; the pixel-centre
+/// reference and the display protocol as suffixes.
 void add_errors(const SceneSet& scenes, const std::string& ais, nlohmann::json& summary) {
     struct Share {
         const char* key;
@@ -153,6 +162,7 @@ void add_errors(const SceneSet& scenes, const std::string& ais, nlohmann::json& 
             add_means(name, suffix, pick);
             summary["worst_" + name + "_difference" + filter + suffix] = largest(
                 scenes, difference(error(ais, centre, pick), error(method_amax, centre, pick)));
+            summary[name + "_floor" + filter + suffix] = mean(scenes, floor_of(centre, pick));
         };
         for (const Share& share : shares) {
             add(share.key, "", [share](const LayerErrors& errors) {
@@ -164,6 +174,10 @@ void add_errors(const SceneSet& scenes, const std::string& ais, nlohmann::json& 
         }
         add("hdrflip", "", [](const LayerErrors& errors) { return errors.beauty.hdrflip; });
         add("relmse", "", [](const LayerErrors& errors) { return errors.beauty.relmse; });
+        add_means("unbiased_relmse", "", [](const LayerErrors& errors) {
+            const auto& unbiased = errors.beauty.unbiased_relmse;
+            return unbiased ? std::optional(unbiased->value) : std::nullopt;
+        });
         add_means("bias", "", [](const LayerErrors& errors) { return errors.beauty.bias; });
     }
 }
@@ -254,6 +268,12 @@ std::string summary_table(const nlohmann::json& summary, const nlohmann::json& p
                                   "speedup_full_cpu",
                                   "speedup_vs_igi_cpu",
                                   "baseline_ray_share",
+                                  "vdp75_floor",
+                                  "vdp95_floor",
+                                  "hdrflip_floor",
+                                  "unbiased_relmse_ais",
+                                  "unbiased_relmse_amax",
+                                  "unbiased_relmse_igi",
                                   "vdp75_ais_display",
                                   "vdp75_amax_display",
                                   "vdp75_igi_display",

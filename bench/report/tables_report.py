@@ -26,6 +26,7 @@ SPEEDUPS = ("ID", "SS", "PM", "FULL", "FULL_A_vs_IGI", "FULL_A_vs_IC", "TIC_vs_I
             "SS_alone", "FULL_cpu")
 SHARES = tuple(f"{method}_{share}" for method in ("A", "AMAX", "IGI", "IC")
                for share in ("75", "95"))
+FLOORS = ("floor_75", "floor_95")
 METHODS = ("A", "AMAX", "IGI", "IC")
 ALL_METHODS = ("igi", "amax", "ais", "ic", "tic")
 SCENES_OF = {"shipped": 11, "real": 8}  # how many a set has
@@ -73,8 +74,12 @@ def published_means(report, table):
 
 
 def set_table(report, name, table, columns, decimals):
-    """The rows of a table for a set of scenes, each above the published one; then means."""
+    """The rows of a table for a set of scenes, each above the published one; then means. A floor
+    and the noise of references are columns where any scene has them."""
     rows = []
+    columns = [column for column in columns if not column.startswith(("floor", "noise"))
+               or any(at(scene, "rows", table, column) is not None
+                      for scene in scenes_of(report, name))]
 
     def add(title, row):
         rows.append([title, *(markdown_table.number(row.get(column), decimals)
@@ -92,6 +97,34 @@ def set_table(report, name, table, columns, decimals):
         add("**mean where both have a figure**", at(summary, "common", table) or {})
         add("*published mean of these*", at(summary, "published", table) or {})
     return markdown_table.table(["scene", *map(label, columns)], rows)
+
+
+def unbiased_table(report, name):
+    """Unbiased relMSE, each with half the width of its interval; then means."""
+    rows = []
+    for scene in scenes_of(report, name):
+        value, high = (scene["rows"].get(table, {}) for table in
+                       ("unbiased_relmse", "unbiased_relmse_high"))
+        cells = [None if value.get(column) is None or high.get(column) is None
+                 else f"{value[column]:.4f} ± {high[column] - value[column]:.4f}"
+                 for column in METHODS]
+        rows.append([scene["scene"], *(cell or "" for cell in cells)])
+    means = at(report, "summary", name, "unbiased_relmse") or {}
+    rows.append(["**mean**", *(markdown_table.number(means.get(column), 4)
+                               for column in METHODS)])
+    return markdown_table.table(["scene", *map(label, METHODS)], rows)
+
+
+def unbiased_section(report):
+    """None where the references of no scene had halves."""
+    if not any("unbiased_relmse" in scene["rows"] for scene in report["scenes"]):
+        return []
+    return ["", "## Unbiased relMSE", "",
+            "Without the noise of the reference, from its two halves, with the interval of a "
+            "confidence of 95 % that this noise leaves. Where the noise adds more than 0.005 to relMSE, "
+            "intervals are too narrow.", "",
+            "\n\n".join(f"### {title}\n\n" + unbiased_table(report, name)
+                        for name, title in SETS if scenes_of(report, name))]
 
 
 def tables_by_set(report, table, columns, decimals):
@@ -199,7 +232,7 @@ def tables_page(report):
         "Percent of the pixels that an observer sees to differ from the reference with a "
         "probability of at least 75 or 95 %, in the published protocol (1 cd/m² at value 1, 30 "
         "pixels per degree).", "",
-        tables_by_set(report, "hdrvdp_percent_of_pixels", SHARES, 2), "",
+        tables_by_set(report, "hdrvdp_percent_of_pixels", SHARES + FLOORS, 2), "",
         "## Where the time goes", "",
         "Of full frames of A, percent of the wall time. *Gathering*: shadow rays to virtual lights "
         "and area lights; *first hits*: primary rays and what media do to them; *light*: making "
@@ -217,16 +250,21 @@ def errors_page(report, high):
         "How far the images of the [tables](tables.md) are from path tracing, by several "
         "measures.", "", about(report)]
     for heading, table, columns, decimals, meaning in (
-            ("HDR-VDP, published protocol", "hdrvdp_percent_of_pixels", SHARES, 2,
+            ("HDR-VDP, published protocol", "hdrvdp_percent_of_pixels", SHARES + FLOORS, 2,
              "1 cd/m² at value 1, 30 pixels per degree; percent of the pixels."),
-            ("HDR-VDP on a display", "hdrvdp_display", SHARES, 2,
+            ("HDR-VDP on a display", "hdrvdp_display", SHARES + FLOORS, 2,
              "100 cd/m² at value 1, no exposure; percent of the pixels."),
-            ("HDR-FLIP", "hdrflip", METHODS, 4, "Mean over the pixels, from 0 to 1."),
-            ("relMSE", "relmse", METHODS, 4, "Squared error over the squared reference."),
+            ("HDR-FLIP", "hdrflip", (*METHODS, "floor"), 4, "Mean over the pixels, from 0 to 1."),
+            ("relMSE", "relmse", (*METHODS, "noise"), 4, "Squared error over the squared reference; "
+             "noise: what that of the reference adds to it, where it has halves."),
             ("Bias", "bias", METHODS, 4, "Of the mean of the image, relative to the "
              "reference's.")):
         parts += ["", f"## {heading}", "", meaning, "",
                   tables_by_set(report, table, columns, decimals)]
+    parts += unbiased_section(report)
+    if any(at(scene, "rows", "hdrflip", "floor") is not None for scene in report["scenes"]):
+        parts += ["", "Columns called floor compare one half of the reference's samples with the "
+                  "other: an error that is no larger says nothing."]
     parts += ["", "## What limits them", "",
               "How many times the goal of 0.3 % of the pixels (75 %) the error of A is, and "
               "whether it is the samples that A leaves out or what A-MAX, with samples everywhere, "

@@ -134,9 +134,10 @@ void add_options(CLI::App& app, Settings& settings) {
         ->check(CLI::Range(16, 4096));
     app.add_option("--repetitions", settings.repetitions, "timed frames of every method")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--references", settings.references, "folder of path-traced references");
+    app.add_option("--references", settings.references,
+                   "folder of path-traced references, each with its halves");
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
-        ->check(CLI::Range(1U, limits::max_samples_per_pixel));
+        ->check(CLI::Range(2U, limits::max_samples_per_pixel));
     app.add_flag("--no-errors", settings.without_errors, "times alone, without references");
     app.add_option("--pictures", settings.images, "folder to write all images to");
     app.add_option("--published", settings.published,

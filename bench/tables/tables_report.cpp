@@ -177,25 +177,39 @@ nlohmann::json speedup_row(const TableScene& scene) {
     return row;
 }
 
-/// A row of each table of errors.
+/// A row of each table of errors, those of the eye with the floor of the reference.
 void add_error_rows(const AdaptiveScene& scene, nlohmann::json& rows) {
     const auto add = [&](const char* table, const std::string& column, const auto& value) {
         rows[table][column] = value ? significant(*value) : nlohmann::json();
+    };
+    const auto add_shares = [&](const char* table, const std::string& column,
+                                const std::optional<VisibleShares>& shares) {
+        add(table, column + "_75", shares ? std::optional(shares->p75) : std::nullopt);
+        add(table, column + "_95", shares ? std::optional(shares->p95) : std::nullopt);
     };
     for (const Method& method : methods) {
         const MethodErrors* const of_method = scene.errors_of(method.name);
         const ImageErrors errors = of_method != nullptr ? of_method->box.beauty : ImageErrors{};
         const std::string column = method.column;
-        const auto add_shares = [&](const char* table, const std::optional<VisibleShares>& shares) {
-            add(table, column + "_75", shares ? std::optional(shares->p75) : std::nullopt);
-            add(table, column + "_95", shares ? std::optional(shares->p95) : std::nullopt);
-        };
-        add_shares("hdrvdp_percent_of_pixels", errors.published);
-        add_shares("hdrvdp_display", errors.display);
+        add_shares("hdrvdp_percent_of_pixels", column, errors.published);
+        add_shares("hdrvdp_display", column, errors.display);
         add("hdrflip", column, errors.hdrflip);
         add("relmse", column, errors.relmse);
         add("bias", column, errors.bias);
+        const auto& unbiased = errors.unbiased_relmse;
+        const auto add_unbiased = [&](const char* table, double ErrorEstimate::*member) {
+            add(table, column, unbiased ? std::optional((*unbiased).*member) : std::nullopt);
+        };
+        add_unbiased("unbiased_relmse", &ErrorEstimate::value);
+        add_unbiased("unbiased_relmse_low", &ErrorEstimate::low);
+        add_unbiased("unbiased_relmse_high", &ErrorEstimate::high);
     }
+    if (!scene.floors.box) return;
+    const ImageErrors& floor = *scene.floors.box;
+    add_shares("hdrvdp_percent_of_pixels", "floor", floor.published);
+    add_shares("hdrvdp_display", "floor", floor.display);
+    add("hdrflip", "floor", floor.hdrflip);
+    add("relmse", "noise", scene.floors.box_noise);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ struct Table {
 
 /// As they are printed: what is published first.
 std::vector<Table> tables() {
-    const std::vector<const char*> shares{"A_75",   "A_95",   "AMAX_75", "AMAX_95",
-                                          "IGI_75", "IGI_95", "IC_75",   "IC_95"};
+    const std::vector<const char*> shares{"A_75",   "A_95",  "AMAX_75", "AMAX_95",  "IGI_75",
+                                          "IGI_95", "IC_75", "IC_95",   "floor_75", "floor_95"};
     const std::vector<const char*> each{"A", "AMAX", "IGI", "IC"};
     return {{"fps",
              "frames/s",
@@ -35,8 +35,11 @@ std::vector<Table> tables() {
              {"ID", "SS", "PM", "FULL", "FULL_A_vs_IGI", "FULL_A_vs_IC", "TIC_vs_IC"}},
             {"hdrvdp_percent_of_pixels", "HDR-VDP, %", 2, shares},
             {"hdrvdp_display", "on a display, %", 2, shares},
-            {"hdrflip", "HDR-FLIP", 4, each},
-            {"relmse", "relMSE", 4, each}};
+            {"hdrflip", "HDR-FLIP", 4, {"A", "AMAX", "IGI", "IC", "floor"}},
+            {"relmse", "relMSE", 4, {"A", "AMAX", "IGI", "IC", "noise"}},
+            {"unbiased_relmse", "unbiased relMSE", 4, each},
+            {"unbiased_relmse_low", "  95 %, from", 4, each},
+            {"unbiased_relmse_high", "  95 %, to", 4, each}};
 }
 
 const nlohmann::json* find(const nlohmann::json& object, const std::string& key) {
@@ -115,7 +118,10 @@ std::string tables_legend() {
            "amax unless another is named. Errors are those of whole frames against path tracing\n"
            "with a box filter: HDR-VDP, percent of the pixels seen to differ with a probability\n"
            "of 75 and 95 percent, at 1 cd/m2 of value 1 and on a display at 100; HDR-FLIP;\n"
-           "relMSE.\n";
+           "relMSE, and relMSE without the noise of the reference, with its interval. floor: one\n"
+           "half of the reference's samples against the other; errors as small as that say\n"
+           "nothing. noise: what the noise of all samples adds to relMSE; above 0.005 intervals\n"
+           "are too narrow.\n";
 }
 
 std::string table_scene_text(const nlohmann::json& scene, const nlohmann::json& published) {
