@@ -280,6 +280,11 @@ class Comparison {
                                           "--second-reference or a file with the layers '{}' and "
                                           "'{}'",
                                           to_string(metric), first_half_layer, second_half_layer));
+        if (split_.holds(test_)) {
+            report.add_row(to_string(metric), number_text({}), "TEST has the pixels of REF");
+            report.keys[std::string(to_string(metric))] = nullptr;
+            return;
+        }
         if (!unbiased_) unbiased_ = unbiased_errors(split_.halves(), test_.view());
         const bool relative = metric == Metric::unbiased_relmse;
         const std::optional<ErrorEstimate> found =
@@ -288,8 +293,9 @@ class Comparison {
             relative ? unbiased_->noise_relmse : std::optional(unbiased_->noise_mse);
         std::string note;
         if (found)
-            note = fmt::format("{:.6g} to {:.6g} with a confidence of 95 %{}", found->low,
-                               found->high, found->low <= 0.0 ? "; 0 is among these" : "");
+            note =
+                fmt::format("{:.6g} to {:.6g} with a confidence of 95 %{}", found->low, found->high,
+                            found->low <= 0.0 && found->high >= 0.0 ? "; 0 is among these" : "");
         if (relative && noise && *noise > most_noise_relmse)
             note += "; REF has too much noise for this interval";
         report.add_row(to_string(metric),

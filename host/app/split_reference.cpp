@@ -91,11 +91,14 @@ ReferenceHalves SplitReference::halves() const {
 }
 
 void SplitReference::check_independent(const ComparedImage& test) const {
-    if (!is_split() || has_halves()) return;
-    for (const ComparedImage* const reference : {&whole_, &*second_})
-        if (test.rgb == reference->rgb)
-            throw input_error(test.place, "has the same pixels as " + quote(reference->place) +
-                                              ", expected an image other than the references");
+    if (is_split() && !has_halves() && holds(test))
+        throw input_error(test.place,
+                          "has the same pixels as one of the references, expected another image");
+}
+
+bool SplitReference::holds(const ComparedImage& test) const {
+    return test.rgb == whole_.rgb || test.rgb == first().rgb ||
+           (second_ && test.rgb == second_->rgb);
 }
 
 void SplitReference::take_halves(const Image& file) {

@@ -31,9 +31,11 @@ class SplitReference {
     [[nodiscard]] const ComparedImage& second() const { return *second_; }
     [[nodiscard]] ReferenceHalves halves() const;
 
-    /// Throws Error (exit code 2) where the image has the pixels of --second-reference, and with it
-    /// where it has those of the reference: errors would then be those of an image that is not
-    /// independent.
+    /// Whether the image has the pixels of the reference or of one of the two images, so that it is
+    /// not independent of them.
+    [[nodiscard]] bool holds(const ComparedImage& test) const;
+    /// Throws Error (exit code 2) where --second-reference was given and `holds(test)`. Without it
+    /// users may well compare a reference with itself.
     void check_independent(const ComparedImage& test) const;
 
   private:

@@ -314,6 +314,10 @@ TEST_F(CompareCommand, HalvesOfAReferenceAreUsed) {
                   .out.find("one half of REF against the other; the whole has "
                             "less noise"),
               std::string::npos);
+    const json itself = compare_json({halves, halves});
+    EXPECT_TRUE(itself["unbiased_mse"].is_null()) << "an image is not independent of itself";
+    EXPECT_TRUE(itself["unbiased_relmse"].is_null());
+    EXPECT_EQ(itself["hdrflip"]["mean"], 0.0);
     // Of other layers there are no halves, and a second reference goes before them.
     EXPECT_FALSE(
         compare_json({halves, halves, "--layer", "first_half", "--metric", "flip"})["hdrflip"]
@@ -340,7 +344,7 @@ TEST_F(CompareCommand, ReferencesThatAreNotIndependentAreRefused) {
     refused(test, exr("copy.exr", image), 2, "copy.exr: has the same pixels as the reference");
     const std::string second = exr("b.exr", noisy_image(0.5F, 0.02F, 2, 16));
     refused(exr("again.exr", noisy_image(0.5F, 0.02F, 2, 16)), second, 2,
-            "again.exr: has the same pixels as");
+            "again.exr: has the same pixels as one of the references");
     refused(test, exr("small.exr", make_image(48, 31, 0.5F)), 2,
             "small.exr: has 48 x 31 pixels, expected 48 x 32 as the reference");
     Image more = noisy_image(0.5F, 0.02F, 3, 32);
