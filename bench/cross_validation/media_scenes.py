@@ -1,13 +1,17 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes with participating media that this benchmark writes itself, as Mitsuba XML.
+"""Scenes with participating media that benchmarks write themselves, as Mitsuba XML.
+
+    media_scenes.py NAME FOLDER     writes one into a folder, and its path on a line
 
 All are the same room, open to the camera: grey but for a red and a green wall, with an area light
 below its ceiling. What is in it differs.
 """
 
 import math
+import pathlib
 import struct
+import sys
 
 ROOM = """<scene version="3.0.0">
     <default name="max_depth" value="-1"/>
@@ -127,3 +131,9 @@ def write_scene(name, folder):
     if grid:
         (folder / f"{name}.vol").write_bytes(grid)
     return path
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3 or sys.argv[1] not in SCENES:
+        sys.exit(f"media_scenes.py: expected one of {', '.join(SCENES)}, and a folder")
+    print(write_scene(sys.argv[1], pathlib.Path(sys.argv[2])))
