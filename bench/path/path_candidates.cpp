@@ -3,61 +3,57 @@
 #include "bench/path/path_candidates.h"
 
 #include <cstdio>
-#include <numeric>
+#include <fstream>
 #include <utility>
-#include <vector>
 
 #include "base/error.h"
 
 namespace weft::bench {
-namespace {
 
-double mean_of(const Image& image) {
-    const Layer* const beauty = image.find("");
-    if (beauty == nullptr || beauty->values.empty()) return 0.0;
-    return std::accumulate(beauty->values.begin(), beauty->values.end(), 0.0) /
-           static_cast<double>(beauty->values.size());
-}
-
-}  // namespace
-
-WeftPaths::WeftPaths(std::string name, Executor& executor, const FlatScene& scene,
-                     const Camera& camera, const PathSettings& settings)
-    : name_(std::move(name)),
+WeftPaths::WeftPaths(const PathAlgorithm& algorithm, std::string backend, Executor& executor,
+                     const FlatScene& scene, const Camera& camera, const PathSettings& settings)
+    : contender_{std::string(algorithm.name), std::move(backend)},
+      algorithm_(algorithm),
       executor_(executor),
       scene_(scene),
       camera_(camera),
       settings_(settings) {}
 
-void WeftPaths::prepare() {
+void WeftPaths::prepare(std::uint32_t seed) {
     renderer_.reset();
-    renderer_ = std::make_unique<PathRenderer>(executor_, scene_, camera_, settings_, FilmSums{});
+    settings_.seed = seed;
+    renderer_ = algorithm_.make(executor_, scene_, camera_, settings_);
 }
 
 std::optional<PathRun> WeftPaths::run() {
     const RunTimer watch;
     while (renderer_->render_frame({})) continue;
-    const Image image = renderer_->image();
-    PathRun run{watch.elapsed(), 0, mean_of(image)};
+    Image image = renderer_->image();
+    PathRun run{watch.elapsed(), 0, {}};
     for (const FrameStats& frame : renderer_->stats()) run.rays += frame.rays;
+    for (Layer& layer : image.layers)
+        if (layer.name.empty()) run.values = std::move(layer.values);
     renderer_.reset();
     return run;
 }
 
-MitsubaPaths::MitsubaPaths(const MitsubaSettings& mitsuba, std::string variant,
-                           const std::filesystem::path& scene, const PathSettings& settings)
-    : variant_(std::move(variant)) {
+MitsubaPaths::MitsubaPaths(const MitsubaChoice& mitsuba, const std::filesystem::path& scene,
+                           const PathSettings& settings, const std::filesystem::path& folder,
+                           int threads)
+    : contender_{mitsuba_algorithm, mitsuba.variant},
+      image_(folder / "mitsuba.raw"),
+      value_count_(std::size_t{3} * settings.width * settings.height) {
     try {
         child_ = std::make_unique<ChildProcess>(std::vector<std::string>{
-            mitsuba.python, "-B", mitsuba.script.string(), variant_, scene.string(),
-            std::to_string(settings.width), std::to_string(settings.samples.end),
-            std::to_string(mitsuba.threads)});
+            mitsuba.programs.python, "-B",
+            mitsuba.programs.folder / "cross_validation" / "mitsuba_speed.py", mitsuba.variant,
+            mitsuba.library, scene.string(), std::to_string(settings.width),
+            std::to_string(settings.samples.end), std::to_string(threads), image_.string()});
     } catch (const Error& error) {
         problem_ = error.what();
         return;
     }
-    const auto line = answer();
-    if (line && line->starts_with("READY ")) version_ = line->substr(6);
+    answer();
 }
 
 std::optional<std::string> MitsubaPaths::answer() {
@@ -71,19 +67,29 @@ std::optional<std::string> MitsubaPaths::answer() {
 
 std::optional<PathRun> MitsubaPaths::run() {
     if (!child_) return std::nullopt;
-    if (!child_->write_line("render")) problem_ = child_->fate();
+    if (!child_->write_line(std::to_string(seed_))) problem_ = child_->fate();
     const auto line = answer();
-    if (!line) return std::nullopt;
+    return line ? read_run(*line) : std::nullopt;
+}
+
+std::optional<PathRun> MitsubaPaths::read_run(const std::string& line) {
     double seconds = 0.0;
     double processor = 0.0;
     PathRun run;
-    if (std::sscanf(line->c_str(), "%lf %lf %lf", &seconds, &processor, &run.mean) != 3 ||
-        !(seconds > 0.0)) {
+    if (std::sscanf(line.c_str(), "%lf %lf", &seconds, &processor) != 2 || !(seconds > 0.0)) {
         problem_ = "it answers with something else than times";
         child_.reset();
         return std::nullopt;
     }
     run.timing = {1e3 * seconds, 1e3 * seconds, 1e3 * processor};
+    run.values.resize(value_count_);
+    std::ifstream file(image_, std::ios::binary);
+    const auto bytes = static_cast<std::streamsize>(value_count_ * sizeof(float));
+    if (!file.read(reinterpret_cast<char*>(run.values.data()), bytes) || file.get() != EOF) {
+        problem_ = "its image is of another size";
+        child_.reset();
+        return std::nullopt;
+    }
     return run;
 }
 

@@ -7,19 +7,34 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/common/candidate.h"
 #include "bench/common/child_process.h"
+#include "bench/path/mitsuba_choice.h"
+#include "bench/path/path_algorithms.h"
 #include "device/executor.h"
 #include "render/path_renderer.h"
 
 namespace weft::bench {
 
+/// What renders: an algorithm of Weft and the backend that it runs on, or Mitsuba and a variant.
+struct Contender {
+    std::string algorithm;
+    std::string backend;
+
+    [[nodiscard]] std::string name() const { return algorithm + " " + backend; }
+    [[nodiscard]] bool operator==(const Contender&) const = default;
+};
+
+/// The algorithm that contenders by Mitsuba have.
+inline constexpr const char* mitsuba_algorithm = "mitsuba";
+
 /// One image of a path tracer.
 struct PathRun {
     Timing timing;
-    std::uint64_t rays = 0;  ///< 0 where that is not known
-    double mean = 0.0;       ///< of all values of the image
+    std::uint64_t rays = 0;     ///< 0 where that is not known
+    std::vector<float> values;  ///< all of red, then of green and blue, the top row first
 };
 
 /// A path tracer with a scene loaded.
@@ -27,9 +42,10 @@ class PathCandidate {
   public:
     virtual ~PathCandidate() = default;
 
-    [[nodiscard]] virtual std::string name() const = 0;
-    /// Makes everything ready for the next run; not timed.
-    virtual void prepare() {}
+    [[nodiscard]] virtual const Contender& contender() const = 0;
+    /// Makes everything ready for the next run, whose image is independent of those of other seeds;
+    /// not timed.
+    virtual void prepare(std::uint32_t seed) = 0;
     /// Renders the image once, from the first path to values in memory. Nothing where the
     /// candidate is not available, from then on.
     [[nodiscard]] virtual std::optional<PathRun> run() = 0;
@@ -37,54 +53,52 @@ class PathCandidate {
     [[nodiscard]] virtual std::string problem() const { return {}; }
 };
 
-/// Weft's `path` on one executor. What it is given must outlive it.
+/// An algorithm of Weft on one executor. What it is given must outlive it.
 class WeftPaths : public PathCandidate {
   public:
-    WeftPaths(std::string name, Executor& executor, const FlatScene& scene, const Camera& camera,
-              const PathSettings& settings);
+    WeftPaths(const PathAlgorithm& algorithm, std::string backend, Executor& executor,
+              const FlatScene& scene, const Camera& camera, const PathSettings& settings);
 
-    [[nodiscard]] std::string name() const override { return name_; }
-    void prepare() override;
+    [[nodiscard]] const Contender& contender() const override { return contender_; }
+    void prepare(std::uint32_t seed) override;
     [[nodiscard]] std::optional<PathRun> run() override;
 
   private:
-    std::string name_;
+    Contender contender_;
+    const PathAlgorithm& algorithm_;
     Executor& executor_;
     const FlatScene& scene_;
     const Camera& camera_;
     PathSettings settings_;
-    std::unique_ptr<PathRenderer> renderer_;
-};
-
-/// How to start Mitsuba.
-struct MitsubaSettings {
-    std::string python;            ///< interpreter
-    std::filesystem::path script;  ///< mitsuba_speed.py
-    int threads = 0;               ///< 0: all
+    std::unique_ptr<FrameRenderer> renderer_;
 };
 
 /// A variant of Mitsuba 3 in a process of its own, since some end it where the machine lacks
 /// something.
 class MitsubaPaths : public PathCandidate {
   public:
-    /// Loads the scene file; where that fails, `problem` says why.
-    MitsubaPaths(const MitsubaSettings& mitsuba, std::string variant,
-                 const std::filesystem::path& scene, const PathSettings& settings);
+    /// Loads the scene file; where that fails, `problem` says why. Images are handed over in
+    /// `folder`; `threads` 0: all.
+    MitsubaPaths(const MitsubaChoice& mitsuba, const std::filesystem::path& scene,
+                 const PathSettings& settings, const std::filesystem::path& folder, int threads);
 
-    [[nodiscard]] std::string name() const override { return variant_; }
+    [[nodiscard]] const Contender& contender() const override { return contender_; }
+    void prepare(std::uint32_t seed) override { seed_ = seed; }
     [[nodiscard]] std::optional<PathRun> run() override;
     [[nodiscard]] std::string problem() const override { return problem_; }
-    /// Of Mitsuba; empty where it is not available.
-    [[nodiscard]] const std::string& version() const noexcept { return version_; }
 
   private:
     /// The child's next line, or nothing and a problem.
     std::optional<std::string> answer();
+    /// What a run that has been answered says and shows.
+    std::optional<PathRun> read_run(const std::string& line);
 
-    std::string variant_;
+    Contender contender_;
+    std::filesystem::path image_;
+    std::size_t value_count_;
+    std::uint32_t seed_ = 0;
     std::unique_ptr<ChildProcess> child_;
     std::string problem_;
-    std::string version_;
 };
 
 }  // namespace weft::bench

@@ -5,182 +5,223 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace weft::bench {
 namespace {
 
-constexpr std::array own{paths_opencl, paths_native, paths_embree};
-constexpr std::array mitsuba{paths_scalar, paths_llvm};
+/// Which scenes a mean is over.
+enum class Scenes : std::uint8_t { all, surfaces, media };
 
-std::string cell(const nlohmann::json& number) {
-    return number.is_null() ? fmt::format("{:>8}", "-")
-                            : fmt::format("{:8.2f}", number.get<double>());
+std::string cell(double number) {
+    return number > 0.0 ? fmt::format("{:9.2f}", number) : fmt::format("{:>9}", "-");
 }
 
-/// Takes a candidate's repetitions together; one that dropped out keeps none.
-void conclude(PathFigures& result, double mean_sum, std::uint64_t rays, std::uint64_t samples) {
-    Figures& figures = result.figures;
-    if (!result.problem.empty()) {
-        figures.runs.clear();
-        figures.is_yardstick = false;
-        return;
-    }
-    std::vector<double> ms;
-    for (const Timing& timing : figures.runs) ms.push_back(timing.ms);
-    const double middle = median(ms);
-    if (middle > 0.0) {
-        result.msamples = static_cast<double>(samples) * 1e-3 / middle;
-        figures.mrays = static_cast<double>(rays) * 1e-3 / middle;
-        figures.wall_mrays = figures.mrays;
-    }
-    result.mean = mean_sum / static_cast<double>(figures.runs.size());
+std::string cell(const Ratio& ratio) {
+    return fmt::format("{:9.2f} ±{:4.0f} %", ratio.value, 100.0 * ratio.spread);
 }
 
-/// Largest relative difference of any mean to the first, in per cent; null for a single one.
-nlohmann::json spread(const PathResult& result) {
-    nlohmann::json most;
-    const PathFigures* first = nullptr;
-    for (const PathFigures& candidate : result.candidates) {
-        if (candidate.figures.runs.empty()) continue;
-        if (first == nullptr) {
-            first = &candidate;
-            continue;
-        }
-        const double difference = 100.0 * std::abs(candidate.mean / first->mean - 1.0);
-        if (most.is_null() || difference > most.get<double>()) most = difference;
-    }
-    return most;
+/// Weft's contenders that any result holds, in the order in which they come.
+std::vector<Contender> own_contenders(const std::vector<PathResult>& results) {
+    std::vector<Contender> found;
+    for (const PathResult& result : results)
+        for (const PathFigures& figures : result.candidates)
+            if (!figures.is_mitsuba() &&
+                std::find(found.begin(), found.end(), figures.contender) == found.end())
+                found.push_back(figures.contender);
+    return found;
 }
 
-nlohmann::json candidate_json(const PathFigures& candidate, const PathResult& scene) {
+/// What was measured of a contender against Mitsuba, scene by scene.
+std::vector<AgainstMitsuba> measured(const std::vector<PathResult>& results,
+                                     const Contender& contender, Scenes scenes) {
+    std::vector<AgainstMitsuba> found;
+    for (const PathResult& result : results) {
+        if (scenes != Scenes::all && result.media != (scenes == Scenes::media)) continue;
+        for (const PathFigures& figures : result.candidates)
+            if (figures.contender == contender && figures.against)
+                found.push_back(*figures.against);
+    }
+    return found;
+}
+
+std::vector<Ratio> values(const std::vector<AgainstMitsuba>& all, Ratio AgainstMitsuba::*value) {
+    std::vector<Ratio> found;
+    for (const AgainstMitsuba& one : all) found.push_back(one.*value);
+    return found;
+}
+
+nlohmann::json mean_json(const std::vector<AgainstMitsuba>& all, Ratio AgainstMitsuba::*value) {
+    if (all.empty()) return {};
+    return geometric_mean(values(all, value)).value;
+}
+
+void add_ratio(nlohmann::json& json, const std::string& key, const Ratio& ratio) {
+    json[key] = ratio.value;
+    json[key + "_spread"] = ratio.spread;
+}
+
+void add_ratios(nlohmann::json& json, const AgainstMitsuba& against) {
+    add_ratio(json, "variance_ratio", against.variance);
+    add_ratio(json, "time_ratio", against.time);
+    add_ratio(json, "efficiency_vs_mitsuba", against.efficiency);
+    add_ratio(json, "cpu_ratio", against.processor);
+}
+
+nlohmann::json candidate_json(const PathFigures& figures) {
     nlohmann::json ms = nlohmann::json::array();
     nlohmann::json cpu = nlohmann::json::array();
-    for (const Timing& timing : candidate.figures.runs) {
+    for (const Timing& timing : figures.runs) {
         ms.push_back(timing.ms);
         cpu.push_back(timing.cpu_ms);
     }
-    nlohmann::json json{{"name", candidate.figures.name},
-                        {"yardstick", candidate.figures.is_yardstick},
-                        {"available", candidate.problem.empty()},
+    nlohmann::json json{{"name", figures.contender.name()},
+                        {"algorithm", figures.contender.algorithm},
+                        {"backend", figures.contender.backend},
+                        {"yardstick", figures.is_mitsuba()},
+                        {"available", figures.problem.empty()},
                         {"ms", ms},
                         {"cpu_ms", cpu}};
-    if (!candidate.problem.empty()) {
-        json["problem"] = candidate.problem;
+    if (!figures.problem.empty()) {
+        json["problem"] = figures.problem;
         return json;
     }
-    json["msamples"] = candidate.msamples;
-    json["mean"] = candidate.mean;
-    if (candidate.figures.is_yardstick) return json;
-    json["mrays"] = candidate.figures.mrays;
-    json["ratio"] = scene.ratio(candidate.figures.name);
-    json["cpu_ratio"] = scene.ratio(candidate.figures.name, &Timing::cpu_ms);
+    json["msamples"] = figures.msamples;
+    json["mean"] = figures.mean;
+    add_ratio(json, "relative_variance", figures.variance);
+    if (!figures.is_mitsuba()) json["mrays"] = figures.mrays;
+    if (!figures.against) return json;
+    add_ratios(json, *figures.against);
+    const Agreement& means = figures.against->means;
+    json["worst_z"] = means.worst_z;
+    json["mean_difference"] = means.difference;
+    json["mean_difference_error"] = means.error;
     return json;
+}
+
+/// The means of one contender.
+nlohmann::json means_json(const std::vector<PathResult>& results, const Contender& contender) {
+    nlohmann::json json{{"algorithm", contender.algorithm}, {"backend", contender.backend}};
+    const auto all = measured(results, contender, Scenes::all);
+    json["scenes"] = all.size();
+    if (all.empty()) return json;
+    AgainstMitsuba means;
+    for (Ratio AgainstMitsuba::*const value :
+         {&AgainstMitsuba::variance, &AgainstMitsuba::time, &AgainstMitsuba::processor,
+          &AgainstMitsuba::efficiency})
+        means.*value = geometric_mean(values(all, value));
+    add_ratios(json, means);
+    json["efficiency_min"] = std::min_element(all.begin(), all.end(),
+                                              [](const AgainstMitsuba& a, const AgainstMitsuba& b) {
+                                                  return a.efficiency.value < b.efficiency.value;
+                                              })
+                                 ->efficiency.value;
+    json["efficiency_without_media"] =
+        mean_json(measured(results, contender, Scenes::surfaces), &AgainstMitsuba::efficiency);
+    json["efficiency_with_media"] =
+        mean_json(measured(results, contender, Scenes::media), &AgainstMitsuba::efficiency);
+    return json;
+}
+
+/// "path" on OpenCL, which is the default, and "native_path" on another backend.
+std::string key_of(const Contender& contender) {
+    return (contender.backend == "opencl" ? "" : contender.backend + "_") + contender.algorithm;
+}
+
+/// The smallest and the mean ratio of times over the scenes, under the names they have always had.
+void add_times(nlohmann::json& summary, const std::string& key, const std::vector<Ratio>& ratios) {
+    summary[key] = {};
+    summary[key + "_mean"] = {};
+    if (ratios.empty()) return;
+    double least = ratios.front().value;
+    double sum = 0.0;
+    for (const Ratio& ratio : ratios) {
+        least = std::min(least, ratio.value);
+        sum += ratio.value;
+    }
+    summary[key] = least;
+    summary[key + "_mean"] = sum / static_cast<double>(ratios.size());
 }
 
 }  // namespace
 
-const PathFigures* PathResult::find(const std::string& wanted) const {
-    for (const PathFigures& candidate : candidates)
-        if (candidate.figures.name == wanted && !candidate.figures.runs.empty()) return &candidate;
-    return nullptr;
-}
-
-nlohmann::json PathResult::ratio(const std::string& wanted, double Timing::*value) const {
-    const PathFigures* const ours = find(wanted);
-    std::vector<Figures> all;
-    for (const PathFigures& candidate : candidates)
-        if (candidate.figures.is_yardstick) all.push_back(candidate.figures);
-    if (ours == nullptr || all.empty()) return {};
-    return ratio_to_best(ours->figures, all, value).ratio;
-}
-
-std::vector<PathFigures> measure_paths(
-    const std::vector<std::unique_ptr<PathCandidate>>& candidates, std::uint64_t samples,
-    std::uint32_t repetitions) {
-    std::vector<PathFigures> results(candidates.size());
-    std::vector<double> means(candidates.size());
-    std::vector<std::uint64_t> rays(candidates.size());
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-        const std::string name = candidates[c]->name();
-        results[c].figures.name = name;
-        results[c].figures.is_yardstick =
-            std::find(mitsuba.begin(), mitsuba.end(), name) != mitsuba.end();
-    }
-    for (std::uint32_t repetition = 0; repetition <= repetitions; ++repetition)
-        for (std::size_t c = 0; c < candidates.size(); ++c) {
-            candidates[c]->prepare();
-            const auto run = candidates[c]->run();
-            results[c].problem = candidates[c]->problem();
-            if (!run || repetition == 0) continue;
-            results[c].figures.runs.push_back(run->timing);
-            means[c] += run->mean;
-            rays[c] = run->rays;
-        }
-    for (std::size_t c = 0; c < candidates.size(); ++c)
-        conclude(results[c], means[c], rays[c], samples);
-    return results;
-}
-
 std::string path_heading() {
     std::string text =
-        "Million samples per second of Weft (opencl, native, embree; Mr/s: million rays) and of\n"
-        "Mitsuba 3's variants, medians of interleaved runs. o/best, n/best and e/best: opencl,\n"
-        "native and embree against the fastest variant, o/cpu the first by processor time.\n"
-        "mean: largest difference of an image's mean to that of the first, in per cent.\n\n";
-    text += fmt::format("{:14}{:>9}", "scene", "triangles");
-    for (const char* const name : own) text += fmt::format("{:>8}{:>8}", name, "Mr/s");
-    for (const char* const name : mitsuba) text += fmt::format("{:>12}", name);
-    return text + fmt::format("{:>8}{:>8}{:>8}{:>8}{:>8}\n", "o/best", "n/best", "e/best", "o/cpu",
-                              "mean");
+        "Weft's algorithms of the path family next to Mitsuba 3. variance: of an image, relative.\n"
+        "Ratios are Mitsuba's over Weft's, above 1 is better: of variances, of times, and\n"
+        "efficiency, the product of both. ±: standard error. mean: difference of images' means\n"
+        "to Mitsuba's; |z|: the largest of their blocks of pixels.\n\n";
+    return text + fmt::format("{:16} {:20}{:>9}{:>9}{:>9}{:>17}{:>17}{:>17}{:>17}{:>7}\n", "scene",
+                              "contender", "Ms/s", "Mr/s", "variance", "variance ratio",
+                              "time ratio", "efficiency", "mean, %", "|z|");
 }
 
-std::string path_row(const PathResult& result) {
-    std::string text = fmt::format("{:14}{:>9}", result.name, result.triangles);
-    for (const char* const name : own) {
-        const PathFigures* const found = result.find(name);
-        text += cell(found ? nlohmann::json(found->msamples) : nlohmann::json());
-        text += cell(found ? nlohmann::json(found->figures.mrays) : nlohmann::json());
+std::string path_rows(const PathResult& result, double z_limit) {
+    std::string text;
+    for (const PathFigures& figures : result.candidates) {
+        if (!figures.ran()) continue;
+        text +=
+            fmt::format("{:16} {:20}", text.empty() ? result.name : "", figures.contender.name());
+        text += cell(figures.msamples) + cell(figures.mrays) +
+                fmt::format("{:9.4f}", figures.variance.value);
+        if (figures.against) {
+            const AgainstMitsuba& against = *figures.against;
+            text += cell(against.variance) + cell(against.time) + cell(against.efficiency);
+            text += fmt::format("{:+8.2f} ± {:5.2f} {:6.1f}{}", 100.0 * against.means.difference,
+                                100.0 * against.means.error, against.means.worst_z,
+                                against.means.worst_z > z_limit ? "!" : "");
+        }
+        text += "\n";
     }
-    for (const char* const name : mitsuba) {
-        const PathFigures* const found = result.find(name);
-        text += "    " + cell(found ? nlohmann::json(found->msamples) : nlohmann::json());
+    return text;
+}
+
+std::string path_means(const std::vector<PathResult>& results) {
+    std::string text;
+    for (const Contender& contender : own_contenders(results)) {
+        const auto all = measured(results, contender, Scenes::all);
+        if (all.empty()) continue;
+        text += fmt::format("{:16} {:20}{:27}", text.empty() ? "geometric mean" : "",
+                            contender.name(), "");
+        for (Ratio AgainstMitsuba::*const value :
+             {&AgainstMitsuba::variance, &AgainstMitsuba::time, &AgainstMitsuba::efficiency})
+            text += cell(geometric_mean(values(all, value)));
+        text += "\n";
     }
-    for (const char* const name : own) text += cell(result.ratio(name));
-    return text + cell(result.ratio(paths_opencl, &Timing::cpu_ms)) + cell(spread(result)) + "\n";
+    return text;
 }
 
 nlohmann::json path_json(const PathResult& result) {
     nlohmann::json candidates = nlohmann::json::array();
-    for (const PathFigures& candidate : result.candidates)
-        candidates.push_back(candidate_json(candidate, result));
+    for (const PathFigures& figures : result.candidates)
+        candidates.push_back(candidate_json(figures));
     return {{"name", result.name},
+            {"media", result.media},
             {"triangles", result.triangles},
-            {"mean_spread_percent", spread(result)},
             {"contenders", candidates}};
 }
 
-nlohmann::json path_summary(const std::vector<PathResult>& results) {
+nlohmann::json path_summary(const std::vector<PathResult>& results, double z_limit) {
     nlohmann::json summary;
-    const auto add = [&](const std::string& key, const char* candidate, double Timing::*value) {
-        std::vector<double> ratios;
-        for (const PathResult& result : results) {
-            const nlohmann::json ratio = result.ratio(candidate, value);
-            if (!ratio.is_null()) ratios.push_back(ratio.get<double>());
-        }
-        double sum = 0.0;
-        for (const double ratio : ratios) sum += ratio;
-        summary[key] = {};
-        summary[key + "_mean"] = {};
-        if (ratios.empty()) return;
-        summary[key] = *std::min_element(ratios.begin(), ratios.end());
-        summary[key + "_mean"] = sum / static_cast<double>(ratios.size());
-    };
-    add("path_vs_mitsuba", paths_opencl, &Timing::ms);
-    add("path_vs_mitsuba_cpu", paths_opencl, &Timing::cpu_ms);
-    add("native_path_vs_mitsuba", paths_native, &Timing::ms);
-    add("embree_path_vs_mitsuba", paths_embree, &Timing::ms);
+    summary["means"] = nlohmann::json::array();
+    nlohmann::json worst;
+    for (const Contender& contender : own_contenders(results)) {
+        const auto all = measured(results, contender, Scenes::all);
+        const std::string key = key_of(contender);
+        summary["means"].push_back(means_json(results, contender));
+        summary[key + "_efficiency_vs_mitsuba"] = mean_json(all, &AgainstMitsuba::efficiency);
+        add_times(summary, key + "_vs_mitsuba", values(all, &AgainstMitsuba::time));
+        add_times(summary, key + "_vs_mitsuba_cpu", values(all, &AgainstMitsuba::processor));
+        for (const AgainstMitsuba& one : all)
+            if (worst.is_null() || one.means.worst_z > worst.get<double>())
+                worst = one.means.worst_z;
+    }
+    summary["worst_z"] = worst;
+    summary["z_limit"] = z_limit;
+    summary["means_agree"] =
+        worst.is_null() ? nlohmann::json() : nlohmann::json(worst.get<double>() <= z_limit);
     return summary;
 }
 
