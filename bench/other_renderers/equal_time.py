@@ -6,9 +6,10 @@
     NAME_peer.py --variant VARIANT --scene FOLDER --threads N --budgets SECONDS... -o FOLDER
                  [--check SECONDS]
 
-Writes one JSON line for the renderer and one for each image; where something fails, a line with
-`problem`, and where the renderer has no like of something in the scene, with `not_expressible`. The
-caller ends a program that takes too long and keeps the lines it has.
+Writes one JSON line for the renderer and one for each image; for a budget that no image has filled,
+a line with `unfilled`; where something fails, one with `problem`, and where the renderer has no like
+of something in the scene, with `not_expressible`. The caller ends a program that takes too long and
+keeps the lines it has.
 """
 
 import argparse
@@ -19,7 +20,9 @@ import time
 
 PROBE_SECONDS = 0.1  # a first image this long tells the speed
 MOST_SAMPLES = 1 << 20
-TRIES = 4  # at a number of samples that fits
+TRIES = 8  # at a number of samples that fills a budget
+LEAST_SHARE, MOST_SHARE = 0.85, 1.05  # of a budget: what an image may take that fills it
+AIM = 0.97  # a little less than fits: whoever is late by chance must not look better for it
 
 
 class Renderer:
@@ -52,18 +55,42 @@ class Costs:
     def add(self, samples, seconds):
         self.measured[samples] = seconds
 
-    def samples_for(self, budget):
+    def line(self, budget):
+        """Seconds that cost the same for any number of samples, and those of each, about there."""
         nearest = sorted(self.measured, key=lambda n: abs(self.measured[n] - budget))[:2]
         first = nearest[0]
-        slope = self.measured[first] / first
-        fixed = 0.0
         if len(nearest) > 1:
             other = nearest[1]
-            between = (self.measured[other] - self.measured[first]) / (other - first)
-            if between > 0.0 and self.measured[first] - between * first >= 0.0:
-                slope, fixed = between, self.measured[first] - between * first
-        # A little less than fits: whoever is late by chance must not look better for it.
-        return max(1, min(MOST_SAMPLES, int(0.98 * (budget - fixed) / max(slope, 1e-9))))
+            each = (self.measured[other] - self.measured[first]) / (other - first)
+            fixed = self.measured[first] - each * first
+            if each > 0.0 and fixed >= 0.0:
+                return fixed, each
+        return 0.0, self.measured[first] / first
+
+    def samples_for(self, budget):
+        fixed, each = self.line(budget)
+        return max(1, min(MOST_SAMPLES, int((AIM * budget - fixed) / max(each, 1e-9))))
+
+    def more_fit(self, samples, seconds, budget):
+        """Whether an image with another sample would take no longer than the budget."""
+        _, each = self.line(budget)
+        return samples < MOST_SAMPLES and seconds + each <= budget
+
+
+class Filled:
+    """An image, and whether it used its budget: took about as long, or has all samples that fit,
+    which is a single one where none does."""
+
+    def __init__(self, image, samples, seconds, filled):
+        self.image, self.samples, self.seconds, self.filled = image, samples, seconds, filled
+
+    def __iter__(self):
+        return iter((self.image, self.samples, self.seconds))
+
+    def unfilled(self, budget):
+        return (f"left out at {budget:g} s: of {TRIES} images none took between "
+                f"{LEAST_SHARE * budget:.2f} and {MOST_SHARE * budget:.2f} s; the nearest took "
+                f"{self.seconds:.2f} s for {self.samples:g} samples")
 
 
 def render(renderer, costs, samples, seed):
@@ -86,28 +113,34 @@ def warm_up(renderer, costs):
 
 
 def within(renderer, costs, budget, seed):
-    """The image of the most samples found that take no longer than the budget."""
-    best, most = None, MOST_SAMPLES
+    """Images of more or fewer samples until one fills the budget; else the nearest."""
+    best = None
+    samples = costs.samples_for(budget)
     for attempt in range(TRIES):
-        samples = min(most, costs.samples_for(budget))
-        if best is not None and samples == best[1]:
-            break
         image, seconds = render(renderer, costs, samples, seed + attempt)
-        fits = seconds <= 1.05 * budget
-        if not fits:  # whatever earlier images promised
-            most = max(1, int(samples * budget / seconds))
-        if best is None or (fits, samples if fits else -seconds) > best[3]:
-            best = (image, samples, seconds, (fits, samples if fits else -seconds))
-        if (fits and seconds >= 0.85 * budget) or (samples == 1 and not fits):
-            break
-    return best[:3]
+        late = seconds > MOST_SHARE * budget
+        filled = samples == 1 if late else (seconds >= LEAST_SHARE * budget
+                                            or not costs.more_fit(samples, seconds, budget))
+        found = Filled(image, samples, seconds, filled)
+        if filled:
+            return found
+        if best is None or abs(seconds - budget) < abs(best.seconds - budget):
+            best = found
+        # What was measured last counts alone where the line through the measurements leads nowhere:
+        # a single image may have been disturbed.
+        next_samples = costs.samples_for(budget)
+        if (next_samples >= samples) if late else (next_samples <= samples):
+            scaled = int(samples * AIM * budget / max(seconds, 1e-9))
+            next_samples = min(scaled, samples - 1) if late else max(scaled, samples + 1)
+        samples = max(1, min(MOST_SAMPLES, next_samples))
+    return best
 
 
 def once(renderer, costs, budget, seed):
     """An image of about as many samples as the budget holds."""
     samples = costs.samples_for(budget)
     image, seconds = render(renderer, costs, samples, seed)
-    return image, samples, seconds
+    return Filled(image, samples, seconds, True)
 
 
 def answer(answers, **fields):
@@ -130,7 +163,11 @@ def serve(renderer, args, answers):
         if renderer.render_for:
             image, seconds, samples = renderer.render_for(budget)
         else:
-            image, samples, seconds = fit(renderer, costs, budget, 100 * (number + 1))
+            found = fit(renderer, costs, budget, 100 * (number + 1))
+            image, samples, seconds = found
+            if not found.filled:
+                answer(answers, unfilled=f"{renderer.name}: {found.unfilled(budget)}")
+                continue
         if args.mirror:
             image = image[:, ::-1]
         file = f"{renderer.name}-{budget:g}.exr".lower().replace(", ", "-").replace(" ", "-")

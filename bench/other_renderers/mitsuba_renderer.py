@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Mitsuba 3: `path`, in scenes with media `volpath`. Variants: scalar_rgb, llvm_ad_rgb."""
+"""Mitsuba 3: `path`, in scenes with media `volpath`. Variants: scalar_rgb, llvm_ad_rgb, the latter
+with the LLVM library that DRJIT_LIBLLVM_PATH names."""
 
 import equal_time
 import exported_scene

@@ -4,7 +4,8 @@
 """Weft next to other renderers at equal time, on the same triangles, lights and camera.
 
 Every scene is exported once and handed to each renderer that is installed; all render for each
-budget of seconds, set-up left out, and all images are compared with a path-traced reference.
+budget of seconds, set-up left out, until an image fills it, and all images are compared with a
+path-traced reference.
 docs/benchmarks.md says how to read the table and what is left out.
 
 Other renderers are Python packages: mitsuba, bpy (Cycles) and pyluxcore, and Debian's embree-tools.
@@ -21,23 +22,28 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 
+import mitsuba_variant  # noqa: E402
 from equal_time import Costs, warm_up, within  # noqa: E402
 from processor import processor  # noqa: E402
-from verdicts import JUDGED, handed_over, judge, summary, verdict  # noqa: E402
-from weft_runs import OWN_SETTINGS, Failure, Weft, compare, reference, run  # noqa: E402
+from verdicts import handed_over, judge, summary, verdict  # noqa: E402
+from weft_runs import (OWN_SETTINGS, Failure, Weft, compare, floor, reference,  # noqa: E402
+                       run)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 EXIT_USAGE, EXIT_INPUT = 1, 2
 EXIT_MISSING = 69  # as ./weft says where a package is missing
 EXIT_OUTPUT = 5
-RENDERERS = {"mitsuba-scalar": ("mitsuba_renderer.py", "scalar_rgb"),
-         "mitsuba-llvm": ("mitsuba_renderer.py", "llvm_ad_rgb"),
-         "cycles": ("cycles_renderer.py", "plain"),
-         "cycles-denoised": ("cycles_renderer.py", "denoised"),
-         "luxcore": ("luxcore_renderer.py", "plain"),
-         "embree": ("embree_renderer.py", "plain")}
+MITSUBA = "mitsuba"  # its variant is found
+RENDERERS = {MITSUBA: ("mitsuba_renderer.py", mitsuba_variant.VECTORISED),
+             "cycles": ("cycles_renderer.py", "plain"),
+             "cycles-denoised": ("cycles_renderer.py", "denoised"),
+             "luxcore": ("luxcore_renderer.py", "plain"),
+             "embree": ("embree_renderer.py", "plain")}
+BUDGETS = (0.3, 1.0, 3.0, 10.0)
+QUICK_BUDGETS = (0.3, 1.0)
 PROBE_PATIENCE = 120.0
+VARIANT_PATIENCE = 1200.0  # a library that does not work takes a while to say so
 SET_UP_PATIENCE = 900.0  # beside the budgets
 TRIES = 10.0  # that many times the budgets at most
 
@@ -55,13 +61,15 @@ def parse():
     parser.add_argument("--only", nargs="+", choices=RENDERERS, metavar="NAME",
                         help="only these other renderers: " + " ".join(RENDERERS))
     parser.add_argument("--budgets", nargs="+", type=float, metavar="SECONDS",
-                        help="default: 0.1 0.3 1 3 10; --quick: 0.3 1")
+                        help="default: 0.3 1 3 10; --quick: 0.3 1")
     parser.add_argument("--check", type=float, default=3.0, metavar="SECONDS",
                         help="of an image of each renderer for its mean alone, where no budget is "
                              "that long; default 3, 0: none")
     parser.add_argument("--size", type=int, help="width and height, default 512; --quick: 128")
     parser.add_argument("--threads", type=int, default=0, help="of every renderer; 0: all")
     parser.add_argument("--backend", help="of Weft")
+    parser.add_argument("--variant", default="", help="of Mitsuba; default: llvm_ad_rgb where it "
+                        "works, else scalar_rgb")
     parser.add_argument("--preset", nargs="+", default=[], type=pathlib.Path, metavar="FILE",
                         help="settings of Weft to measure beside its defaults")
     parser.add_argument("--peer-python", dest="renderer_python", nargs="+", default=[],
@@ -83,10 +91,14 @@ def parse():
                         help="leave out the scenes that --json holds, of a run like this one")
     parser.add_argument("--weft", default=str(ROOT / "build" / "release" / "weft"))
     parser.add_argument("--export", help="the program export_scene; default: built when needed")
+    parser.add_argument("--half-errors", help="the program half_errors; default: built when needed")
     args = parser.parse_args()
     args.size = args.size or (128 if args.quick else 512)
     args.reference_spp = args.reference_spp or (256 if args.quick else 4096)
-    args.budgets = args.budgets or (list(JUDGED) if args.quick else [0.1, 0.3, 1.0, 3.0, 10.0])
+    args.budgets = args.budgets or list(QUICK_BUDGETS if args.quick else BUDGETS)
+    program = [args.half_errors] if args.half_errors else [ROOT / "weft", "bench", "half_errors"]
+    args.half_errors = program
+    args.mitsuba = {"variant": RENDERERS[MITSUBA][1], "library": ""}
     check(parser, args)
     return args
 
@@ -113,12 +125,20 @@ def check(parser, args):
 def child(args, name, *arguments, patience):
     """The JSON lines of another renderer's program, and what went wrong, if anything."""
     program, variant = RENDERERS[name]
+    library = ""
+    if name == MITSUBA:
+        variant, library = args.mitsuba["variant"], args.mitsuba["library"]
     command = [args.renderer_python.get(name, sys.executable), "-B", HERE / program,
                "--variant", variant, *arguments]
+    return json_lines(command, patience, mitsuba_variant.environment(library))
+
+
+def json_lines(command, patience, environment=None):
+    """The JSON lines of a program, and what went wrong, if anything."""
     problem = None
     try:
         done = subprocess.run([str(word) for word in command], capture_output=True,
-                              timeout=patience, check=False)
+                              env=environment, timeout=patience, check=False)
         output = done.stdout
         if done.returncode != 0:
             problem = f"ended with exit code {done.returncode}"
@@ -136,11 +156,34 @@ def child(args, name, *arguments, patience):
     return [line for line in lines if "problem" not in line], problem
 
 
+def choose_mitsuba(args):
+    """Finds the variant of Mitsuba that renders, and the LLVM library that it does so with, in the
+    Python that is used for it. Returns its version and None, or None and a problem."""
+    python = args.renderer_python.get(MITSUBA, sys.executable)
+    program = pathlib.Path(mitsuba_variant.__file__)
+    words = ["--variant", args.variant] if args.variant else []
+    lines, problem = json_lines([python, "-B", program, *words], VARIANT_PATIENCE)
+    if problem or not lines:
+        return None, problem
+    for failed in lines[0]["failed"]:
+        print(f"{MITSUBA}: does not work: {failed['variant']}, {failed['library']}: "
+              f"{failed['problem']}", file=sys.stderr)
+    args.mitsuba = lines[0]
+    with_llvm = f" with LLVM {args.mitsuba['llvm']}" if args.mitsuba["llvm"] else ""
+    print(f"Mitsuba {args.mitsuba['version']}, {args.mitsuba['variant']}{with_llvm} "
+          f"({args.mitsuba['library'] or 'no library needed'})", flush=True)
+    return f"Mitsuba {args.mitsuba['version']}, {args.mitsuba['variant']}{with_llvm}", None
+
+
 def installed(args):
     """Names of the other renderers that start, with their versions; says why others do not."""
     versions = {}
     for name in args.only or RENDERERS:
-        lines, problem = child(args, name, "--probe", patience=PROBE_PATIENCE)
+        if name == MITSUBA:
+            version, problem = choose_mitsuba(args)
+            lines = [{"version": version}] if version else []
+        else:
+            lines, problem = child(args, name, "--probe", patience=PROBE_PATIENCE)
         if problem or not lines:
             print(f"{name}: not available, {problem or 'says nothing'}", file=sys.stderr)
         else:
@@ -156,17 +199,21 @@ def export(args, scene, folder):
 
 
 def own_images(args, scene, folder):
-    """Weft's images, every setting at every budget."""
+    """Weft's images, every setting at every budget, and notes on those that are left out."""
     settings = dict(OWN_SETTINGS)
     for preset in args.preset:
         settings[f"Weft {preset.stem}"] = ["--preset", preset]
-    images = []
+    images, notes = [], []
     for name, options in settings.items():
         weft = Weft(args, name, options, scene, folder)
         costs = Costs()
         warm_up(weft, costs)
         for number, budget in enumerate(args.budgets):
-            file, samples, seconds = within(weft, costs, budget, 100 * (number + 1))
+            found = within(weft, costs, budget, 100 * (number + 1))
+            file, samples, seconds = found
+            if not found.filled:
+                notes.append(f"{name}: {found.unfilled(budget)}")
+                continue
             kept = folder / f"{name}-{budget:g}.exr".lower().replace(" ", "-")
             os.replace(file, kept)
             images.append({"name": name, "budget_s": budget, "seconds": seconds,
@@ -174,7 +221,7 @@ def own_images(args, scene, folder):
     for file in folder.glob("weft-*-*-*.exr"):
         if file.name not in {image["picture"] for image in images}:
             file.unlink()
-    return images
+    return images, notes
 
 
 def other_renderers(args, names, folder):
@@ -192,6 +239,8 @@ def other_renderers(args, names, folder):
         for line in lines:
             if "picture" in line:
                 images.append(line)
+            elif "unfilled" in line:
+                notes.append(line["unfilled"])
             elif "not_expressible" in line:
                 left_out[name] = f"not expressible: {line['not_expressible']}"
             else:
@@ -219,12 +268,18 @@ def measure(args, scene, versions):
     export(args, scene, folder / "export")
     against = reference(args, scene, folder / "export")
     images, notes, left_out = other_renderers(args, versions, folder)
-    images = compared(args, own_images(args, scene, folder) + images, folder, against)
+    own, own_notes = own_images(args, scene, folder)
+    notes += own_notes
+    for note in notes:
+        if "left out at" in note:
+            print(note, file=sys.stderr)
+    images = compared(args, own + images, folder, against)
     notes = ["Left out of all times: reading the scene, building the acceleration structure and "
              "kernels, a warm-up image, writing files.", *notes]
     notes += [f"{name}: version {version}" for name, version in versions.items()]
     result = {"scene": scene.name, "size": [args.size, args.size],
-              "threads": args.threads, "reference": pathlib.Path(against).name,
+              "threads": args.threads, "reference": against.file.name,
+              "reference_floor": floor(args, against),
               "pictures": images, "left_out": left_out, "notes": notes,
               "verdicts": [verdict(images, budget) for budget in args.budgets]}
     write_json(folder / "peers.json", handed_over(images, notes))
@@ -243,7 +298,9 @@ def write_json(path, value):
 
 def show(result, budgets):
     """The table of a scene: HDR-FLIP by renderer and budget."""
-    print(f"\n{result['scene']}: HDR-FLIP, * not comparable, + late")
+    floor_text = "" if result["reference_floor"] is None else \
+        f", {result['reference_floor']:.4f} between the halves of the reference"
+    print(f"\n{result['scene']}: HDR-FLIP{floor_text}; * not comparable, + late")
     print(f"{'':26}" + "".join(f"{budget:>9g} s" for budget in budgets) + f"{'mean':>9}")
     for name in dict.fromkeys(image["name"] for image in result["pictures"]):
         row, mean = f"{name:26}", None
@@ -257,7 +314,7 @@ def show(result, budgets):
             row += f"{cell:>11}"
         print(row + (f"{'-':>9}" if mean is None else f"{mean:>9.3f}"))
     for found in result["verdicts"]:
-        if found["budget_s"] in JUDGED and found["peer"]:
+        if found["peer"]:
             winner = found["weft"] if found["wins"] else found["peer"]
             print(f"{found['budget_s']:g} s: {winner['name']} ({winner['hdrflip']:.4f})")
     sys.stdout.flush()
@@ -279,10 +336,10 @@ def run_all(args):
             continue
         results.append(measure(args, scene, versions))
         show(results[-1], args.budgets)
-        report["summary"] = summary(results)
+        report["summary"] = summary(results, args.budgets)
         if args.json:
             write_json(args.json, report)
-    print("\n" + json.dumps(summary(results)))
+    print("\n" + json.dumps(summary(results, args.budgets)))
     return 0
 
 
@@ -297,7 +354,7 @@ def new_report(args, versions):
             "settings": settings, "machine": machine,
             "versions": {**versions, "weft": run([args.weft, "--version"]).strip(),
                          "python": platform.python_version()},
-            "scenes": [], "summary": summary([])}
+            "scenes": [], "summary": summary([], args.budgets)}
 
 
 def earlier_scenes(args, report):

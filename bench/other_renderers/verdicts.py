@@ -8,7 +8,6 @@ HANDED_OVER = ("name", "budget_s", "seconds", "samples", "denoised", "picture")
 MEAN_TOLERANCE = 0.03
 DENOISED = ", denoised"  # ends the names of those with a denoiser
 LATE = 1.1  # of a budget: images that took longer are late
-JUDGED = (0.3, 1.0)  # budgets of the summary
 
 
 def judge(images):
@@ -65,10 +64,10 @@ def handed_over(images, notes):
                               f"{100 * MEAN_TOLERANCE:g} %" for name in different]}
 
 
-def summary(results):
-    """Over all scenes: how many Weft wins, and of how many with another renderer."""
+def summary(results, budgets):
+    """Over all scenes: how many Weft wins at each budget, and of how many with another renderer."""
     found = {"scenes": len(results)}
-    for budget in JUDGED:
+    for budget in budgets:
         for key, name in (("wins", "weft_wins"), ("wins_denoised", "weft_wins_denoised")):
             judged = [verdict[key] for result in results for verdict in result["verdicts"]
                       if verdict["budget_s"] == budget and verdict[key] is not None]

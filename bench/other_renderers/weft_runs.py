@@ -5,6 +5,7 @@
 import hashlib
 import json
 import os
+import pathlib
 import re
 import subprocess
 import tempfile
@@ -14,6 +15,7 @@ from equal_time import Renderer
 
 PATIENCE_SECONDS = 24 * 3600
 REFERENCE_SEED = 77  # of the references that Weft's other benchmarks keep
+HALF_SEEDS = (4242, 4243)  # of those that are made here
 IDENTITY = re.compile(rb"weft\.picture\0string\0\x10\0\0\0([0-9a-f]{16})")
 HEADER_BYTES = 1 << 16
 OWN_SETTINGS = {"Weft path": ["--algorithm", "path"],
@@ -103,31 +105,65 @@ def kept_reference(args, scene):
     return max((entry for entry in found if entry[1] == identity), default=(0, "", None))[2]
 
 
+class Reference:
+    """The image to compare with, and the independent halves that it is the mean of, if it is."""
+
+    def __init__(self, file, halves=()):
+        self.file, self.halves = pathlib.Path(file), tuple(halves)
+
+
 def reference(args, scene, export):
-    """The path-traced image to compare with; those that are made are kept in --references under
-    a name that holds everything they depend on."""
+    """The path-traced image to compare with; those that are made are kept in --references, as two
+    halves and their mean, under names that hold everything they depend on."""
     if args.reference:
-        return args.reference
+        return Reference(args.reference)
     args.references.mkdir(parents=True, exist_ok=True)
     if kept := kept_reference(args, scene):
-        return kept
+        print(f"{scene.name}: {kept.name} is kept, without halves: no unbiased relMSE", flush=True)
+        return Reference(kept)
     name = f"{scene.stem}-{args.size}x{args.size}-{args.reference_spp}-{folder_digest(export)}"
-    file = args.references / f"{name}.exr"
-    if not file.is_file():
-        begin = time.monotonic()
-        part = args.references / f"{name}.part.exr"
-        run(render_command(args, scene, part) + ["--algorithm", "path", "--spp",
-                                                 args.reference_spp, "--seed", 4242])
-        os.replace(part, file)
-        print(f"reference of {scene.name}: {args.reference_spp} samples in "
-              f"{time.monotonic() - begin:.0f} s", flush=True)
-    return file
+    halves = [args.references / f"{name}-half{number}.exr" for number in (1, 2)]
+    mean = args.references / f"{name}-halves.exr"
+    begin = time.monotonic()
+    for file, seed in zip(halves, HALF_SEEDS):
+        if not file.is_file():
+            part = args.references / f"{file.stem}.part.exr"
+            run(render_command(args, scene, part) + ["--algorithm", "path", "--spp",
+                                                     (args.reference_spp + 1) // 2, "--seed", seed])
+            os.replace(part, file)
+    if not mean.is_file():
+        part = args.references / f"{mean.stem}.part.exr"
+        run([*args.half_errors, *halves, "--mean", part])
+        os.replace(part, mean)
+        print(f"reference of {scene.name}: two halves of {(args.reference_spp + 1) // 2} samples "
+              f"in {time.monotonic() - begin:.0f} s", flush=True)
+    return Reference(mean, halves)
 
 
-def compare(args, image, against, errors):
-    """The ratio of the means of an image and the reference, and errors: of "hdrflip", "relmse"."""
+def measured(args, image, against, errors):
     metrics = [word for metric in ("mean_ratio", *errors) for word in ("--metric", metric)]
     found = json.loads(run([args.weft, "compare", against, image, "--json", *metrics]))
     if "hdrflip" in errors:
         found["hdrflip"] = found["hdrflip"]["mean"]
     return {metric: found[metric] for metric in ("mean_ratio", *errors)}
+
+
+def compare(args, image, against, errors):
+    """The ratio of the means of an image and the reference, and errors: of "hdrflip", "relmse".
+    With the latter also `relmse_unbiased` and the 95 % `relmse_interval` on either side of it, where
+    the reference has halves."""
+    found = measured(args, image, against.file, errors)
+    if "relmse" in errors:
+        found |= {"relmse_unbiased": None, "relmse_interval": None}
+    if "relmse" in errors and against.halves:
+        error, = json.loads(run([*args.half_errors, *against.halves, image]))
+        found |= {"relmse_unbiased": error["relmse"], "relmse_interval": error["interval"]}
+    return found
+
+
+def floor(args, against):
+    """HDR-FLIP between the halves: errors about as small are those of the reference. None without
+    halves."""
+    if not against.halves:
+        return None
+    return measured(args, against.halves[1], against.halves[0], ["hdrflip"])["hdrflip"]

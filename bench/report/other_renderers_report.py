@@ -13,6 +13,7 @@ from markdown_table import number
 import report_file
 
 OWN = "Weft"  # begins the names of Weft's settings
+UNFILLED = ": left out at "  # in notes on images that took too little or too much of a budget
 
 
 def names_of(scenes):
@@ -66,6 +67,22 @@ def error_cell(scene, name, budget, lowest):
     return f"**{text}**{marks}" if name == lowest else text + marks
 
 
+def relmse_cell(scene, name, budget):
+    """The unbiased relMSE and its interval, where the reference has halves."""
+    image = image_of(scene, name, budget)
+    if image is None or image.get("relmse_unbiased") is None:
+        return ""
+    return f'{number(image["relmse_unbiased"], 4)} ± {number(image["relmse_interval"], 4)}'
+
+
+def has_halves(scenes):
+    return any(scene.get("reference_floor") is not None for scene in scenes)
+
+
+def floor_cell(scene):
+    return number(scene.get("reference_floor"), 4)
+
+
 def lowest_of(verdict):
     """The undenoised renderer that wins."""
     found = [verdict[key] for key in ("weft", "peer") if verdict[key]]
@@ -77,8 +94,21 @@ def error_table(scenes, budget):
     rows = []
     for scene in scenes:
         lowest = lowest_of(verdict_of(scene, budget))
-        rows.append([scene["scene"], *(error_cell(scene, name, budget, lowest) for name in names)])
-    return report_file.table(["scene", *names], rows)
+        row = [scene["scene"], *(error_cell(scene, name, budget, lowest) for name in names)]
+        rows.append(row + ([floor_cell(scene)] if has_halves(scenes) else []))
+    floor = ["between halves of the reference"] if has_halves(scenes) else []
+    return report_file.table(["scene", *names, *floor], rows)
+
+
+def relmse_part(scenes, budget):
+    """A paragraph and a table, or nothing where no reference has halves."""
+    if not has_halves(scenes):
+        return []
+    names = names_of(scenes)
+    rows = [[scene["scene"], *(relmse_cell(scene, name, budget) for name in names)]
+            for scene in scenes]
+    return ["relMSE without the noise of the reference, ± half of its 95 % interval:", "",
+            report_file.table(["scene", *names], rows)]
 
 
 def best_table(scenes, budget):
@@ -137,8 +167,15 @@ def left_out_part(scenes):
 
 def notes_part(scenes):
     """What the renderers say about themselves; times of set-up differ from scene to scene."""
-    notes = dict.fromkeys(note for note in scenes[0]["notes"])
+    notes = dict.fromkeys(note for note in scenes[0]["notes"] if UNFILLED not in note)
     return "\n".join(f"- {note}" for note in notes) + "\n"
+
+
+def unfilled_part(scenes):
+    """Images that are left out because they did not fill their budget; nothing where none are."""
+    lines = [f'- {scene["scene"]}, {note}' for scene in scenes for note in scene["notes"]
+             if UNFILLED in note]
+    return ["## Budgets that were not filled", "", "\n".join(lines) + "\n"] if lines else []
 
 
 def about(report):
@@ -152,7 +189,7 @@ def about(report):
 
 def budget_part(scenes, budget):
     return "\n".join([f"## {budget:g} s", "", error_table(scenes, budget),
-                      best_table(scenes, budget),
+                      best_table(scenes, budget), *relmse_part(scenes, budget),
                       "Seconds taken, and samples per pixel:", "", time_table(scenes, budget)])
 
 
@@ -175,7 +212,7 @@ def make(report, output):
         "## Who shows the same", "",
         "The mean over that of the reference, in the longest image of each renderer; of denoised "
         "ones that of the same renderer without a denoiser.", "", mean_table(scenes),
-        "## Who is left out", "", left_out_part(scenes),
+        "## Who is left out", "", left_out_part(scenes), *unfilled_part(scenes),
         f'## Notes, from {scenes[0]["scene"]}', "", notes_part(scenes)])
     report_file.write_whole(output, text.rstrip("\n") + "\n")
     return [output]

@@ -3,9 +3,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renderers of known cost get the samples that fit a budget: run as a program."""
 
+import io
+import json
 import pathlib
 import sys
+import types
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "bench" / "other_renderers"))
@@ -46,6 +50,71 @@ class EqualTime(unittest.TestCase):
     def test_one_sample_where_none_fits(self):
         self.assertEqual(self.samples(0.0, 2.0, 0.3), 1)
         self.assertEqual(self.samples(1.0, 0.01, 0.3), 1)
+
+
+class Disturbed(equal_time.Renderer):
+    """As above, but the images of these numbers take as many times as long."""
+
+    def __init__(self, each, factors):
+        self.each, self.factors, self.made = each, factors, 0
+
+    def render(self, samples, seed):
+        self.made += 1
+        return seed, self.each * samples * self.factors.get(self.made, 1.0)
+
+
+class Unfilled(unittest.TestCase):
+    def within(self, each, factors, first=20, budget=10.0):
+        """Begins where an image of a few samples has been measured, twenty times too slow."""
+        costs = equal_time.Costs()
+        costs.add(first, 20.0 * first * each)
+        renderer = Disturbed(each, factors)
+        return equal_time.within(renderer, costs, budget, 1), renderer
+
+    def test_an_image_that_is_too_short_is_rendered_again(self):
+        found, renderer = self.within(0.031, {})
+        self.assertTrue(found.filled)
+        self.assertGreaterEqual(found.seconds, 8.5)
+        self.assertLessEqual(found.seconds, 10.5)
+        self.assertGreater(renderer.made, 1)
+
+    def test_disturbed_images_are_rendered_again(self):
+        for factors in ({1: 30.0}, {2: 5.0}, {1: 3.0, 3: 4.0}, {2: 0.5}):
+            found, _ = self.within(0.031, factors)
+            self.assertTrue(found.filled, factors)
+            self.assertGreaterEqual(found.seconds, 8.5, factors)
+            self.assertLessEqual(found.seconds, 10.5, factors)
+
+    def test_says_so_where_no_image_fills_its_budget(self):
+        wild = {number: 0.3 if number % 2 else 30.0 for number in range(1, 20)}
+        found, renderer = self.within(0.031, wild)
+        self.assertFalse(found.filled)
+        self.assertEqual(renderer.made, equal_time.TRIES)
+        self.assertIn("left out at 10 s", found.unfilled(10.0))
+
+    def test_a_sample_more_must_fit(self):
+        # Two samples would take 1.3 s, or 1.04 s; a third of 0.4 s takes 1.2 s.
+        for each, samples in ((0.65, 1), (0.52, 1), (0.4, 2), (0.33, 3), (0.5, 2)):
+            found, _ = self.within(each, {}, first=1, budget=1.0)
+            self.assertTrue(found.filled)
+            self.assertEqual(found.samples, samples, each)
+
+    def test_serve_leaves_it_out(self):
+        class Never(equal_time.Renderer):
+            name, version, made = "Never", "1", 0
+
+            def render(self, samples, seed):
+                self.made += 1
+                return None, 0.3 if self.made % 2 else 30.0
+
+        lines = io.StringIO()
+        args = types.SimpleNamespace(budgets=[10.0], check=0.0, mirror=False, output=".")
+        modules = {"exr_file": types.SimpleNamespace(write_exr=None)}  # which needs numpy
+        with mock.patch.dict(sys.modules, modules):
+            equal_time.serve(Never(), args, lines)
+        found = [json.loads(line) for line in lines.getvalue().splitlines()]
+        self.assertEqual(len(found), 2)
+        self.assertTrue(found[1]["unfilled"].startswith("Never: left out at 10 s"))
 
 
 class Verdict(unittest.TestCase):

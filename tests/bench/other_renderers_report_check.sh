@@ -43,8 +43,13 @@ whole = {"benchmark": "peers", "quick": False, "size": 64, "budgets": [0.3], "se
                                        image("Weft ais", 0.2, seconds=0.4),
                                        image("Weft path", 0.5), dict(denoised)],
                           {"other": "not expressible: media"})]}
-whole["summary"] = verdicts.summary(whole["scenes"])
+whole["summary"] = verdicts.summary(whole["scenes"], whole["budgets"])
 json.dump(whole, open("peers.json", "w"))
+halves = json.loads(json.dumps(whole))
+halves["scenes"][0]["reference_floor"] = 0.0123
+halves["scenes"][0]["pictures"][0] |= {"relmse_unbiased": 0.5, "relmse_interval": 0.0025}
+halves["scenes"][1]["notes"].append("Other: left out at 0.3 s: of 8 images none took")
+json.dump(halves, open("halves.json", "w"))
 json.dump({**whole, "benchmark": "rays"}, open("other.json", "w"))
 del whole["scenes"][1]["pictures"][0]["late"]
 json.dump(whole, open("lacking.json", "w"))
@@ -72,6 +77,17 @@ expect '| fog.gltf | 0.29 s, 4 | 0.40 s, 4 | 0.29 s, 4 | 0.29 s, 4 |  |'
 expect '| box.gltf | 1.001 | 1.001 | 1.001 | 1.001 | 1.500 |'
 expect "| \`other\` | not expressible: media | fog.gltf |"
 expect '- A note.'
+
+! grep -q halves "$work/peers.md" || fail "halves are named that there are not"
+
+# References of two halves: their difference, relMSE without their noise, and budgets not filled.
+python3 -B "$program" "$work/halves.json" --output "$work/peers.md" >"$work/log"
+expect "| scene | Weft path | Weft ais | Renderer | Renderer, denoised | Other | between halves of \
+the reference |"
+expect '| box.gltf | 0.5000 | **0.1250** | 0.2500 | 0.0500 | 0.0100\* | 0.0123 |'
+expect '| box.gltf |  |  | 0.5000 ± 0.0025 |  |  |'
+expect '## Budgets that were not filled'
+expect '- fog.gltf, Other: left out at 0.3 s: of 8 images none took'
 
 refuse 2 'is no JSON' "$work/broken.json"
 refuse 2 'is no report of bench other_renderers' "$work/other.json"

@@ -91,6 +91,83 @@ class KeptReference(unittest.TestCase):
         self.assertEqual(weft_runs.IDENTITY.search(b"\0\1" + text)[1], b"0123456789abcdef")
 
 
+class Halves(unittest.TestCase):
+    """References that are made are two halves and their mean, and errors are those of both."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.args = types.SimpleNamespace(
+            references=self.folder, reference=None, size=64, reference_spp=513, weft="weft",
+            threads=0, backend=None, half_errors=["half_errors"])
+        self.commands = []
+        known = weft_runs.run, weft_runs.folder_digest
+        self.addCleanup(lambda: setattr(weft_runs, "run", known[0]))
+        self.addCleanup(lambda: setattr(weft_runs, "folder_digest", known[1]))
+        weft_runs.run = self.run_program
+        weft_runs.folder_digest = lambda folder: "digest"
+
+    def run_program(self, command):
+        words = [str(word) for word in command]
+        self.commands.append(words)
+        if words[1] == "compare":
+            return json.dumps({"mean_ratio": 1.0, "hdrflip": {"mean": 0.1}, "relmse": 0.3})
+        for option in ("-o", "--mean"):
+            if option in words:
+                pathlib.Path(words[words.index(option) + 1]).touch()
+        return json.dumps([{"relmse": 0.25, "interval": 0.01}])
+
+    def test_halves_have_seeds_of_their_own_and_are_kept(self):
+        found = weft_runs.reference(self.args, pathlib.Path("box.gltf"), self.folder)
+        self.assertEqual(len(found.halves), 2)
+        rendered = [words for words in self.commands if words[1] == "render"]
+        self.assertEqual({words[words.index("--spp") + 1] for words in rendered}, {"257"})
+        self.assertEqual(len({words[words.index("--seed") + 1] for words in rendered}), 2)
+        self.assertEqual(self.commands[-1][:3], ["half_errors", *map(str, found.halves[:2])])
+        self.commands.clear()
+        again = weft_runs.reference(self.args, pathlib.Path("box.gltf"), self.folder)
+        self.assertEqual((again.file, again.halves, self.commands),
+                         (found.file, found.halves, []))
+
+    def test_errors_are_of_both_halves(self):
+        against = weft_runs.Reference("mean.exr", ["a.exr", "b.exr"])
+        found = weft_runs.compare(self.args, "image.exr", against, ["hdrflip", "relmse"])
+        self.assertEqual(self.commands[-1], ["half_errors", "a.exr", "b.exr", "image.exr"])
+        self.assertEqual((found["relmse"], found["relmse_unbiased"], found["relmse_interval"]),
+                         (0.3, 0.25, 0.01))
+        self.assertEqual(weft_runs.floor(self.args, against), 0.1)
+        self.assertEqual(self.commands[-1][2:4], ["a.exr", "b.exr"])
+
+    def test_a_single_reference_has_neither(self):
+        found = weft_runs.compare(self.args, "image.exr", weft_runs.Reference("mean.exr"),
+                                  ["hdrflip", "relmse"])
+        self.assertIsNone(found["relmse_unbiased"])
+        self.assertIsNone(weft_runs.floor(self.args, weft_runs.Reference("mean.exr")))
+
+
+class MitsubaVariant(unittest.TestCase):
+    def test_its_library_is_handed_to_the_program(self):
+        args = types.SimpleNamespace(renderer_python={"mitsuba": "py"}, variant="",
+                                     mitsuba={"variant": "llvm_ad_rgb", "library": ""})
+        ran = []
+
+        def json_lines(command, patience, environment=None):
+            ran.append((command, environment))
+            return [{"variant": "scalar_rgb", "library": "/lib/new.so", "version": "3", "llvm": "",
+                     "failed": []}], None
+
+        known, other_renderers.json_lines = other_renderers.json_lines, json_lines
+        try:
+            self.assertEqual(other_renderers.choose_mitsuba(args), ("Mitsuba 3, scalar_rgb", None))
+            other_renderers.child(args, "mitsuba", patience=1.0)
+        finally:
+            other_renderers.json_lines = known
+        self.assertEqual(ran[0][0][0], "py")
+        self.assertEqual(ran[1][1]["DRJIT_LIBLLVM_PATH"], "/lib/new.so")
+        self.assertIn("scalar_rgb", ran[1][0])
+
+
 class Check(unittest.TestCase):
     def test_the_longest_image_tells_whether_a_renderer_shows_the_same(self):
         short = {"name": "Other", "budget_s": 0.3, "seconds": 0.3, "denoised": False,
@@ -111,7 +188,7 @@ class Check(unittest.TestCase):
 
         renderer, costs = Made(), equal_time.Costs()
         costs.add(1, 0.1)
-        self.assertEqual(equal_time.once(renderer, costs, 1.0, 7), (7, 9, 4.5))
+        self.assertEqual(tuple(equal_time.once(renderer, costs, 1.0, 7)), (7, 9, 4.5))
         self.assertEqual(renderer.rendered, [9])
 
 
