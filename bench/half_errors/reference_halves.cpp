@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "base/error.h"
@@ -16,21 +17,21 @@ constexpr double floor_share = 0.01;  // of the squared mean, as in `weft compar
 constexpr double normal_95 = 1.96;
 constexpr std::size_t channels = 3;
 
-/// The colours of an image that is as large as another one.
-const std::vector<float>& colours(const Image& image, const Image& other, const std::string& name) {
+/// The colours of an image that is as large as another one, without its alpha.
+std::span<const float> colours(const Image& image, const Image& other, const std::string& name) {
     const Layer* const beauty = image.find("");
-    if (beauty == nullptr || beauty->channels != "RGB")
+    if (beauty == nullptr || !beauty->channels.starts_with("RGB"))
         throw input_error(name, "has no colours, expected an image of red, green and blue");
     if (image.width != other.width || image.height != other.height)
         throw input_error(name, "is of another size than a half of the reference");
-    return beauty->values;
+    return std::span(beauty->values).first(channels * std::size_t{image.width} * image.height);
 }
 
 }  // namespace
 
 Image mean_of_halves(const Image& first, const Image& second, const std::string& name) {
-    const std::vector<float>& a = colours(first, first, name);
-    const std::vector<float>& b = colours(second, first, name);
+    const std::span<const float> a = colours(first, first, name);
+    const std::span<const float> b = colours(second, first, name);
     Image mean;
     mean.width = first.width;
     mean.height = first.height;
@@ -44,9 +45,9 @@ Image mean_of_halves(const Image& first, const Image& second, const std::string&
 
 HalvesError halves_error(const Image& image, const Image& first, const Image& second,
                          const std::string& name) {
-    const std::vector<float>& x = colours(image, first, name);
-    const std::vector<float>& a = colours(first, first, name);
-    const std::vector<float>& b = colours(second, first, name);
+    const std::span<const float> x = colours(image, first, name);
+    const std::span<const float> a = colours(first, first, name);
+    const std::span<const float> b = colours(second, first, name);
     const Image reference = mean_of_halves(first, second, name);
     const std::vector<float>& r = reference.layers.front().values;
     const double mean = std::accumulate(r.begin(), r.end(), 0.0) / static_cast<double>(r.size());

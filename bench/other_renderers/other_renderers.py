@@ -296,23 +296,37 @@ def write_json(path, value):
                       EXIT_OUTPUT) from error
 
 
-def show(result, budgets):
-    """The table of a scene: HDR-FLIP by renderer and budget."""
-    floor_text = "" if result["reference_floor"] is None else \
-        f", {result['reference_floor']:.4f} between the halves of the reference"
-    print(f"\n{result['scene']}: HDR-FLIP{floor_text}; * not comparable, + late")
-    print(f"{'':26}" + "".join(f"{budget:>9g} s" for budget in budgets) + f"{'mean':>9}")
+def flip_cell(image):
+    marks = ("" if image["comparable"] else "*") + ("+" if image["late"] else "")
+    return f"{image['hdrflip']:.4f}{marks}"
+
+
+def relmse_cell(image):
+    return f"{image['relmse_unbiased']:.4f}±{image['relmse_interval']:.4f}"
+
+
+def show_errors(result, budgets, width, cell):
+    """A table of a scene: errors by renderer and budget."""
+    print(f"{'':26}" + "".join(f"{f'{budget:g} s':>{width}}" for budget in budgets)
+          + f"{'mean':>9}")
     for name in dict.fromkeys(image["name"] for image in result["pictures"]):
         row, mean = f"{name:26}", None
         for budget in budgets:
             found = [p for p in result["pictures"] if (p["name"], p["budget_s"]) == (name, budget)]
-            cell = "-"
-            if found:
-                mean = found[0]["judged_mean"]
-                marks = ("" if found[0]["comparable"] else "*") + ("+" if found[0]["late"] else "")
-                cell = f"{found[0]['hdrflip']:.4f}{marks}"
-            row += f"{cell:>11}"
+            mean = found[0]["judged_mean"] if found else mean
+            row += f"{cell(found[0]) if found else '-':>{width}}"
         print(row + (f"{'-':>9}" if mean is None else f"{mean:>9.3f}"))
+
+
+def show(result, budgets):
+    """The tables of a scene, and who wins."""
+    floor_text = "" if result["reference_floor"] is None else \
+        f", {result['reference_floor']:.4f} between the halves of the reference"
+    print(f"\n{result['scene']}: HDR-FLIP{floor_text}; * not comparable, + late")
+    show_errors(result, budgets, 11, flip_cell)
+    if result["reference_floor"] is not None:
+        print("relMSE without the noise of the reference, ± half of its 95 % interval")
+        show_errors(result, budgets, 16, relmse_cell)
     for found in result["verdicts"]:
         if found["peer"]:
             winner = found["weft"] if found["wins"] else found["peer"]

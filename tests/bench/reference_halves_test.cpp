@@ -66,6 +66,17 @@ Runs measure(double level, double deviation) {
     return found;
 }
 
+TEST(ReferenceHalves, AlphaIsNoColour) {
+    const Image reference = noisy(2.0, 0.0, 0);
+    Image image = noisy(3.0, 0.0, 0);
+    Layer& layer = image.layers.front();
+    layer.channels = "RGBA";
+    layer.values.resize(layer.values.size() / 3 * 4, 100.0F);
+    EXPECT_NEAR(halves_error(image, reference, reference, "x").relmse, 1.0 / 4.04, 1e-9);
+    EXPECT_EQ(mean_of_halves(image, image, "x").layers.front().values.size(),
+              reference.layers.front().values.size());
+}
+
 TEST(ReferenceHalves, NoiseOfTheReferenceIsNoError) {
     const Runs right = measure(1.0, 0.03);
     EXPECT_NEAR(right.mean, 0.0, 1e-5);
