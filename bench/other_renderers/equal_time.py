@@ -167,7 +167,7 @@ def serve(renderer, args, answers):
             image, samples, seconds = found
             if not found.filled:
                 answer(answers, unfilled=f"{renderer.name}: {found.unfilled(budget)}")
-                continue
+                fields = {"check": True}  # it still shows what the mean is
         if args.mirror:
             image = image[:, ::-1]
         file = f"{renderer.name}-{budget:g}.exr".lower().replace(", ", "-").replace(" ", "-")

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "bench/path/mitsuba_choice.h"
 #include "bench/path/path_report.h"
+#include "bench/path/path_scenes.h"
 
 namespace weft::bench::path_figures_test {
 namespace {
@@ -133,6 +134,19 @@ TEST(PathFigures, ChoicesOfMitsubaAreRead) {
     EXPECT_FALSE(read_choice(programs, "Traceback").available());
     EXPECT_EQ(choose_mitsuba({"/no/such/python", "bench"}, "").problem,
               "/no/such/python: No such file or directory");
+}
+
+TEST(PathFigures, WithoutFilesAndPythonGeneratedScenesAreLeft) {
+    const PythonPrograms programs{"/no/such/python", "bench"};
+    std::string problem;
+    const auto scenes = path_scenes("/no/such/folder", {}, programs, "/no/such/scratch", problem);
+    ASSERT_EQ(scenes.size(), 2U);
+    EXPECT_EQ(scenes.front().scene.name, "box");
+    EXPECT_FALSE(scenes.front().media);
+    EXPECT_EQ(problem, "/no/such/python: No such file or directory");
+    problem.clear();
+    EXPECT_EQ(path_scenes("/no/such/folder", {"box"}, programs, "/", problem).size(), 1U);
+    EXPECT_TRUE(problem.empty());
 }
 
 TEST(PathFigures, AlgorithmsAreKnownByName) {
