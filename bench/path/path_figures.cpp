@@ -76,6 +76,7 @@ void compare(std::vector<PathFigures>& figures, const std::vector<Images>& image
         against.processor =
             paired_ratio(times(theirs, &Timing::cpu_ms), times(ours, &Timing::cpu_ms));
         against.efficiency = against.variance * against.time;
+        against.processor_efficiency = against.variance * against.processor;
         against.means = compare_means(images[mitsuba], images[c], image.width, image.height);
         ours.against = against;
     }

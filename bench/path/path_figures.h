@@ -19,10 +19,11 @@ namespace weft::bench {
 
 /// A contender of Weft next to Mitsuba; above 1 is better than Mitsuba.
 struct AgainstMitsuba {
-    Ratio variance;    ///< Mitsuba's variance of an image over the contender's
-    Ratio time;        ///< Mitsuba's seconds of an image over the contender's
-    Ratio processor;   ///< the same of processor time
-    Ratio efficiency;  ///< `variance` times `time`
+    Ratio variance;              ///< Mitsuba's variance of an image over the contender's
+    Ratio time;                  ///< Mitsuba's seconds of an image over the contender's
+    Ratio processor;             ///< the same of processor time
+    Ratio efficiency;            ///< `variance` times `time`
+    Ratio processor_efficiency;  ///< `variance` times `processor`
     Agreement means;
 };
 

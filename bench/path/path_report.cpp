@@ -68,6 +68,7 @@ void add_ratios(nlohmann::json& json, const AgainstMitsuba& against) {
     add_ratio(json, "time_ratio", against.time);
     add_ratio(json, "efficiency_vs_mitsuba", against.efficiency);
     add_ratio(json, "cpu_ratio", against.processor);
+    add_ratio(json, "cpu_efficiency", against.processor_efficiency);
 }
 
 nlohmann::json candidate_json(const PathFigures& figures) {
@@ -110,7 +111,7 @@ nlohmann::json means_json(const std::vector<PathResult>& results, const Contende
     AgainstMitsuba means;
     for (Ratio AgainstMitsuba::*const value :
          {&AgainstMitsuba::variance, &AgainstMitsuba::time, &AgainstMitsuba::processor,
-          &AgainstMitsuba::efficiency})
+          &AgainstMitsuba::efficiency, &AgainstMitsuba::processor_efficiency})
         means.*value = geometric_mean(values(all, value));
     add_ratios(json, means);
     json["efficiency_min"] = std::min_element(all.begin(), all.end(),
