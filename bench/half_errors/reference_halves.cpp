@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/half_errors/reference_halves.h"
 
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <span>
-#include <vector>
 
 #include "base/error.h"
+#include "metrics/unbiased_mse.h"
 
 namespace weft::bench {
 namespace {
 
-constexpr double floor_share = 0.01;  // of the squared mean, as in `weft compare`
-constexpr double normal_95 = 1.96;
 constexpr std::size_t channels = 3;
 
 /// The colours of an image that is as large as another one, without its alpha.
@@ -45,28 +41,15 @@ Image mean_of_halves(const Image& first, const Image& second, const std::string&
 
 HalvesError halves_error(const Image& image, const Image& first, const Image& second,
                          const std::string& name) {
-    const std::span<const float> x = colours(image, first, name);
-    const std::span<const float> a = colours(first, first, name);
-    const std::span<const float> b = colours(second, first, name);
-    const Image reference = mean_of_halves(first, second, name);
-    const std::vector<float>& r = reference.layers.front().values;
-    const double mean = std::accumulate(r.begin(), r.end(), 0.0) / static_cast<double>(r.size());
-    const std::size_t pixels = r.size() / channels;
-    double products = 0.0;
-    double variances = 0.0;
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        double deviation = 0.0;
-        for (std::size_t channel = 0; channel < channels; ++channel) {
-            const std::size_t i = channel * pixels + pixel;
-            const double scale = double{r[i]} * r[i] + floor_share * mean * mean;
-            if (!(scale > 0.0)) continue;
-            products += (double{x[i]} - a[i]) * (double{x[i]} - b[i]) / scale;
-            deviation += (double{x[i]} - r[i]) * (double{a[i]} - b[i]) / scale;
-        }
-        variances += deviation * deviation;
-    }
-    const auto size = static_cast<double>(r.size());
-    return {products / size, normal_95 * std::sqrt(variances) / size};
+    const auto view = [&](const Image& of) {
+        return RgbView{colours(of, first, name), first.width, first.height};
+    };
+    const UnbiasedErrors errors = unbiased_errors({view(first), view(second)}, view(image));
+    if (!errors.relmse)
+        throw input_error(name,
+                          "has no relative error where the reference is black, expected a "
+                          "reference that shows something");
+    return {errors.relmse->value, errors.relmse->high - errors.relmse->value};
 }
 
 }  // namespace weft::bench

@@ -15,15 +15,10 @@ struct HalvesError {
     double interval = 0.0;  ///< with 95 %, the true one is that far away at most
 };
 
-/// relMSE of an image, without what the noise of references adds to it: the mean over pixels and
-/// channels of (x - a) (x - b) / (r^2 + 0.01 mean(r)^2), where a and b are independent references
-/// of the same expectation, and r their mean. Their noise is as often of one sign as of the other
-/// in the product, so that the mean may even be a little below 0. The variance of a pixel's product
-/// is estimated by ((x - r) (a - b))^2, summed over its channels before it is squared, since the
-/// noise of these comes from the same paths.
-///
-/// Throws Error (exit code 2) where the images are not of one size or have no colours; `name` is
-/// that of the file in messages.
+/// relMSE of an image, without what the noise of references adds to it (unbiased_errors), against
+/// two independent references with as many samples each. Throws Error (exit code 2) where the
+/// images are not of one size or have no colours, or where the references are black; `name` is that
+/// of the file in messages.
 [[nodiscard]] HalvesError halves_error(const Image& image, const Image& first, const Image& second,
                                        const std::string& name);
 
