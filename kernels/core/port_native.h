@@ -14,6 +14,9 @@ typedef unsigned char uchar;
 #define CONSTANT_POINTER const
 #define VALUE_ARGUMENT(type, name) const type& name
 #define KERNEL_ENTRY static
+// Has all that a kernel calls compiled into it, as OpenCL compilers do: a quarter faster where work
+// is scalar, and slow to compile.
+#define INLINES_ALL __attribute__((flatten))
 #define GLOBAL_ID current_global_id
 #define WORK_ITEM(range) GLOBAL_ID
 

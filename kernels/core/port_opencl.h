@@ -16,6 +16,7 @@
 #define CONSTANT_POINTER __constant
 #define VALUE_ARGUMENT(type, name) const type name
 #define KERNEL_ENTRY __kernel __attribute__((reqd_work_group_size(LOCAL_SIZE, 1, 1)))
+#define INLINES_ALL
 #define GLOBAL_ID ((uint)get_global_id(0))
 // Which item of its range a work-item takes. A launch of few items starts a work group for each.
 // Drivers for processors give each thread groups that are neighbours, so that a longer launch that

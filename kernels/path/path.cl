@@ -49,7 +49,7 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     return sample;
 }
 
-WEFT_KERNEL(path)
+INLINES_ALL WEFT_KERNEL(path)
 {
     if (WORK_ITEM(range) >= range.count) return;
     uint pixel = range.first + WORK_ITEM(range);

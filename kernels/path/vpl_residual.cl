@@ -73,7 +73,7 @@ static inline PathLight trace_residual(const RenderParams* params, const PathSce
     return sum;
 }
 
-WEFT_KERNEL(vpl_residual)
+INLINES_ALL WEFT_KERNEL(vpl_residual)
 {
     if (WORK_ITEM(range) >= range.count) return;
     uint slot = range.first + WORK_ITEM(range);
