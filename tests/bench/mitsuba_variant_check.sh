@@ -18,8 +18,9 @@ grep -q '"problem": ".* has no module mitsuba"' "$work/answer" ||
     fail "a Python without Mitsuba is not told apart: $(cat "$work/answer")"
 
 file=$("$python" -B "$root/bench/cross_validation/media_scenes.py" slab "$work")
-[ "$file" = "$work/slab.xml" ] && [ -s "$file" ] && [ -s "$work/slab.vol" ] ||
-    fail "the scene with a grid is not where '$file' says"
+for part in "$file" "$work/slab.xml" "$work/slab.vol"; do
+    [ -s "$part" ] || fail "the scene with a grid is not where '$file' says: no $part"
+done
 code=0
 "$python" -B "$root/bench/cross_validation/media_scenes.py" cube "$work" 2>"$work/log" || code=$?
 [ "$code" -eq 1 ] || fail "an unknown scene ended with $code, expected 1"
