@@ -61,15 +61,15 @@ class CompileServerSlow : public testing::Test {
              "--algorithm", "igi", "--components", "direct"},
             settings);
         Run run;
-        run.had_workers = comes_true([&] {
-                              for (const pid_t server : children_of(program.process()))
-                                  if (!children_of(server).empty()) {
-                                      interfere(program.process(), server);
-                                      return true;
-                                  }
-                              return test::has_ended(program.process());
-                          }) &&
-                          !test::has_ended(program.process());
+        // A program that is told to end may have ended before it is asked.
+        (void)comes_true([&] {
+            for (const pid_t server : children_of(program.process()))
+                if (!children_of(server).empty()) {
+                    interfere(program.process(), server);
+                    run.had_workers = true;
+                }
+            return run.had_workers || test::has_ended(program.process());
+        });
         run.exit_code = program.wait();
         run.messages = program.err();
         run.stats = json::parse(text_of_file(at("x.json")), nullptr, false);
