@@ -123,7 +123,8 @@ void Renderer::choose_indirect() {
                            plan_.gathers_vpls() && !plan_.cached && !plan_.media;
     if (!undecided) return;
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
-    FrameContext frame(inputs, params_of_frame(0), {});
+    const KeepGoing to_the_end;
+    FrameContext frame(inputs, params_of_frame(0), to_the_end);
     walk_vpls(frame, "indirect");
     frame.wait();
     const std::size_t count = std::size_t{plan_.sets} * plan_.vpls_per_set;

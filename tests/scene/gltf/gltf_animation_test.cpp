@@ -192,7 +192,9 @@ TEST(GltfAnimation, ListsTheAnimationsOfTheFile) {
     film.animate(1, "scale", {0, 1}, {1, 1, 1, 2, 2, 2});
     // The second moves the same property, which the first keeps.
     film.json["animations"][1]["samplers"] = film.animation()["samplers"];
-    film.json["animations"][1]["channels"] = {film.animation()["channels"][0]};
+    // Compilers disagree about braces around a single value.
+    film.json["animations"][1]["channels"] = nlohmann::json::array();
+    film.json["animations"][1]["channels"].push_back(film.animation()["channels"][0]);
     const Scene scene = film.read();
     ASSERT_EQ(scene.animation.clips.size(), 2U);
     const AnimationClip& walk = scene.animation.clips[0];
