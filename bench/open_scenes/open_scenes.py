@@ -23,7 +23,7 @@ import scene_files  # noqa: E402
 from processor import processor  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-CONTENDERS = {"ais": [], "path": ["--algorithm", "path"]}
+CANDIDATES = {"ais": [], "path": ["--algorithm", "path"]}
 SPECK = 1.5
 
 
@@ -93,7 +93,7 @@ def measure(options, folder, scene):
     expected = luminances(reference)
     rows = []
     for seconds in options.times:
-        for name, words in CONTENDERS.items():
+        for name, words in CANDIDATES.items():
             image = folder / f"{scene.stem}-{name}-{seconds:g}s.exr"
             stats = image.with_suffix(".json")
             further = options.options if name == "ais" else []

@@ -13,7 +13,7 @@ namespace weft::bench {
 /// Edge of the blocks of pixels whose means are compared.
 inline constexpr std::uint32_t agreement_block = 8;
 
-/// How far the mean images of two contenders are from each other.
+/// How far the mean images of two candidates are from each other.
 struct Agreement {
     double worst_z = 0.0;     ///< the largest |z| of the blocks
     double difference = 0.0;  ///< of the whole image's mean to that of the first, relative

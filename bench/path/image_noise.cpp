@@ -16,6 +16,22 @@ double unbiased(double sum, double squares, double count) {
     return std::max(0.0, (squares - sum * sum / count) / (count - 1.0));
 }
 
+/// Sums over images of the differences of value `i` to that of the first image: squares of values
+/// that differ by rounding would cancel.
+struct Differences {
+    double origin;
+    double sum = 0.0;
+    double squares = 0.0;
+
+    Differences(const Images& images, std::size_t i) : origin(images.front()[i]) {
+        for (const std::vector<float>& image : images) {
+            const double value = image[i] - origin;
+            sum += value;
+            squares += value * value;
+        }
+    }
+};
+
 }  // namespace
 
 Moments moments(const Images& images) {
@@ -23,17 +39,9 @@ Moments moments(const Images& images) {
     const auto count = static_cast<double>(images.size());
     Moments found{std::vector<double>(size), std::vector<double>(size)};
     for (std::size_t i = 0; i < size; ++i) {
-        // Differences to the first: squares of values that differ by rounding would cancel.
-        const double origin = images.front()[i];
-        double sum = 0.0;
-        double squares = 0.0;
-        for (const std::vector<float>& image : images) {
-            const double value = image[i] - origin;
-            sum += value;
-            squares += value * value;
-        }
-        found.mean[i] = origin + sum / count;
-        found.variance[i] = unbiased(sum, squares, count);
+        const Differences all(images, i);
+        found.mean[i] = all.origin + all.sum / count;
+        found.variance[i] = unbiased(all.sum, all.squares, count);
     }
     return found;
 }
@@ -55,18 +63,12 @@ Ratio relative_variance(const Images& images, const std::vector<double>& scale) 
     std::vector<double> without(images.size());
     for (std::size_t i = 0; i < scale.size(); ++i) {
         if (!(scale[i] > 0.0)) continue;
-        const double origin = images.front()[i];
-        double sum = 0.0;
-        double squares = 0.0;
-        for (const std::vector<float>& image : images) {
-            const double value = image[i] - origin;
-            sum += value;
-            squares += value * value;
-        }
-        all += unbiased(sum, squares, count) / scale[i];
+        const Differences found(images, i);
+        all += unbiased(found.sum, found.squares, count) / scale[i];
         for (std::size_t r = 0; r < images.size(); ++r) {
-            const double value = images[r][i] - origin;
-            without[r] += unbiased(sum - value, squares - value * value, count - 1.0) / scale[i];
+            const double value = images[r][i] - found.origin;
+            without[r] +=
+                unbiased(found.sum - value, found.squares - value * value, count - 1.0) / scale[i];
         }
     }
     const auto size = static_cast<double>(scale.size());

@@ -9,7 +9,7 @@
 
 namespace weft::bench {
 
-/// Independent images of one contender, as many values in each.
+/// Independent images of one candidate, as many values in each.
 using Images = std::vector<std::vector<float>>;
 
 /// Of each value over some images.

@@ -193,8 +193,8 @@ void run(const Settings& settings) {
         json["scenes"].push_back(path_json(results.back()));
         for (const PathFigures& candidate : results.back().candidates)
             if (!candidate.problem.empty())
-                problems.warn(scene.scene.name,
-                              candidate.contender.name() + " is left out, " + candidate.problem);
+                problems.warn(scene.scene.name, candidate.candidate_name.name() + " is left out, " +
+                                                    candidate.problem);
     }
     print(path_means(results));
     for (const std::string& problem : problems.warnings()) print(problem + "\n");

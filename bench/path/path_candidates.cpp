@@ -12,7 +12,7 @@ namespace weft::bench {
 
 WeftPaths::WeftPaths(const PathAlgorithm& algorithm, std::string backend, Executor& executor,
                      const FlatScene& scene, const Camera& camera, const PathSettings& settings)
-    : contender_{std::string(algorithm.name), std::move(backend)},
+    : candidate_name_{std::string(algorithm.name), std::move(backend)},
       algorithm_(algorithm),
       executor_(executor),
       scene_(scene),
@@ -40,7 +40,7 @@ std::optional<PathRun> WeftPaths::run() {
 MitsubaPaths::MitsubaPaths(const MitsubaChoice& mitsuba, const std::filesystem::path& scene,
                            const PathSettings& settings, const std::filesystem::path& folder,
                            int threads)
-    : contender_{mitsuba_algorithm, mitsuba.variant},
+    : candidate_name_{mitsuba_algorithm, mitsuba.variant},
       image_(folder / "mitsuba.raw"),
       value_count_(std::size_t{3} * settings.width * settings.height) {
     try {

@@ -19,15 +19,15 @@
 namespace weft::bench {
 
 /// What renders: an algorithm of Weft and the backend that it runs on, or Mitsuba and a variant.
-struct Contender {
+struct CandidateName {
     std::string algorithm;
     std::string backend;
 
     [[nodiscard]] std::string name() const { return algorithm + " " + backend; }
-    [[nodiscard]] bool operator==(const Contender&) const = default;
+    [[nodiscard]] bool operator==(const CandidateName&) const = default;
 };
 
-/// The algorithm that contenders by Mitsuba have.
+/// The algorithm that candidates by Mitsuba have.
 inline constexpr const char* mitsuba_algorithm = "mitsuba";
 
 /// One image of a path tracer.
@@ -42,7 +42,7 @@ class PathCandidate {
   public:
     virtual ~PathCandidate() = default;
 
-    [[nodiscard]] virtual const Contender& contender() const = 0;
+    [[nodiscard]] virtual const CandidateName& candidate_name() const = 0;
     /// Makes everything ready for the next run, whose image is independent of those of other seeds;
     /// not timed.
     virtual void prepare(std::uint32_t seed) = 0;
@@ -59,12 +59,12 @@ class WeftPaths : public PathCandidate {
     WeftPaths(const PathAlgorithm& algorithm, std::string backend, Executor& executor,
               const FlatScene& scene, const Camera& camera, const PathSettings& settings);
 
-    [[nodiscard]] const Contender& contender() const override { return contender_; }
+    [[nodiscard]] const CandidateName& candidate_name() const override { return candidate_name_; }
     void prepare(std::uint32_t seed) override;
     [[nodiscard]] std::optional<PathRun> run() override;
 
   private:
-    Contender contender_;
+    CandidateName candidate_name_;
     const PathAlgorithm& algorithm_;
     Executor& executor_;
     const FlatScene& scene_;
@@ -82,7 +82,7 @@ class MitsubaPaths : public PathCandidate {
     MitsubaPaths(const MitsubaChoice& mitsuba, const std::filesystem::path& scene,
                  const PathSettings& settings, const std::filesystem::path& folder, int threads);
 
-    [[nodiscard]] const Contender& contender() const override { return contender_; }
+    [[nodiscard]] const CandidateName& candidate_name() const override { return candidate_name_; }
     void prepare(std::uint32_t seed) override { seed_ = seed; }
     [[nodiscard]] std::optional<PathRun> run() override;
     [[nodiscard]] std::string problem() const override { return problem_; }
@@ -93,7 +93,7 @@ class MitsubaPaths : public PathCandidate {
     /// What a run that has been answered says and shows.
     std::optional<PathRun> read_run(const std::string& line);
 
-    Contender contender_;
+    CandidateName candidate_name_;
     std::filesystem::path image_;
     std::size_t value_count_;
     std::uint32_t seed_ = 0;

@@ -17,7 +17,7 @@ std::vector<double> times(const PathFigures& figures, double Timing::*value) {
     return found;
 }
 
-/// Takes a contender's repetitions together; one that dropped out keeps none.
+/// Takes a candidate's repetitions together; one that dropped out keeps none.
 void conclude(PathFigures& figures, Images& images, std::uint64_t rays, const PathImage& image) {
     if (!figures.problem.empty()) {
         figures.runs.clear();
@@ -40,7 +40,7 @@ std::vector<std::vector<double>> algorithm_means(const std::vector<PathFigures>&
                                                  const std::vector<Images>& images) {
     std::map<std::string, std::vector<std::size_t>> members;
     for (std::size_t c = 0; c < figures.size(); ++c)
-        if (figures[c].ran()) members[figures[c].contender.algorithm].push_back(c);
+        if (figures[c].ran()) members[figures[c].candidate_name.algorithm].push_back(c);
     std::vector<std::vector<double>> means;
     for (const auto& [name, backends] : members) {
         std::vector<double> mean(images[backends.front()].front().size());
@@ -91,7 +91,7 @@ std::vector<PathFigures> measure_paths(
     std::vector<Images> images(candidates.size());
     std::vector<std::uint64_t> rays(candidates.size());
     for (std::size_t c = 0; c < candidates.size(); ++c)
-        figures[c].contender = candidates[c]->contender();
+        figures[c].candidate_name = candidates[c]->candidate_name();
     for (std::uint32_t repetition = 0; repetition <= repetitions; ++repetition)
         for (std::size_t c = 0; c < candidates.size(); ++c) {
             candidates[c]->prepare(repetition);

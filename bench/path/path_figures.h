@@ -17,19 +17,19 @@
 
 namespace weft::bench {
 
-/// A contender of Weft next to Mitsuba; above 1 is better than Mitsuba.
+/// A candidate of Weft next to Mitsuba; above 1 is better than Mitsuba.
 struct AgainstMitsuba {
-    Ratio variance;              ///< Mitsuba's variance of an image over the contender's
-    Ratio time;                  ///< Mitsuba's seconds of an image over the contender's
+    Ratio variance;              ///< Mitsuba's variance of an image over the candidate's
+    Ratio time;                  ///< Mitsuba's seconds of an image over the candidate's
     Ratio processor;             ///< the same of processor time
     Ratio efficiency;            ///< `variance` times `time`
     Ratio processor_efficiency;  ///< `variance` times `processor`
     Agreement means;
 };
 
-/// What was measured of one contender in one scene.
+/// What was measured of one candidate in one scene.
 struct PathFigures {
-    Contender contender;
+    CandidateName candidate_name;
     std::vector<Timing> runs;  ///< one of each independent image
     double msamples = 0.0;     ///< million samples per second, from the median time
     double mrays = 0.0;        ///< million rays; 0 where they are not known
@@ -38,7 +38,7 @@ struct PathFigures {
     std::string problem;       ///< why there are no runs; else empty
     std::optional<AgainstMitsuba> against;
 
-    [[nodiscard]] bool is_mitsuba() const { return contender.algorithm == mitsuba_algorithm; }
+    [[nodiscard]] bool is_mitsuba() const { return candidate_name.algorithm == mitsuba_algorithm; }
     [[nodiscard]] bool ran() const noexcept { return !runs.empty(); }
 };
 

@@ -23,25 +23,25 @@ std::string cell(const Ratio& ratio) {
     return fmt::format("{:9.2f} ±{:4.0f} %", ratio.value, 100.0 * ratio.spread);
 }
 
-/// Weft's contenders that any result holds, in the order in which they come.
-std::vector<Contender> own_contenders(const std::vector<PathResult>& results) {
-    std::vector<Contender> found;
+/// Weft's candidates that any result holds, in the order in which they come.
+std::vector<CandidateName> own_candidates(const std::vector<PathResult>& results) {
+    std::vector<CandidateName> found;
     for (const PathResult& result : results)
         for (const PathFigures& figures : result.candidates)
             if (!figures.is_mitsuba() &&
-                std::find(found.begin(), found.end(), figures.contender) == found.end())
-                found.push_back(figures.contender);
+                std::find(found.begin(), found.end(), figures.candidate_name) == found.end())
+                found.push_back(figures.candidate_name);
     return found;
 }
 
-/// What was measured of a contender against Mitsuba, scene by scene.
+/// What was measured of a candidate against Mitsuba, scene by scene.
 std::vector<AgainstMitsuba> measured(const std::vector<PathResult>& results,
-                                     const Contender& contender, Scenes scenes) {
+                                     const CandidateName& candidate_name, Scenes scenes) {
     std::vector<AgainstMitsuba> found;
     for (const PathResult& result : results) {
         if (scenes != Scenes::all && result.media != (scenes == Scenes::media)) continue;
         for (const PathFigures& figures : result.candidates)
-            if (figures.contender == contender && figures.against)
+            if (figures.candidate_name == candidate_name && figures.against)
                 found.push_back(*figures.against);
     }
     return found;
@@ -78,9 +78,9 @@ nlohmann::json candidate_json(const PathFigures& figures) {
         ms.push_back(timing.ms);
         cpu.push_back(timing.cpu_ms);
     }
-    nlohmann::json json{{"name", figures.contender.name()},
-                        {"algorithm", figures.contender.algorithm},
-                        {"backend", figures.contender.backend},
+    nlohmann::json json{{"name", figures.candidate_name.name()},
+                        {"algorithm", figures.candidate_name.algorithm},
+                        {"backend", figures.candidate_name.backend},
                         {"yardstick", figures.is_mitsuba()},
                         {"available", figures.problem.empty()},
                         {"ms", ms},
@@ -102,10 +102,12 @@ nlohmann::json candidate_json(const PathFigures& figures) {
     return json;
 }
 
-/// The means of one contender.
-nlohmann::json means_json(const std::vector<PathResult>& results, const Contender& contender) {
-    nlohmann::json json{{"algorithm", contender.algorithm}, {"backend", contender.backend}};
-    const auto all = measured(results, contender, Scenes::all);
+/// The means of one candidate.
+nlohmann::json means_json(const std::vector<PathResult>& results,
+                          const CandidateName& candidate_name) {
+    nlohmann::json json{{"algorithm", candidate_name.algorithm},
+                        {"backend", candidate_name.backend}};
+    const auto all = measured(results, candidate_name, Scenes::all);
     json["scenes"] = all.size();
     if (all.empty()) return json;
     AgainstMitsuba means;
@@ -120,15 +122,16 @@ nlohmann::json means_json(const std::vector<PathResult>& results, const Contende
                                               })
                                  ->efficiency.value;
     json["efficiency_without_media"] =
-        mean_json(measured(results, contender, Scenes::surfaces), &AgainstMitsuba::efficiency);
+        mean_json(measured(results, candidate_name, Scenes::surfaces), &AgainstMitsuba::efficiency);
     json["efficiency_with_media"] =
-        mean_json(measured(results, contender, Scenes::media), &AgainstMitsuba::efficiency);
+        mean_json(measured(results, candidate_name, Scenes::media), &AgainstMitsuba::efficiency);
     return json;
 }
 
 /// "path" on OpenCL, which is the default, and "native_path" on another backend.
-std::string key_of(const Contender& contender) {
-    return (contender.backend == "opencl" ? "" : contender.backend + "_") + contender.algorithm;
+std::string key_of(const CandidateName& candidate_name) {
+    return (candidate_name.backend == "opencl" ? "" : candidate_name.backend + "_") +
+           candidate_name.algorithm;
 }
 
 /// The smallest and the mean ratio of times over the scenes, under the names they have always had.
@@ -155,7 +158,7 @@ std::string path_heading() {
         "efficiency, the product of both. ±: standard error. mean: difference of images' means\n"
         "to Mitsuba's; |z|: the largest of their blocks of pixels.\n\n";
     return text + fmt::format("{:16} {:20}{:>9}{:>9}{:>9}{:>17}{:>17}{:>17}{:>17}{:>7}\n", "scene",
-                              "contender", "Ms/s", "Mr/s", "variance", "variance ratio",
+                              "candidate", "Ms/s", "Mr/s", "variance", "variance ratio",
                               "time ratio", "efficiency", "mean, %", "|z|");
 }
 
@@ -163,8 +166,8 @@ std::string path_rows(const PathResult& result, double z_limit) {
     std::string text;
     for (const PathFigures& figures : result.candidates) {
         if (!figures.ran()) continue;
-        text +=
-            fmt::format("{:16} {:20}", text.empty() ? result.name : "", figures.contender.name());
+        text += fmt::format("{:16} {:20}", text.empty() ? result.name : "",
+                            figures.candidate_name.name());
         text += cell(figures.msamples) + cell(figures.mrays) +
                 fmt::format("{:9.4f}", figures.variance.value);
         if (figures.against) {
@@ -181,11 +184,11 @@ std::string path_rows(const PathResult& result, double z_limit) {
 
 std::string path_means(const std::vector<PathResult>& results) {
     std::string text;
-    for (const Contender& contender : own_contenders(results)) {
-        const auto all = measured(results, contender, Scenes::all);
+    for (const CandidateName& candidate_name : own_candidates(results)) {
+        const auto all = measured(results, candidate_name, Scenes::all);
         if (all.empty()) continue;
         text += fmt::format("{:16} {:20}{:27}", text.empty() ? "geometric mean" : "",
-                            contender.name(), "");
+                            candidate_name.name(), "");
         for (Ratio AgainstMitsuba::*const value :
              {&AgainstMitsuba::variance, &AgainstMitsuba::time, &AgainstMitsuba::efficiency})
             text += cell(geometric_mean(values(all, value)));
@@ -201,17 +204,17 @@ nlohmann::json path_json(const PathResult& result) {
     return {{"name", result.name},
             {"media", result.media},
             {"triangles", result.triangles},
-            {"contenders", candidates}};
+            {"candidates", candidates}};
 }
 
 nlohmann::json path_summary(const std::vector<PathResult>& results, double z_limit) {
     nlohmann::json summary;
     summary["means"] = nlohmann::json::array();
     nlohmann::json worst;
-    for (const Contender& contender : own_contenders(results)) {
-        const auto all = measured(results, contender, Scenes::all);
-        const std::string key = key_of(contender);
-        summary["means"].push_back(means_json(results, contender));
+    for (const CandidateName& candidate_name : own_candidates(results)) {
+        const auto all = measured(results, candidate_name, Scenes::all);
+        const std::string key = key_of(candidate_name);
+        summary["means"].push_back(means_json(results, candidate_name));
         summary[key + "_efficiency_vs_mitsuba"] = mean_json(all, &AgainstMitsuba::efficiency);
         add_times(summary, key + "_vs_mitsuba", values(all, &AgainstMitsuba::time));
         add_times(summary, key + "_vs_mitsuba_cpu", values(all, &AgainstMitsuba::processor));

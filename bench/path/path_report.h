@@ -24,12 +24,12 @@ struct PathResult {
 [[nodiscard]] std::string path_heading();
 /// The lines of a scene. A |z| above the limit is marked.
 [[nodiscard]] std::string path_rows(const PathResult& result, double z_limit);
-/// A line for each contender: its geometric means over the scenes. Empty where Mitsuba has not run.
+/// A line for each candidate: its geometric means over the scenes. Empty where Mitsuba has not run.
 [[nodiscard]] std::string path_means(const std::vector<PathResult>& results);
 
 [[nodiscard]] nlohmann::json path_json(const PathResult& result);
 
-/// Geometric means over the scenes by contender, the smallest ratios of times, and whether all mean
+/// Geometric means over the scenes by candidate, the smallest ratios of times, and whether all mean
 /// images agree; null for what was not measured.
 [[nodiscard]] nlohmann::json path_summary(const std::vector<PathResult>& results, double z_limit);
 

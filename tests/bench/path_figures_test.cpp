@@ -25,12 +25,12 @@ constexpr PathImage image{32, 32, 4};
 /// A path tracer that takes a known time for noise of a known width about `mean`.
 class MadeUp : public PathCandidate {
   public:
-    MadeUp(Contender contender, double ms, double deviation, double mean = 1.0)
-        : contender_(std::move(contender)), ms_(ms), deviation_(deviation), mean_(mean) {}
+    MadeUp(CandidateName candidate_name, double ms, double deviation, double mean = 1.0)
+        : candidate_name_(std::move(candidate_name)), ms_(ms), deviation_(deviation), mean_(mean) {}
 
-    [[nodiscard]] const Contender& contender() const override { return contender_; }
+    [[nodiscard]] const CandidateName& candidate_name() const override { return candidate_name_; }
     void prepare(std::uint32_t seed) override {
-        generator_.seed(seed + (contender_.algorithm == mitsuba_algorithm ? 1000U : 0U));
+        generator_.seed(seed + (candidate_name_.algorithm == mitsuba_algorithm ? 1000U : 0U));
     }
     [[nodiscard]] std::optional<PathRun> run() override {
         if (fails_after_-- == 0) problem_ = "it ended by signal 6";
@@ -46,7 +46,7 @@ class MadeUp : public PathCandidate {
     int fails_after_ = -1;
 
   private:
-    Contender contender_;
+    CandidateName candidate_name_;
     double ms_;
     double deviation_;
     double mean_;
@@ -54,8 +54,8 @@ class MadeUp : public PathCandidate {
     std::string problem_;
 };
 
-const Contender theirs{mitsuba_algorithm, "llvm_ad_rgb"};
-const Contender ours{"path", "opencl"};
+const CandidateName theirs{mitsuba_algorithm, "llvm_ad_rgb"};
+const CandidateName ours{"path", "opencl"};
 
 /// Weft, three times as fast with twice the variance, and Mitsuba.
 std::vector<std::unique_ptr<PathCandidate>> pair(double mean = 1.0) {

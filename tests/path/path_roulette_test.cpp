@@ -60,14 +60,16 @@ TEST(PathRoulette, SurvivorsCarryTheWeightOfThoseThatEnd) {
     constexpr int n = 200'000;
     for (const float throughput :
          {1e-6F, 0.01F, 0.05F, 0.2F, 0.5F, 0.9F, 0.95F, 0.99F, 1.0F, 10.0F})
-        for (const float level : {1.0F, ROULETTE_LEVEL, 0.01F}) {
+        for (const auto& [bounce, level] :
+             {std::pair{ROULETTE_START, 1.0F}, std::pair{ROULETTE_START, ROULETTE_LEVEL},
+              std::pair{ROULETTE_START + 1U, 0.01F}, std::pair{50U, ROULETTE_LEVEL}}) {
             SCOPED_TRACE("throughput " + std::to_string(throughput) + " level " +
                          std::to_string(level));
-            native::Random random = native::make_random(5, 6, 7);
+            native::Random random = native::make_random(5, bounce, 7);
             int survivors = 0;
             double weight = 0.0;
             for (int i = 0; i < n; ++i) {
-                native::PathVertex vertex = vertex_of(ROULETTE_START, throughput);
+                native::PathVertex vertex = vertex_of(bounce, throughput);
                 if (native::survives(&vertex, ROULETTE_START, level, &random) == 0) continue;
                 ++survivors;
                 const auto after = static_cast<double>(scattered(vertex).y);
