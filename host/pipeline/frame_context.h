@@ -141,9 +141,11 @@ struct FrameInputs {
 /// One frame under way: gives components what they share and launches their stages.
 class FrameContext : public FrameInputs {
   public:
+    /// `keep_going` must outlive the frame.
     FrameContext(const FrameInputs& inputs, const shared::RenderParams& frame_params,
                  const KeepGoing& keep_going)
         : FrameInputs(inputs), params(frame_params), keep_going_(keep_going) {}
+    FrameContext(const FrameInputs&, const shared::RenderParams&, KeepGoing&&) = delete;
     FrameContext(const FrameContext&) = delete;
     FrameContext& operator=(const FrameContext&) = delete;
     /// Waits for launches that still run.
