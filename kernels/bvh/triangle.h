@@ -79,7 +79,7 @@ static inline Ray make_ray(float3 origin, float3 direction) {
     }
     ray.shear_x = component(direction, ray.axis_x) / along;
     ray.shear_y = component(direction, ray.axis_y) / along;
-    ray.shear_z = 1.0f / along;
+    ray.shear_z = component(ray.slabs.inverse, ray.axis_z);
     ray.start_x = component(origin, ray.axis_x);
     ray.start_y = component(origin, ray.axis_y);
     ray.start_z = component(origin, ray.axis_z);

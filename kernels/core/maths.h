@@ -9,6 +9,7 @@
 //
 //   function        range                   error     elsewhere
 //   m_sincos        |x| <= M_SINCOS_RANGE   1 ulp     (+-0, 1); Inf: NaN
+//   m_sincos_octant |x| <= pi / 4           1 ulp
 //   m_exp           all                     1 ulp     Inf above 88.73, 0 below -104
 //   m_expm1         all                     1.5 ulp   Inf above 88.73, -1 below -18
 //   m_log           x >= 0                  1 ulp     negative: NaN, zero: -Inf
@@ -141,6 +142,25 @@ static inline FloatPair m_minus_half_pis(float x, float n) {
     return m_two_sum(r.high, r.low - n * 2.56334407e-12f);
 }
 
+/// Sine and cosine of r.high + r.low radians, |r| <= pi / 4 but for rounding.
+static inline void m_sincos_near_zero(FloatPair r, float* s, float* c) {
+    float z = r.high * r.high;
+    float sp = -1.6666667e-1f + z * (8.333379e-3f + z * (-1.9853066e-4f + z * 2.8325487e-6f));
+    float cp = 4.1666646e-2f + z * (-1.388731e-3f + z * 2.4432327e-5f);
+    float half_z = 0.5f * z;
+    float w = 1.0f - half_z;
+    *s = r.high + (r.high * z * sp + r.low * w);
+    *c = w + (((1.0f - w) - half_z) + (z * z * cp - r.high * r.low));
+}
+
+/// Sine and cosine of `x` radians, |x| <= pi / 4.
+static inline void m_sincos_octant(float x, float* s, float* c) {
+    FloatPair r;
+    r.high = x;
+    r.low = 0.0f;
+    m_sincos_near_zero(r, s, c);
+}
+
 /// Sine and cosine of `x` radians.
 static inline void m_sincos(float x, float* s, float* c) {
     float size = absolute(x);
@@ -156,13 +176,8 @@ static inline void m_sincos(float x, float* s, float* c) {
     }
     int n = m_round_to_int(x * 0.636619772f);
     FloatPair r = m_minus_half_pis(x, (float)n);
-    float z = r.high * r.high;
-    float sp = -1.6666667e-1f + z * (8.333379e-3f + z * (-1.9853066e-4f + z * 2.8325487e-6f));
-    float cp = 4.1666646e-2f + z * (-1.388731e-3f + z * 2.4432327e-5f);
-    float half_z = 0.5f * z;
-    float w = 1.0f - half_z;
-    float sine = r.high + (r.high * z * sp + r.low * w);
-    float cosine = w + (((1.0f - w) - half_z) + (z * z * cp - r.high * r.low));
+    float sine, cosine;
+    m_sincos_near_zero(r, &sine, &cosine);
     float a = (n & 1) != 0 ? cosine : sine;
     float b = (n & 1) != 0 ? sine : cosine;
     *s = (n & 2) != 0 ? -a : a;

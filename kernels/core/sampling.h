@@ -81,23 +81,18 @@ static inline float rescale_number(float u, float before, float probability) {
 static inline void concentric_disk(float u, float v, float* x, float* y) {
     float a = 2.0f * u - 1.0f;
     float b = 2.0f * v - 1.0f;
-    if (a == 0.0f && b == 0.0f) {
+    int by_x = absolute(a) > absolute(b) ? 1 : 0;
+    float radius = by_x != 0 ? a : b;
+    if (radius == 0.0f) {
         *x = 0.0f;
         *y = 0.0f;
         return;
     }
-    float radius, angle;
-    if (absolute(a) > absolute(b)) {
-        radius = a;
-        angle = 0.78539816f * (b / a);
-    } else {
-        radius = b;
-        angle = 1.57079633f - 0.78539816f * (a / b);
-    }
-    float s, c;
-    m_sincos(angle, &s, &c);
-    *x = radius * c;
-    *y = radius * s;
+    // The angle from the nearer axis is at most pi / 4.
+    float along, across;
+    m_sincos_octant(M_QUARTER_PI * ((by_x != 0 ? b : a) / radius), &across, &along);
+    *x = radius * (by_x != 0 ? along : across);
+    *y = radius * (by_x != 0 ? across : along);
 }
 
 /// Unit direction about +z with pdf cos / pi.

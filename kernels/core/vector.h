@@ -65,6 +65,20 @@ static inline bool is_finite3(float3 v) {
     return is_finite1(v.x) && is_finite1(v.y) && is_finite1(v.z);
 }
 
+/// The power of two that brings `size`, at least 0, into [1, 4), or to less where it is denormal;
+/// so that squares are floats that neither overflow nor underflow. Its reciprocal is a float too.
+static inline float scale_to_one(float size) {
+    uint exponent = as_bits(size) >> 23;
+    if (exponent < 1u) exponent = 1u;
+    if (exponent > 253u) exponent = 253u;
+    return from_bits((254u - exponent) << 23);
+}
+
+/// 1 / `scale`, a power of two of scale_to_one, without a division.
+static inline float reciprocal_of_scale(float scale) {
+    return from_bits((254u << 23) - as_bits(scale));
+}
+
 /// Euclidean length to 3 ulp for every vector whose length is a float; Inf or NaN otherwise.
 static inline float length3(float3 v) {
     // Scaled first: the square of a component of 1e-30 or 1e30 is no float.
@@ -72,16 +86,17 @@ static inline float length3(float3 v) {
     if (!(size > 0.0f && size < M_INFINITY)) {
         return absolute(v.x) + absolute(v.y) + absolute(v.z);
     }
-    float3 u = v / size;
-    return size * square_root(dot3(u, u));
+    float scale = scale_to_one(size);
+    float3 u = v * scale;
+    return square_root(dot3(u, u)) * reciprocal_of_scale(scale);
 }
 
 /// `v` at length 1; the zero vector when `v` is zero or has a component that is Inf or NaN.
 static inline float3 normalize3(float3 v) {
-    float3 u = v / max_component(absolute3(v));
+    float3 u = v * scale_to_one(max_component(absolute3(v)));
     float square = dot3(u, u);
-    // One component of u is +-1 but for rounding, unless dividing by 0, Inf or NaN has spread NaN.
-    if (!(square > 0.5f)) return f3(0.0f, 0.0f, 0.0f);
+    if (!(square > 0.0f && square < M_INFINITY)) return f3(0.0f, 0.0f, 0.0f);
+    // Divided, so that a vector along an axis is along it afterwards, to the bit.
     return u / square_root(square);
 }
 

@@ -132,7 +132,7 @@ static inline LightSample area_at_surface(const RenderParams* params, const Geom
     float3 normal = point.normal;
     float facing = seen_side(light, -dot3(towards, point.normal) / distance, &normal);
     if (!(facing > 0.0f) || !(distance > 0.0f)) return sample;
-    sample.in = local_direction(towards, lit->shading) / distance;
+    sample.in = light_direction_at(params, lit, towards, distance);
     sample.power = point.radiance;
     sample.pdf = area_pdf(point.area, distance, facing) * probability;
     float3 target = point.position + normal * surface_offset(point.position, params->scene.extent);

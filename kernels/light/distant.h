@@ -35,12 +35,13 @@ static inline EmittedRay emit_from_distant(const RenderParams* params, LightReco
 }
 
 /// What the light sends to a surface.
-static inline LightSample distant_at_surface(LightRecord light, const LitPoint* lit, float3 origin,
+static inline LightSample distant_at_surface(const RenderParams* params, LightRecord light,
+                                             const LitPoint* lit, float3 origin,
                                              float probability) {
     LightSample sample = no_light_sample();
     float3 towards = distant_direction(light);
     if (faces(lit, towards) == 0) return sample;
-    sample.in = local_direction(towards, lit->shading);
+    sample.in = light_direction_at(params, lit, towards, 1.0f);
     sample.power = xyz(light.power);
     sample.share = sample.in.z / probability;
     sample.origin = origin;

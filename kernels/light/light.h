@@ -65,11 +65,11 @@ static inline LightSample light_at_surface(const RenderParams* params, const Geo
             return area_at_surface(params, geometry, light, emissive, lit, origin, probability, u,
                                    v);
         case EMITTER_DIRECTIONAL:
-            return distant_at_surface(light, lit, origin, probability);
+            return distant_at_surface(params, light, lit, origin, probability);
         case EMITTER_POINT:
         case EMITTER_SPOT:
         default:
-            return punctual_at_surface(light, lit, origin, probability);
+            return punctual_at_surface(params, light, lit, origin, probability);
     }
 }
 

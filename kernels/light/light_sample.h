@@ -49,7 +49,7 @@ typedef struct {
     float3 power;  // its irradiance there is power in.z / pdf, or power * share where pdf is 0
     float share;   // 0 where nothing comes
     float pdf;     // of `in`, 1/sr; 0 where no scattered ray can meet the light
-    float3 in;     // where it comes from, a unit vector in the frame of the shading normal
+    float3 in;     // where it comes from: light_direction_at
     float3 origin, towards;  // shadow ray
     int distant;             // 1: that goes on to infinity
 } LightSample;
@@ -66,6 +66,14 @@ typedef struct {
 /// 1 where light from `direction` (any length) falls on the outside of both normals.
 static inline int faces(const LitPoint* lit, float3 direction) {
     return dot3(direction, lit->normal) > 0.0f && dot3(direction, lit->shading) > 0.0f ? 1 : 0;
+}
+
+/// Unit direction of `towards`, which is `length` long, in the frame of the shading normal. Without
+/// FEATURE_LOBES nothing asks for x and y, which are 0.
+static inline float3 light_direction_at(const RenderParams* params, const LitPoint* lit,
+                                        float3 towards, float length) {
+    if (HAS(params, FEATURE_LOBES)) return local_direction(towards, lit->shading) / length;
+    return f3(0.0f, 0.0f, dot3(towards, lit->shading) / length);
 }
 
 static inline LightSample no_light_sample(void) {

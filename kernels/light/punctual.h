@@ -36,13 +36,14 @@ static inline EmittedRay emit_from_point(LightRecord light, const EmissionNumber
 }
 
 /// What the light sends to a surface.
-static inline LightSample punctual_at_surface(LightRecord light, const LitPoint* lit, float3 origin,
+static inline LightSample punctual_at_surface(const RenderParams* params, LightRecord light,
+                                              const LitPoint* lit, float3 origin,
                                               float probability) {
     LightSample sample = no_light_sample();
     float3 towards = xyz(light.position) - lit->position;
     if (faces(lit, towards) == 0) return sample;
     float distance = length3(towards);
-    sample.in = local_direction(towards, lit->shading) / distance;
+    sample.in = light_direction_at(params, lit, towards, distance);
     sample.power = xyz(light.power);
     sample.share = sample.in.z / distance / distance / probability *
                    punctual_falloff(light, -dot3(towards, xyz(light.axis)) / distance);

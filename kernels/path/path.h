@@ -116,7 +116,7 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
     float u = next_random(random);
     float v = next_random(random);
     BsdfSample sample = bsdf_sample(&vertex->surface.bsdf, vertex->surface.out, u, v);
-    float3 direction = normalize3(to_world(sample.in, vertex->surface.shading));
+    float3 direction = to_world(sample.in, vertex->surface.shading);
     LitPoint lit = lit_point(&vertex->surface);
     if (faces(&lit, direction) == 0) return 0;
     float3 throughput = scattered_throughput(vertex, sample.weight);

@@ -14,12 +14,10 @@
 /// Weight of a technique of pdf `own` beside one of pdf `other`.
 static inline float power_heuristic(float own, float other) {
     // As a ratio: squares of pdfs overflow.
-    if (own >= other) {
-        float ratio = other / own;
-        return 1.0f / (1.0f + ratio * ratio);
-    }
-    float ratio = own / other;
-    return ratio * ratio / (1.0f + ratio * ratio);
+    float ratio = own >= other ? other / own : own / other;
+    float square = ratio * ratio;
+    float weight = 1.0f / (1.0f + square);
+    return own >= other ? weight : square * weight;
 }
 
 /// The surface as functions of lights take it.

@@ -37,6 +37,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     GLOBAL const float* x = xs + i * 6u;
     GLOBAL float* r = results + i * RESULTS;
     RenderParams params;
+    params.features = FEATURE_LOBES;
     params.scene.extent = 2.0f;
     params.scene.bounding_sphere = f4(0.1f, 0.2f, 0.3f, 2.0f);
     params.scene.environment = f4(3.0f, 2.0f, 1.0f, 0.0f);

@@ -291,13 +291,24 @@ TEST(Media, SameBitsForAllLanesThreadsAndBackends) {
 }
 
 TEST(Media, AConstantGridIsAHomogeneousMedium) {
+    // By the scatter of ten seeds: the channel that scatters least differs by 2 % from one to the
+    // next.
+    constexpr std::uint32_t seeds = 10;
     Scene even = test::foggy_room().scene;
     add_boundary(even, cube_mesh(), glm::dmat4(0.8), 0);
     even.medium_boundaries.back().to_world[3][3] = 1.0;
-    RenderSettings settings = settings_of(Algorithm::igi, 24);
-    settings.sampling.bounces = 0;
-    const Rendering a = test::render(TestBackend::own_bvh, even, test::room_camera(), settings, 32);
-    EXPECT_GT(test::mean_of(a.layer("media")), 0.01);
+    const auto means = [&](const Scene& scene) {
+        std::array<std::vector<double>, 3> channels;
+        RenderSettings settings = settings_of(Algorithm::igi, 24);
+        settings.sampling.bounces = 0;
+        for (settings.seed = 0; settings.seed < seeds; ++settings.seed) {
+            const Rendering made =
+                test::render(TestBackend::own_bvh, scene, test::room_camera(), settings, 16);
+            for (std::uint32_t c = 0; c < 3; ++c) channels.at(c).push_back(scattered_mean(made, c));
+        }
+        return channels;
+    };
+    const auto homogeneous = means(even);
     // Ended by the grid itself, and by a boundary as well.
     for (const bool bounded : {false, true}) {
         Scene gridded = bounded ? even : test::foggy_room().scene;
@@ -307,10 +318,13 @@ TEST(Media, AConstantGridIsAHomogeneousMedium) {
         test::add_grid(gridded, 0, grid, test::placement(0.8, {0.0, 0.0, 0.0}));
         if (!bounded) gridded.outer_medium = 0;
         ASSERT_EQ(flatten(gridded).media.space.convex, bounded ? 1U : 0U);
-        const Rendering b =
-            test::render(TestBackend::own_bvh, gridded, test::room_camera(), settings, 32);
-        for (std::uint32_t c = 0; c < 3; ++c)
-            EXPECT_NEAR(scattered_mean(b, c), scattered_mean(a, c), 0.01 * scattered_mean(a, c));
+        const auto found = means(gridded);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double expected = test::estimate(homogeneous.at(c)).mean;
+            EXPECT_GT(expected, 0.01);
+            test::expect_estimate(test::estimate(found.at(c)), expected, {6, 0.01, 1e-3},
+                                  testing::PrintToString(c));
+        }
     }
 }
 
