@@ -11,12 +11,18 @@
 namespace weft::bench {
 namespace {
 
-std::unique_ptr<FrameRenderer> make_path(Executor& executor, const FlatScene& scene,
-                                         const Camera& camera, const PathSettings& settings) {
-    return std::make_unique<PathRenderer>(executor, scene, camera, settings, FilmSums{});
+template <Algorithm algorithm>
+std::unique_ptr<FrameRenderer> make(Executor& executor, const FlatScene& scene,
+                                    const Camera& camera, const PathSettings& settings) {
+    PathSettings own = settings;
+    own.algorithm = algorithm;
+    return make_exact_renderer(executor, scene,
+                               std::make_shared<SceneBuffers>(upload_scene(executor, scene)),
+                               camera, own, {});
 }
 
-constexpr std::array algorithms{PathAlgorithm{"path", make_path}};
+constexpr std::array algorithms{PathAlgorithm{"path", make<Algorithm::path>},
+                                PathAlgorithm{"reference", make<Algorithm::reference>}};
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 
 #include "device/executor.h"
 #include "pipeline/frame_renderer.h"
-#include "render/path_renderer.h"
+#include "render/reference_renderer.h"
 
 namespace weft::bench {
 

@@ -32,10 +32,10 @@ void read_path(const CLI::App& command, RenderOptions& options) {
     namespace fs = std::filesystem;
     constexpr double least_error = 1e-9;
     for (const char* const name : {"--samples", "--target-error", "--resume", "--pixel-filter"})
-        if (value_of(command, name) && options.algorithm != Algorithm::path)
+        if (value_of(command, name) && !is_reference(options.algorithm))
             throw usage_error(std::string(name) +
-                              ": is for path tracing, expected it together "
-                              "with --algorithm path");
+                              ": is for references, expected it together with "
+                              "--algorithm path or reference");
     if (const auto text = value_of(command, "--samples")) {
         options.samples = parse_range("--samples", *text);
         if (options.spp) throw usage_error("--samples: says what --spp says, expected one of them");
@@ -62,7 +62,7 @@ void read_path(const CLI::App& command, RenderOptions& options) {
 
 /// Refuses components of which path tracing has no layers.
 void check_components(const RenderOptions& options) {
-    if (options.algorithm != Algorithm::path) return;
+    if (!is_reference(options.algorithm)) return;
     if (options.components)
         for (const std::string_view name : choosable_components(Choice::on_request))
             if (options.names_component(name))
@@ -158,7 +158,7 @@ void refuse_compensation(const RenderOptions& options) {
         throw usage_error(
             "--vpl-compensation: records hold the light of VPLs alone, expected another "
             "--algorithm and --indirect vpl");
-    if (options.algorithm == Algorithm::path)
+    if (is_reference(options.algorithm))
         throw usage_error(
             "--vpl-compensation: path tracing leaves nothing out, expected another --algorithm");
 }
@@ -167,7 +167,7 @@ void read_quality(const CLI::App& command, RenderOptions& options) {
     const auto text = value_of(command, "--quality");
     if (!text) return;
     options.quality = static_cast<Quality>(parse_name("--quality", *text, quality_names));
-    if (options.algorithm == Algorithm::path)
+    if (is_reference(options.algorithm))
         throw usage_error(
             "--quality: is for virtual lights, expected --spp, --time or --target-error of path "
             "tracing");
@@ -180,10 +180,11 @@ std::string_view to_string(Quality quality) {
 }
 
 void add_algorithm(CLI::App& render) {
-    add_value(render, "--algorithm", "NAME",
-              fmt::format("ais, amax, igi, ir, ic, tic, irradiance-cache or path, the reference "
-                          "(default: {})",
-                          to_string(default_algorithm)));
+    add_value(
+        render, "--algorithm", "NAME",
+        fmt::format("ais, amax, igi, ir, ic, tic, irradiance-cache, path or reference, which is as "
+                    "exact as path with less noise (default: {})",
+                    to_string(default_algorithm)));
     add_value(render, "--indirect", "NAME",
               "Of ais and amax: indirect light from vpl, from the records of ic or tic, or from "
               "rays, a path through each pixel (default: vpl, of ais in open scenes rays)");

@@ -39,8 +39,7 @@ namespace {
 /// Samples per pixel: those given, or so many that a single image is clean; empty where something
 /// else ends rendering.
 std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scene& scene) {
-    if (options.spp || options.time_seconds || options.algorithm == Algorithm::path)
-        return options.spp;
+    if (options.spp || options.time_seconds || is_reference(options.algorithm)) return options.spp;
     const bool single_image = !options.frames && !options.frame_seconds && !options.preset;
     if (options.algorithm != Algorithm::ais || !single_image) return 1;
     return samples_of(options.quality, !scene.media.empty());
@@ -87,6 +86,7 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
     constexpr std::uint32_t default_samples = 64;
     const bool open = options.time_seconds.has_value() || options.target_error.has_value();
     PathSettings settings;
+    settings.algorithm = options.algorithm;
     settings.width = common.width;
     settings.height = common.height;
     settings.seed = common.seed;
@@ -240,6 +240,16 @@ class CommandOutput : public FileOutput {
     RunTimes& times_;
 };
 
+/// Says where the reference is made by path tracing alone.
+void warn_about_paths(const RenderSession& session, const RenderOptions& options,
+                      Diagnostics& diagnostics) {
+    if (options.algorithm != Algorithm::reference || session.plan().exact) return;
+    const bool media = session.scene().flat().media.present();
+    diagnostics.warn("", std::string("--algorithm reference is path tracing here, because ") +
+                             (media ? "there are participating media"
+                                    : "less than half of the virtual lights land on a surface"));
+}
+
 /// Makes the session for the options. With --resume, path tracing continues the file where there is
 /// one. Throws Error (exit code 2) where that file is of another image.
 RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene moving,
@@ -248,7 +258,7 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
     // --stats writes the statistics of all frames.
     const std::size_t kept_frames = options.stats ? std::numeric_limits<std::size_t>::max()
                                                   : RenderSession::default_kept_frames;
-    if (options.algorithm != Algorithm::path)
+    if (!is_reference(options.algorithm))
         return {std::move(executor), std::move(moving), camera, settings, kept_frames};
     FilmSums sums;
     PathSettings left = path_settings(options, settings);
@@ -404,6 +414,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     const Camera first_camera = camera_of_frame(scene, camera, options, frames.first);
     RenderSession session = make_session(std::move(executor), std::move(moving), first_camera,
                                          options, settings, diagnostics);
+    warn_about_paths(session, options, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
     session.set_mattes({options.object_mattes, options.material_mattes});

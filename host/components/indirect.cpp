@@ -1,15 +1,24 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <utility>
 
 #include "components/interleaved_irradiance.h"
 #include "pipeline/view_media.h"
 #include "pipeline/virtual_lights.h"
+#include "scene/light_exponent.h"
 
 namespace weft {
 namespace {
 
 constexpr const char* name = "indirect";
+
+// Receivers that share a list: neighbours, but for where a tile of the work list ends.
+constexpr std::uint32_t region_slots = 1024;
+
+constexpr std::uint32_t regions(std::uint32_t slots) {
+    return (slots + region_slots - 1) / region_slots;
+}
 
 bool is_enabled(const FramePlan& plan) {
     return plan.gathers_vpls() && !plan.cached;
@@ -18,7 +27,11 @@ bool is_enabled(const FramePlan& plan) {
 ComponentRequirements requirements(const FramePlan& plan) {
     ComponentRequirements requirements = requirements_of_interleaved(plan.adaptive);
     requirements.kernels.push_back(KernelId::vpl_walk);
-    requirements.kernels.push_back(KernelId::vpl_gather);
+    if (plan.choices > 0)
+        requirements.kernels.insert(requirements.kernels.end(),
+                                    {KernelId::vpl_shortlist, KernelId::vpl_choice});
+    else
+        requirements.kernels.push_back(KernelId::vpl_gather);
     requirements.features = FEATURE_INDIRECT;
     return requirements;
 }
@@ -27,7 +40,13 @@ ComponentRequirements requirements(const FramePlan& plan) {
 class Indirect : public Component {
   public:
     explicit Indirect(const ComponentInputs& inputs)
-        : irradiance_(inputs, name, inputs.buffers.gbuffer, inputs.buffers.tiles.get()) {}
+        : irradiance_(inputs, name, inputs.buffers.gbuffer, inputs.buffers.tiles.get()),
+          light_scale_(std::ldexp(1.0F, -light_exponent(inputs.scene))) {
+        if (inputs.plan.choices > 0)
+            shortlists_ = allocate<kinds::VirtualLights>(
+                inputs.executor, std::size_t{regions(inputs.buffers.slots)} * inputs.plan.shortlist,
+                "short lists of VPLs");
+    }
 
     void sample(FrameContext& frame) override;
     void reconstruct(FrameContext& frame) override { irradiance_.reconstruct(frame); }
@@ -44,8 +63,11 @@ class Indirect : public Component {
 
   private:
     void gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
+    void choose(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
 
     InterleavedIrradiance irradiance_;
+    float light_scale_;
+    DeviceBuffer<kinds::VirtualLights> shortlists_;
 };
 
 void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
@@ -70,10 +92,39 @@ void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& s
          .first = slots.first / lanes});
 }
 
+void Indirect::choose(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
+    const FramePlan& plan = frame.plan;
+    frame.run(Stage::vpl_shortlist, name,
+              kernels::vpl_shortlist{.vpl_count = plan.sets * plan.vpls_per_set,
+                                     .region_slots = region_slots,
+                                     .list_length = plan.shortlist,
+                                     .scale = light_scale_,
+                                     .slots = slots.stride,
+                                     .receiver_planes = slots.receivers,
+                                     .vpls = frame.buffers.vpls,
+                                     .shortlists = shortlists_},
+              {regions(slots.count)});
+    frame.run(Stage::vpl_gather, name,
+              kernels::vpl_choice{.scene = *frame.scene_buffers.traced,
+                                  .region_slots = region_slots,
+                                  .list_length = plan.shortlist,
+                                  .choices = plan.choices,
+                                  .scale = light_scale_,
+                                  .slots = slots.stride,
+                                  .receiver_planes = slots.receivers,
+                                  .shortlists = shortlists_,
+                                  .irradiance = slots.irradiance,
+                                  .counters = frame.buffers.counters},
+              {.count = slots.count / PACKET_BLOCK,
+               .per_launch = gather_items_per_launch(frame.executor, plan.choices * PACKET_BLOCK),
+               .first = slots.first / PACKET_BLOCK});
+}
+
 void Indirect::sample(FrameContext& frame) {
     walk_vpls(frame, name);
-    irradiance_.sample(frame,
-                       [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); });
+    irradiance_.sample(frame, [&](const InterleavedIrradiance::Slots& slots) {
+        frame.plan.choices > 0 ? choose(frame, slots) : gather(frame, slots);
+    });
 }
 
 std::unique_ptr<Component> make(const ComponentInputs& inputs) {

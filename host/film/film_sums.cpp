@@ -27,10 +27,8 @@ static_assert(FILM_SQUARE_SHIFT == 72);
 /// The two's complement integer of `count` words of one pixel, times 2^-shift.
 double value_of(const FilmSums& sums, std::size_t first_word, std::size_t count, std::size_t pixel,
                 int shift) {
-    const std::size_t pixels = std::size_t{sums.width} * sums.height;
-    const auto word = [&](std::size_t k) {
-        return k < count ? sums.words[(first_word + k) * pixels + pixel] : 0U;
-    };
+    const std::uint32_t* const words = &sums.words[pixel * FILM_PIXEL_WORDS + first_word];
+    const auto word = [&](std::size_t k) { return k < count ? words[k] : 0U; };
     const bool negative = (word(count - 1) >> 31) != 0;
     // The magnitude, since the halves of a small negative number are large.
     double magnitude = 0.0;
@@ -70,8 +68,8 @@ void add_words(FilmSums& whole, const FilmSums& part, std::size_t first, std::si
     const std::size_t pixels = std::size_t{whole.width} * whole.height;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         std::uint64_t carry = 0;
-        for (std::size_t k = first; k < first + count; ++k) {
-            const std::size_t at = k * pixels + pixel;
+        const std::size_t begin = pixel * FILM_PIXEL_WORDS + first;
+        for (std::size_t at = begin; at < begin + count; ++at) {
             const std::uint64_t sum = std::uint64_t{whole.words[at]} + part.words[at] + carry;
             whole.words[at] = static_cast<std::uint32_t>(sum);
             carry = sum >> 32;
@@ -163,12 +161,14 @@ Image resolve_sums(const FilmSums& sums) {
     return image;
 }
 
-double relative_error(const FilmSums& sums, const std::function<bool()>& keep_going) {
+double relative_error(const FilmSums& sums, PixelNoise noise,
+                      const std::function<bool()>& keep_going) {
     const auto n = static_cast<double>(sums.samples());
     if (sums.samples() < least_samples) return std::numeric_limits<double>::infinity();
     constexpr double weight[3] = {0.2126, 0.7152, 0.0722};
     double total = 0.0;
-    double variance = 0.0;
+    double variance = 0.0;  // of the sum over pixels
+    double deviations = 0.0;
     bool varies = false;
     for (std::size_t pixel = 0; pixel < std::size_t{sums.width} * sums.height; ++pixel) {
         constexpr std::size_t asked_after = 4096;  // pixels: about a millisecond
@@ -184,11 +184,12 @@ double relative_error(const FilmSums& sums, const std::function<bool()>& keep_go
             deviation += weight[c] * std::sqrt(of_mean + resolution / (n - 1.0));
         }
         variance += deviation * deviation;
+        deviations += deviation;
     }
     if (!varies && sums.samples() < samples_without_variance)
         return std::numeric_limits<double>::infinity();
     if (!(total > 0.0)) return varies ? std::numeric_limits<double>::infinity() : 0.0;
-    return std::sqrt(variance) / total;
+    return (noise == PixelNoise::independent ? std::sqrt(variance) : deviations) / total;
 }
 
 }  // namespace weft

@@ -34,7 +34,7 @@ struct FilmSums {
     int light_exponent = 0;            ///< light is in units of 2^light_exponent
     double depth_unit = 1.0;           ///< kernel units per scene unit
     std::vector<SampleRange> ranges;   ///< disjoint, ascending, not adjacent
-    std::vector<std::uint32_t> words;  ///< FILM_PIXEL_WORDS planes of width * height words
+    std::vector<std::uint32_t> words;  ///< FILM_PIXEL_WORDS for each pixel
 
     /// How many samples a pixel has.
     [[nodiscard]] std::uint64_t samples() const;
@@ -52,10 +52,16 @@ void add_sums(FilmSums& whole, const FilmSums& part);
 /// "variance", the estimated variance of each pixel's beauty (0 for a single sample).
 [[nodiscard]] Image resolve_sums(const FilmSums& sums);
 
+/// How the noise of the pixels of a sample hangs together.
+enum class PixelNoise : std::uint8_t {
+    independent,
+    shared  ///< in an unknown way: pixels are taken to err all alike, which is the worst case
+};
+
 /// Estimated standard error of the image's mean luminance, relative to it; infinite where that
 /// cannot be told yet: of fewer than 16 samples, or of fewer than 1024 that all agree. `keep_going`
 /// is called now and then, if given; where it returns false, the result is infinite as well.
-[[nodiscard]] double relative_error(const FilmSums& sums,
+[[nodiscard]] double relative_error(const FilmSums& sums, PixelNoise noise,
                                     const std::function<bool()>& keep_going = {});
 
 }  // namespace weft

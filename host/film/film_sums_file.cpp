@@ -134,7 +134,8 @@ void attach_sums(const FilmSums& sums, Image& image) {
         Layer layer{layer_name(plane), "Y", {}, true};
         layer.values.reserve(pixels);
         for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-            layer.values.push_back(std::bit_cast<float>(sums.words[plane * pixels + pixel]));
+            layer.values.push_back(
+                std::bit_cast<float>(sums.words[pixel * FILM_PIXEL_WORDS + plane]));
         image.layers.push_back(std::move(layer));
     }
 }
@@ -149,10 +150,14 @@ FilmSums sums_of(const Image& image, const std::string& place) {
     sums.backends = reader.backends();
     sums.light_exponent = reader.exponent(exponent_key);
     sums.depth_unit = std::ldexp(1.0, reader.exponent(unit_key));
-    sums.words.reserve(std::size_t{FILM_PIXEL_WORDS} * image.width * image.height);
-    for (std::size_t plane = 0; plane < FILM_PIXEL_WORDS; ++plane)
-        for (const float word : reader.words(plane).values)
-            sums.words.push_back(std::bit_cast<std::uint32_t>(word));
+    sums.words.resize(std::size_t{FILM_PIXEL_WORDS} * image.width * image.height);
+    for (std::size_t plane = 0; plane < FILM_PIXEL_WORDS; ++plane) {
+        std::size_t at = plane;
+        for (const float word : reader.words(plane).values) {
+            sums.words[at] = std::bit_cast<std::uint32_t>(word);
+            at += FILM_PIXEL_WORDS;
+        }
+    }
     return sums;
 }
 

@@ -112,8 +112,10 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
         executor, receiver_planes(features) * frame.slots, "receivers");
     if (tiles) frame.tiles = std::make_unique<TileGeometry>(executor, width, height);
     if (plan.edge_samples > 0) frame.edges = std::make_unique<EdgeSamples>(executor, width, height);
-    frame.film_high = allocate<kinds::FilmHigh>(executor, film_values, "film");
-    frame.film_low = allocate<kinds::FilmLow>(executor, film_values, "film");
+    if (!plan.exact) {
+        frame.film_high = allocate<kinds::FilmHigh>(executor, film_values, "film");
+        frame.film_low = allocate<kinds::FilmLow>(executor, film_values, "film");
+    }
     if (plan.light_sample_count() > 0)
         frame.light_samples =
             allocate<kinds::VirtualLights>(executor, plan.light_sample_count(), "light samples");

@@ -16,13 +16,13 @@ namespace weft {
 enum class IndirectSource : std::uint8_t { vpl, ic, tic, rays };
 
 // Names on the command line and in files, in the order of the enumerations.
-inline constexpr std::array<std::string_view, 8> algorithm_names = {
-    "ais", "amax", "igi", "ir", "ic", "tic", "irradiance-cache", "path"};
+inline constexpr std::array<std::string_view, 9> algorithm_names = {
+    "ais", "amax", "igi", "ir", "ic", "tic", "irradiance-cache", "path", "reference"};
 // Long names that mean the same where users write one; programs print the short ones.
-inline constexpr std::array<std::string_view, 8> long_algorithm_names = {
+inline constexpr std::array<std::string_view, 9> long_algorithm_names = {
     "adaptive",           "adaptive-maximum", "instant-global-illumination",
     "instant-radiosity",  "instant-caching",  "temporal-instant-caching",
-    "irradiance-caching", "path-tracing"};
+    "irradiance-caching", "path-tracing",     "reference"};
 inline constexpr std::array<std::string_view, 4> source_names = {"vpl", "ic", "tic", "rays"};
 
 [[nodiscard]] std::string_view to_string(Algorithm algorithm);
@@ -31,6 +31,11 @@ inline constexpr std::array<std::string_view, 4> source_names = {"vpl", "ic", "t
 /// The same for each name of a list that is separated by commas.
 [[nodiscard]] std::string short_algorithm_names(std::string_view list);
 [[nodiscard]] std::string_view to_string(IndirectSource source);
+
+/// Whether an algorithm makes unbiased samples, which exact sums hold.
+[[nodiscard]] constexpr bool is_reference(Algorithm algorithm) {
+    return algorithm == Algorithm::path || algorithm == Algorithm::reference;
+}
 
 /// Whether an algorithm can take indirect light from elsewhere than from virtual lights.
 [[nodiscard]] constexpr bool has_indirect_source(Algorithm algorithm) {
@@ -48,7 +53,7 @@ inline constexpr std::array<std::string_view, 4> source_names = {"vpl", "ic", "t
 /// (SamplingSettings::compensation). Records hold the light of virtual lights alone, and path
 /// tracing leaves nothing out.
 [[nodiscard]] constexpr bool can_compensate(Algorithm algorithm, IndirectSource source) {
-    return algorithm != Algorithm::path && !caches_indirect(algorithm, source);
+    return !is_reference(algorithm) && !caches_indirect(algorithm, source);
 }
 
 /// Where settings take indirect light from.

@@ -68,6 +68,14 @@ void plan_media_samples(FramePlan& plan, const SamplingSettings& settings,
     plan.media_samples_per_set = scene.area_lights * plan.media_samples_per_light;
 }
 
+/// Points of a set on area lights that are chosen by power.
+std::uint32_t points_by_power(const SamplingSettings& settings, std::uint32_t lights) {
+    return lights == 0 ? 0U
+                       : static_cast<std::uint32_t>(
+                             std::min(std::uint64_t{lights} * settings.samples_per_light,
+                                      std::uint64_t{settings.max_samples_per_set}));
+}
+
 }  // namespace
 
 double vpl_bound(double area, double count, double spacing) {
@@ -114,11 +122,13 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.cache_records = settings.cache_records;
     plan.cache_error = settings.cache_error;
     if (scene.direct || plan.media_light) {
-        const bool all_lights = std::uint64_t{scene.area_lights} * settings.samples_per_light <=
-                                settings.max_samples_per_set;
+        // What is known in closed form is biased where something hides a part of it.
+        const bool all_lights = algorithm != Algorithm::reference &&
+                                std::uint64_t{scene.area_lights} * settings.samples_per_light <=
+                                    settings.max_samples_per_set;
         plan.samples_per_light = all_lights ? settings.samples_per_light : 0;
         plan.samples_per_set = all_lights ? scene.area_lights * settings.samples_per_light
-                                          : settings.max_samples_per_set;
+                                          : points_by_power(settings, scene.area_lights);
         if (plan.media_light) plan_media_samples(plan, settings, scene);
         plan.environment_samples = scene.environment ? settings.samples_per_light : 0;
         plan.punctual_lights = scene.punctual_lights;
@@ -132,7 +142,12 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters &&
         !plan.bounce_rays)
         plan_vpls(plan, settings, scene.mean_reflectance);
+    if (algorithm == Algorithm::reference && plan.has_vpls()) {
+        plan.choices = settings.choices;
+        plan.shortlist = std::min(settings.shortlist, std::uint32_t{MAX_CHOICE_VPLS});
+    }
     if (hemispheres && lights > 0) plan_hemisphere(plan, settings, scene);
+    plan.exact = algorithm == Algorithm::reference;
     plan.adaptive = algorithm == Algorithm::ais;
     if (plan.adaptive && plan.threshold > 0.0) plan.roulette = std::max(0.0, settings.roulette);
     // No roulette for records that outlast their frame: its level depends on all VPLs, so that a

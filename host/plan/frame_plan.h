@@ -15,7 +15,17 @@
 
 namespace weft {
 
-enum class Algorithm : std::uint8_t { ais, amax, igi, ir, ic, tic, irradiance_cache, path };
+enum class Algorithm : std::uint8_t {
+    ais,
+    amax,
+    igi,
+    ir,
+    ic,
+    tic,
+    irradiance_cache,
+    path,
+    reference
+};
 
 /// The algorithm that renders where none is named.
 inline constexpr Algorithm default_algorithm = Algorithm::ais;
@@ -66,6 +76,10 @@ struct SamplingSettings {
     /// Of irradiance_cache: most rays into the hemisphere above a record, 16 and up.
     std::uint32_t cache_rays = 256;
     bool compensation = false;  ///< path traces what bounds and bounces leave out
+    /// Of reference: how many VPLs neighbouring receivers choose among those of all sets.
+    std::uint32_t choices = 16;
+    /// Of reference: how many VPLs the list of a region has, at most MAX_CHOICE_VPLS.
+    std::uint32_t shortlist = 256;
     /// Further rays of an edge pixel, of ais and amax; rounded down to an even number, at most
     /// MAX_EDGE_SAMPLES.
     std::uint32_t edge_samples = 4;
@@ -95,6 +109,10 @@ struct FramePlan {
 
     std::uint32_t paths_per_set = 0;  ///< 0: no VPLs
     std::uint32_t vpls_per_set = 0;
+    /// VPLs that neighbouring receivers choose from the short list of their region; 0: they gather
+    /// their set's.
+    std::uint32_t choices = 0;
+    std::uint32_t shortlist = 0;  ///< VPLs on a list, of those of all sets
     std::uint32_t bounces = 0;
     std::array<std::uint32_t, MAX_BOUNCES> survivors{};
     std::array<std::uint32_t, MAX_BOUNCES> first_vpl{};
@@ -125,6 +143,8 @@ struct FramePlan {
 
     /// Further rays of an edge pixel, even; 0: edges stay as primary rays find them.
     std::uint32_t edge_samples = 0;
+
+    bool exact = false;  ///< samples are independent and go to exact sums
 
     bool adaptive = false;  ///< levels decide which pixels a component samples, where it can adapt
     double threshold = 0.0;

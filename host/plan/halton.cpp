@@ -20,6 +20,16 @@ double shift_of(std::uint32_t seed, std::uint32_t axis) {
     return static_cast<double>((x ^ x >> 31) >> 11) * 0x1.0p-53;
 }
 
+std::uint32_t seed_of_sample(std::uint32_t seed, std::uint32_t sample) {
+    // Each step is a permutation, so that two samples of one seed never share theirs.
+    const auto mix = [](std::uint32_t x) {
+        x = (x ^ x >> 16) * 0x7feb352dU;
+        x = (x ^ x >> 15) * 0x846ca68bU;
+        return x ^ x >> 16;
+    };
+    return mix(sample + mix(seed ^ 0x6a09e667U));
+}
+
 double shifted_halton(std::uint32_t base, std::uint32_t index, double shift) {
     const double x = radical_inverse(base, index) + shift;
     return x - std::floor(x);

@@ -16,6 +16,9 @@ namespace weft {
 /// A coordinate of the Halton sequence shifted modulo 1 (Cranley and Patterson 1976), [0, 1).
 [[nodiscard]] double shifted_halton(std::uint32_t base, std::uint32_t index, double shift);
 
+/// A seed for one of many samples that have to be independent; others for other samples.
+[[nodiscard]] std::uint32_t seed_of_sample(std::uint32_t seed, std::uint32_t sample);
+
 }  // namespace weft
 
 #endif

@@ -30,6 +30,17 @@ SamplingSettings sampling_of(Quality quality) {
     return settings;
 }
 
+SamplingSettings sampling_of_reference() {
+    SamplingSettings settings;
+    settings.vpls_per_set = 256;
+    settings.bounces = MAX_BOUNCES;
+    settings.samples_per_light = 4;
+    settings.max_samples_per_set = 16;
+    settings.filter_radius = 0;
+    settings.compensation = true;
+    return settings;
+}
+
 std::uint32_t samples_of(Quality quality, bool media) {
     if (quality == Quality::draft) return 1;
     return media ? 4 : 6;

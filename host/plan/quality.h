@@ -16,6 +16,10 @@ enum class Quality : std::uint8_t { draft, preview, high };
 /// points on lights a pixel's set has.
 [[nodiscard]] SamplingSettings sampling_of(Quality quality);
 
+/// The settings of the reference estimator: few choices among VPLs of eight bounces, no filter, and
+/// the residual by path tracing.
+[[nodiscard]] SamplingSettings sampling_of_reference();
+
 /// Samples of a single image by adaptive sampling for which no end is given: as many as it takes
 /// until the eye finds neither the sample sets nor stairs at edges, but for `draft`; fewer in
 /// scenes with media, whose samples take about twice as long.

@@ -19,34 +19,6 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t most_frame_samples = 256;
-// Largest exponent of the scale of light: the scale and its square must stay normal floats.
-constexpr double largest_exponent = 60.0;
-
-// Square of the ratio of the scene's radius to the distance at which a surface may be from a point
-// light.
-constexpr double nearness = 0x1p20;
-
-/// Radiance of the brightest light or medium; for lights without area, that of a surface close to
-/// them.
-double brightest(const FlatScene& scene) {
-    const auto radius = static_cast<double>(scene.radius);
-    double most = scene.media.radiance;
-    for (const shared::LightRecord& light : scene.lights) {
-        double value = std::max({light.power.x, light.power.y, light.power.z});
-        if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT)
-            value *= nearness / (radius * radius);
-        most = std::max(most, value);
-    }
-    return most;
-}
-
-int light_exponent(const FlatScene& scene) {
-    const double most = brightest(scene);
-    if (!(most > 0.0) || !std::isfinite(most)) return 0;
-    return static_cast<int>(
-        std::clamp(std::ceil(std::log2(most)), -largest_exponent, largest_exponent));
-}
-
 /// FNV-1a, 64 bits, over the bytes of anything that samples depend on.
 class Digest {
   public:
@@ -136,7 +108,7 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
       scene_(scene),
       settings_(settings),
       scene_buffers_(std::move(uploaded)),
-      next_(settings.samples.first) {
+      film_(executor, settings.width, settings.height, settings.samples) {
     camera_features_ = camera_features(camera);
     const std::uint32_t features = path_features(scene, settings) | camera_features_;
     params_ = scene_params(scene, camera, settings.width, settings.height);
@@ -144,34 +116,15 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
     params_.sampling.seed = settings.seed;
     params_.camera.hides_environment = settings.hides_environment ? 1 : 0;
     path_params_.through_centres = settings.through_centres ? 1 : 0;
-    film_.width = settings.width;
-    film_.height = settings.height;
-    film_.depth_unit = scene.units.scale;
-    scale_light();
+    fit_film();
     filter_textures();
-
-    const std::size_t words = std::size_t{FILM_PIXEL_WORDS} * settings.width * settings.height;
-    const bool continues = !sums.words.empty();
-    if (!continues) {
-        sums = film_;
-        sums.words.assign(words, 0);
-    }
-    std::vector<SampleRange> all = sums.ranges;
-    all.push_back(settings.samples);
-    if (continues && (sums.identity != identity() || sums.words.size() != words))
-        throw Error(ExitCode::bad_input,
-                    "the samples so far are of another image, expected the same scene, size, "
-                    "camera, seed and options");
-    (void)joined(std::move(all));
-    film_.ranges = sums.ranges;
-    film_.backends = sums.backends;
+    film_.begin(std::move(sums), identity());
 
     executor_.build(std::array{kernel()}, features);
     if (!scene_buffers_)
         scene_buffers_ = std::make_shared<SceneBuffers>(upload_scene(executor_, scene));
     media_ = media_of(executor_, scene, *scene_buffers_);
     set_media_camera(executor_, scene, camera, *media_);
-    sums_ = upload<kinds::FilmSums>(executor_, sums.words, "film");
     buffers_ = allocate_counters(executor_);
 }
 
@@ -189,9 +142,9 @@ const std::string& PathRenderer::identity() {
     return *identity_;
 }
 
-void PathRenderer::scale_light() {
-    film_.light_exponent = light_exponent(scene_);
-    path_params_.film_scale = std::ldexp(1.0F, -film_.light_exponent);
+void PathRenderer::fit_film() {
+    film_.fit(scene_);
+    path_params_.film_scale = film_.scale();
 }
 
 void PathRenderer::update_scene() {
@@ -203,7 +156,7 @@ void PathRenderer::follow_scene() {
     open_.reset();
     identity_.reset();
     set_scene(scene_, params_);
-    scale_light();
+    fit_film();
     set_features();
 }
 
@@ -222,12 +175,8 @@ void PathRenderer::set_camera(const Camera& camera) {
     filter_textures();
     open_.reset();
     identity_.reset();
-    film_.ranges.clear();
-    next_ = settings_.samples.first;
+    film_.clear();
     ++image_;
-    const std::vector<std::uint32_t> zeros(
-        std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height, 0);
-    write_buffer(executor_, sums_, zeros);
 }
 
 std::uint32_t PathRenderer::frame_samples() const noexcept {
@@ -256,7 +205,7 @@ bool PathRenderer::render_frame(const KeepGoing& keep_going) {
 bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
     const Stopwatch watch;
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
-    params_.sampling.sample = next_;
+    params_.sampling.sample = film_.next();
     path_params_.samples = open_->count;
     const std::uint32_t pixels = settings_.width * settings_.height;
     const std::uint32_t first = open_->pixel;
@@ -277,7 +226,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                                       .light_table = view(scene_buffers_->light_table),
                                       .media_tables = view(*media_),
                                       .path_params = path_params_,
-                                      .film_sums = sums_,
+                                      .film_sums = film_.buffer(),
                                       .counters = buffers_.counters,
                                       .nonfinite = buffers_.nonfinite},
                   all);
@@ -287,7 +236,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                                 .geometry = view(scene_buffers_->geometry),
                                 .light_table = view(scene_buffers_->light_table),
                                 .path_params = path_params_,
-                                .film_sums = sums_,
+                                .film_sums = film_.buffer(),
                                 .counters = buffers_.counters,
                                 .nonfinite = buffers_.nonfinite},
                   all);
@@ -302,21 +251,13 @@ void PathRenderer::finish_frame() {
     stats_.push_back(std::move(open_->stats));
     open_.reset();
     stats_.back().image = image_;
-    film_.backends.insert(executor_.device().backend);
-    std::vector<SampleRange> ranges = film_.ranges;
-    ranges.push_back({next_, next_ + count});
-    film_.ranges = joined(std::move(ranges));
-    next_ += count;
+    film_.add(count);
     ms_per_sample_ = stats_.back().ms / count;
 }
 
 FilmSums PathRenderer::sums() {
     if (open_) (void)continue_frame([](Stage, double) { return true; }, true);
-    FilmSums sums = film_;
-    sums.identity = identity();
-    sums.words =
-        read_buffer(executor_, sums_, std::size_t{FILM_PIXEL_WORDS} * film_.width * film_.height);
-    return sums;
+    return film_.read(identity());
 }
 
 FilmView PathRenderer::film() {
@@ -324,9 +265,9 @@ FilmView PathRenderer::film() {
     return {.params = params_,
             .high = {},
             .low = {},
-            .sums = sums_,
+            .sums = film_.buffer(),
             .samples = film_.samples(),
-            .unit = std::ldexp(1.0, film_.light_exponent)};
+            .unit = film_.unit()};
 }
 
 }  // namespace weft

@@ -11,14 +11,17 @@
 #include <vector>
 
 #include "film/film_sums.h"
-#include "pipeline/frame_renderer.h"
 #include "pipeline/media_buffers.h"
+#include "render/exact_film.h"
+#include "render/exact_renderer.h"
 #include "scene/scene.h"
 
 namespace weft {
 
-/// Settings of a path-traced image.
+/// Settings of a reference.
 struct PathSettings {
+    /// path or reference; see make_exact_renderer.
+    Algorithm algorithm = Algorithm::path;
     std::uint32_t width = 512;
     std::uint32_t height = 512;
     std::uint32_t seed = 0;
@@ -32,7 +35,7 @@ struct PathSettings {
 
 /// Renders references by path tracing. A frame adds some samples to every pixel's exact sums;
 /// however many frames they are spread over, the same samples give the same bits.
-class PathRenderer : public FrameRenderer {
+class PathRenderer : public ExactRenderer {
   public:
     /// `scene` must outlive the renderer. Where `sums` holds words, they are continued: its ranges
     /// must lie outside `settings.samples`. Throws Error (exit code 2) where it is of another
@@ -55,23 +58,18 @@ class PathRenderer : public FrameRenderer {
     void update_scene() override;
     void follow_scene() override;
 
-    /// Samples still to be made.
-    [[nodiscard]] std::uint32_t samples_left() const noexcept {
-        return settings_.samples.end - next_;
+    [[nodiscard]] std::uint32_t samples_left() const noexcept override { return film_.left(); }
+    void limit_frames(double ms) noexcept override { most_frame_ms_ = ms; }
+    [[nodiscard]] bool has_open_frame() const noexcept override { return open_.has_value(); }
+    [[nodiscard]] double next_frame_ms() const noexcept override {
+        return ms_per_sample_ * frame_samples();
     }
-    /// Lets the next frames take no longer than so many milliseconds, as far as one sample does not
-    /// take longer; infinity for no limit.
-    void limit_frames(double ms) noexcept { most_frame_ms_ = ms; }
-    /// Whether a cancelled frame waits to go on.
-    [[nodiscard]] bool has_open_frame() const noexcept { return open_.has_value(); }
-    /// Expected milliseconds of the next frame; 0 before the first.
-    [[nodiscard]] double next_frame_ms() const noexcept { return ms_per_sample_ * frame_samples(); }
 
     [[nodiscard]] std::uint64_t samples() const override { return film_.samples(); }
     /// Beauty, alpha, direct, indirect, emission, albedo, normal, depth and variance.
     [[nodiscard]] Image image() override { return resolve_sums(sums()); }
     /// The sums as they are now, after the rest of a cancelled frame.
-    [[nodiscard]] FilmSums sums();
+    [[nodiscard]] FilmSums sums() override;
 
     [[nodiscard]] const FramePlan& plan() const override { return plan_; }
     [[nodiscard]] const std::vector<FrameStats>& stats() const override { return stats_; }
@@ -81,7 +79,7 @@ class PathRenderer : public FrameRenderer {
     [[nodiscard]] FilmView film() override;
 
   private:
-    /// A frame under way: samples [next_, next_ + count), which the pixels before `pixel` have.
+    /// A frame under way: the next `count` samples, which the pixels before `pixel` have.
     struct OpenFrame {
         std::uint32_t count;
         std::uint32_t pixel;
@@ -94,7 +92,7 @@ class PathRenderer : public FrameRenderer {
     void finish_frame();
     void filter_textures();
     [[nodiscard]] const std::string& identity();
-    void scale_light();
+    void fit_film();
     /// Builds the kernel again where the scene or the camera needs other features.
     void set_features();
     /// The kernel `path`, or `path_media` where the scene has media.
@@ -108,14 +106,12 @@ class PathRenderer : public FrameRenderer {
     std::shared_ptr<SceneBuffers> scene_buffers_;
     std::shared_ptr<MediaBuffers> media_;
     FrameBuffers buffers_;
-    DeviceBuffer<kinds::FilmSums> sums_;
     shared::RenderParams params_{};
     shared::PathParams path_params_{};
-    FilmSums film_;  ///< without words, which are on the device, and without identity
+    ExactFilm film_;
     std::optional<std::string> identity_;  ///< of the image, once it was computed
     std::optional<OpenFrame> open_;
     std::vector<FrameStats> stats_;
-    std::uint32_t next_;
     std::uint32_t image_ = 0;
     std::uint32_t camera_features_ = 0;
     double ms_per_sample_ = 0.0;

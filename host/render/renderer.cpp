@@ -84,7 +84,8 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
 std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
     const ComponentRequirements requirements = requirements_of(plan, kinds);
     std::set<KernelId> kernels(requirements.kernels.begin(), requirements.kernels.end());
-    kernels.insert({KernelId::gbuffer, KernelId::compose});
+    kernels.insert(KernelId::gbuffer);
+    kernels.insert(plan.exact ? KernelId::compose_sums : KernelId::compose);
     if (requirements.all_receivers || requirements.tiles || requirements.own_tiles)
         kernels.insert(KernelId::receivers);
     if (requirements.tiles || requirements.own_tiles) kernels.insert(KernelId::tile_geometry);
@@ -118,10 +119,8 @@ Renderer::Renderer(Executor& executor, const FlatScene& scene,
     choose_indirect();
 }
 
-void Renderer::choose_indirect() {
-    const bool undecided = settings_.sampling.bounce_rays_if_open && plan_.adaptive &&
-                           plan_.gathers_vpls() && !plan_.cached && !plan_.media;
-    if (!undecided) return;
+double Renderer::landed_share() {
+    if (!plan_.gathers_vpls()) return 1.0;
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
     const KeepGoing to_the_end;
     FrameContext frame(inputs, params_of_frame(0), to_the_end);
@@ -132,7 +131,14 @@ void Renderer::choose_indirect() {
     const auto landed = std::count_if(vpls.begin(), vpls.end(), [](const shared::Vpl& vpl) {
         return vpl.flux.x > 0.0F || vpl.flux.y > 0.0F || vpl.flux.z > 0.0F;
     });
-    const double share = static_cast<double>(landed) / static_cast<double>(count);
+    return static_cast<double>(landed) / static_cast<double>(count);
+}
+
+void Renderer::choose_indirect() {
+    const bool undecided = settings_.sampling.bounce_rays_if_open && plan_.adaptive &&
+                           plan_.gathers_vpls() && !plan_.cached && !plan_.media;
+    if (!undecided) return;
+    const double share = landed_share();
     settings_.sampling.bounce_rays = share < least_landed;
     if (settings_.sampling.bounce_rays) {
         plan_ = plan_for(scene_, settings_);
@@ -199,6 +205,8 @@ void Renderer::set_params(std::uint32_t features) {
     std::copy(plan_.survivors.begin(), plan_.survivors.end(), sampling.survivors);
     std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), sampling.first_vpl);
     sampling.edge_samples = plan_.edge_samples;
+    sampling.vpl_bound = static_cast<float>(plan_.vpl_bound);
+    sampling.lights.bound_scale = static_cast<float>(plan_.light_bound_scale);
     sampling.record_error = static_cast<float>(plan_.cache_error);
 }
 
@@ -246,6 +254,22 @@ shared::RenderParams Renderer::params_of_frame(std::uint32_t frame) const {
     return params;
 }
 
+shared::RenderParams Renderer::params_of_sample(std::uint32_t sample) const {
+    shared::RenderParams params = base_params_;
+    shared::SamplingParams& sampling = params.sampling;
+    // Each sample scrambles its points anew, so that samples are independent.
+    sampling.seed = seed_of_sample(settings_.seed, sample);
+    sampling.sample = sample;
+    sampling.set_rotation = sample * 4 % plan_.gather_sets;
+    if (settings_.through_centres) {
+        set_jitter(0, true, 0, params);
+        return params;
+    }
+    params.camera.texture_angle = 0.0F;
+    set_random_jitter(sampling.seed, params);
+    return params;
+}
+
 void Renderer::trace_primary(FrameContext& frame) {
     const GBuffer& gbuffer = buffers_.gbuffer;
     frame.run(Stage::primary_rays, "",
@@ -290,6 +314,19 @@ void Renderer::compose(FrameContext& frame) {
     if (buffers_.edges) buffers_.edges->sample(frame);
 }
 
+void Renderer::compose(FrameContext& frame, const ExactFilm& film) {
+    // A film gets all of a sample or nothing.
+    frame.whole_launches = true;
+    frame.run(Stage::composition, "",
+              kernels::compose_sums{.surfaces = view(buffers_.gbuffer),
+                                    .composed = buffers_.composed(),
+                                    .slots = buffers_.slots,
+                                    .film_scale = film.scale(),
+                                    .film_sums = film.buffer(),
+                                    .nonfinite = buffers_.nonfinite},
+              {frame.pixels()});
+}
+
 std::vector<LightShare> Renderer::sample(FrameContext& frame) {
     std::vector<LightShare> light;
     for (const ActiveComponent& active : components_) {
@@ -324,18 +361,37 @@ bool Renderer::render_frame(const KeepGoing& keep_going) {
     return !frame.ended_early();
 }
 
+void Renderer::reconstruct(FrameContext& frame) {
+    for (const ActiveComponent& active : components_)
+        if (!executor_.cancelled()) active.component->reconstruct(frame);
+}
+
 bool Renderer::finish(FrameContext& frame) {
     bool written = false;
     frame.run_whole([&] {
-        for (const ActiveComponent& active : components_) {
-            if (executor_.cancelled()) return;
-            active.component->reconstruct(frame);
-        }
+        reconstruct(frame);
         if (executor_.cancelled()) return;
         compose(frame);
         written = frame.whole_launches || !buffers_.edges || !executor_.cancelled();
     });
     return written;
+}
+
+bool Renderer::add_sample(ExactFilm& film, const KeepGoing& keep_going) {
+    const Stopwatch watch;
+    const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
+    FrameContext frame(inputs, params_of_sample(film.next()), keep_going);
+    frame.begins = FrameContext::Begins::nothing;
+    frame.run_whole([&] {
+        trace_primary(frame);
+        (void)sample(frame);
+        reconstruct(frame);
+    });
+    if (executor_.cancelled()) return false;
+    frame.run_whole([&] { compose(frame, film); });
+    film.add(1);
+    record(frame, watch);
+    return true;
 }
 
 std::vector<ThresholdScope> Renderer::threshold_scopes() const {

@@ -15,6 +15,7 @@
 #include "pipeline/frame_context.h"
 #include "pipeline/frame_renderer.h"
 #include "plan/frame_plan.h"
+#include "render/exact_film.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -33,6 +34,7 @@ struct RenderSettings {
     /// Of ais: target for the milliseconds of a frame, which thresholds are adapted to; 0: none.
     double frame_time_ms = 0.0;
     bool hides_environment = false;  ///< from rays of the camera, not from light
+    bool through_centres = false;    ///< of reference: samples go through the pixel's centre
     bool direct = true;
     bool indirect = true;
     bool media = true;  ///< light that participating media scatter to the camera
@@ -60,11 +62,21 @@ class Renderer : public FrameRenderer {
     /// frame was complete.
     bool render_frame(const KeepGoing& keep_going) override;
 
+    /// Adds the next sample to an exact film, not to the renderer's own: a sample of Algorithm::
+    /// reference, which depends on its number and on no other sample. Whatever `keep_going` returns
+    /// it is finished; a cancelled one is not added. Returns whether it was.
+    bool add_sample(ExactFilm& film, const KeepGoing& keep_going);
+
     void set_camera(const Camera& camera) override;
     void move_camera(const Camera& camera) override;
     /// Keeps the plan, unless the scene's lights or features are others than it was made for.
     void update_scene() override;
     void follow_scene() override;
+
+    /// Share of the VPLs of the first sample that land on surfaces; 1 where the plan has none.
+    [[nodiscard]] double landed_share();
+    /// What kernels are told that is the same in all samples of Algorithm::reference.
+    [[nodiscard]] const shared::RenderParams& constant_params() const { return base_params_; }
 
     [[nodiscard]] std::uint64_t samples() const override { return frames_in_film_; }
     [[nodiscard]] std::vector<LightShare> light() const override { return light_; }
@@ -91,6 +103,9 @@ class Renderer : public FrameRenderer {
     /// Makes the samples of all components; returns how much of its light each has.
     std::vector<LightShare> sample(FrameContext& frame);
     void compose(FrameContext& frame);
+    /// The same, into exact sums.
+    void compose(FrameContext& frame, const ExactFilm& film);
+    void reconstruct(FrameContext& frame);
     /// Reconstructs all components and adds the frame to the film; returns whether all of it got
     /// there.
     bool finish(FrameContext& frame);
@@ -98,6 +113,7 @@ class Renderer : public FrameRenderer {
     /// Which thresholds could have changed the cost of the last frame.
     [[nodiscard]] std::vector<ThresholdScope> threshold_scopes() const;
     [[nodiscard]] shared::RenderParams params_of_frame(std::uint32_t frame) const;
+    [[nodiscard]] shared::RenderParams params_of_sample(std::uint32_t sample) const;
 
     Executor& executor_;
     const FlatScene& scene_;

@@ -133,8 +133,8 @@ double counted_rays() {
 /// 2^33 in the words of an exact sum, as two halves.
 double summed_words() {
     std::uint32_t words[2] = {0xFFFFFFFFU, 0U};
-    native::add_to_sum(words, 1U, 2U, 1.0F, 0);
-    native::add_to_sum(words, 1U, 2U, 0x1p32F, 0);
+    native::add_to_sum(words, 2U, 1.0F, 0);
+    native::add_to_sum(words, 2U, 0x1p32F, 0);
     return std::ldexp(static_cast<double>(words[1]), 32) + static_cast<double>(words[0]);
 }
 

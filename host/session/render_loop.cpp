@@ -44,10 +44,13 @@ class ErrorTarget {
   public:
     explicit ErrorTarget(const std::optional<double>& target) : target_(target) {}
 
-    bool reached(PathRenderer& renderer, const Executor& executor) {
+    bool reached(ExactRenderer& renderer, const Executor& executor) {
         if (!target_ || renderer.has_open_frame() || renderer.samples() < next_check_) return false;
         next_check_ = 2 * renderer.samples();
-        return relative_error(renderer.sums(), [&] { return !executor.cancelled(); }) <= *target_;
+        const PixelNoise noise =
+            renderer.plan().exact ? PixelNoise::shared : PixelNoise::independent;
+        return relative_error(renderer.sums(), noise, [&] { return !executor.cancelled(); }) <=
+               *target_;
     }
 
   private:
@@ -61,7 +64,7 @@ SessionEnd RenderSession::render(const RenderBudget& budget) {
     SessionEnd end{};
     {
         const CancellableExecutor::Scope cancelling(executor_);
-        end = path_ != nullptr ? render_path(budget) : render_preview(budget);
+        end = exact_ != nullptr ? render_reference(budget) : render_preview(budget);
     }
     if (executor_.take_request()) return SessionEnd::cancelled;
     deliver(end == SessionEnd::complete);
@@ -106,34 +109,34 @@ SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
     return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
 }
 
-SessionEnd RenderSession::render_path(const RenderBudget& budget) {
+SessionEnd RenderSession::render_reference(const RenderBudget& budget) {
     Deadline deadline(budget.time_ms, budget.spent_ms);
     if (delivery_ms_) deadline.reserve(*delivery_ms_ + budget.reserved_ms);
-    const std::uint32_t all = path_->samples_left();
+    const std::uint32_t all = exact_->samples_left();
     ErrorTarget target(budget.target_error);
     const std::optional<double> interval =
         output_ != nullptr ? output_->save_interval_ms() : std::nullopt;
     double saved = deadline.ms();
     const auto share_done = [&] {
         if (deadline.is_set()) return deadline.share();
-        return all > 0 ? static_cast<double>(all - path_->samples_left()) / all : 1.0;
+        return all > 0 ? static_cast<double>(all - exact_->samples_left()) / all : 1.0;
     };
     const KeepGoing keep_going = [&](Stage stage, double) {
         if (budget.progress) budget.progress({share_done(), stage});
         return !is_ended(budget);
     };
-    while (path_->samples_left() > 0 && !is_ended(budget)) {
-        const bool has_image = path_->samples() > 0;
+    while (exact_->samples_left() > 0 && !is_ended(budget)) {
+        const bool has_image = exact_->samples() > 0;
         if (deadline.is_set() && has_image && deadline.left_ms() > 0.0)
             deadline.reserve(delivery_ms() + budget.reserved_ms);
         // Several frames until the end, each with a better idea of what a sample takes.
         constexpr double share_of_rest = 0.35;
-        path_->limit_frames(share_of_rest * deadline.left_ms());
-        if (has_image && path_->next_frame_ms() > deadline.left_ms()) break;
-        if (target.reached(*path_, executor_)) break;
+        exact_->limit_frames(share_of_rest * deadline.left_ms());
+        if (has_image && exact_->next_frame_ms() > deadline.left_ms()) break;
+        if (target.reached(*exact_, executor_)) break;
         if (!render_frame(keep_going)) break;
         if (interval && deadline.ms() - saved > *interval) {
-            const FilmSums sums = path_->sums();
+            const FilmSums sums = exact_->sums();
             try {
                 output_->save(sums, resolve_sums(sums));
             } catch (const Error&) {

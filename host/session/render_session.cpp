@@ -32,7 +32,7 @@ void RenderSession::upload() {
 void RenderSession::make_renderer(FilmSums sums) {
     delivery_ms_.reset();
     // The old renderer goes first, because two at once would need the memory of both.
-    path_ = nullptr;
+    exact_ = nullptr;
     renderer_.reset();
     stats_.begin_renderer();
     if (const auto* const preview = std::get_if<RenderSettings>(&settings_)) {
@@ -40,10 +40,10 @@ void RenderSession::make_renderer(FilmSums sums) {
             std::make_unique<Renderer>(executor_, scene_.flat(), buffers_, camera_, *preview);
         return;
     }
-    auto path = std::make_unique<PathRenderer>(executor_, scene_.flat(), buffers_, camera_,
-                                               std::get<PathSettings>(settings_), std::move(sums));
-    path_ = path.get();
-    renderer_ = std::move(path);
+    auto exact = make_exact_renderer(executor_, scene_.flat(), buffers_, camera_,
+                                     std::get<PathSettings>(settings_), std::move(sums));
+    exact_ = exact.get();
+    renderer_ = std::move(exact);
 }
 
 void RenderSession::set_camera(const Camera& camera) {
@@ -123,10 +123,11 @@ void RenderSession::add_identifiers(Image& image) {
 
 SessionImage RenderSession::image() {
     SessionImage result;
-    if (path_ != nullptr) {
-        result.sums = path_->sums();
+    if (exact_ != nullptr) {
+        result.sums = exact_->sums();
         result.image = resolve_sums(*result.sums);
-        result.algorithm = Algorithm::path;
+        // What was chosen: paths alone make the same samples whatever the settings name.
+        result.algorithm = plan().exact ? Algorithm::reference : Algorithm::path;
         result.seed = std::get<PathSettings>(settings_).seed;
     } else {
         result.image = renderer_->image();

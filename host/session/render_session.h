@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "device/cancellable_executor.h"
-#include "render/path_renderer.h"
+#include "render/reference_renderer.h"
 #include "render/renderer.h"
 #include "scene/moving_scene.h"
 #include "session/display_resolve.h"
@@ -22,7 +22,7 @@
 
 namespace weft {
 
-/// Settings of an image, which is a preview or path traced.
+/// Settings of an image, which is a preview or a reference.
 using ImageSettings = std::variant<RenderSettings, PathSettings>;
 
 /// How far RenderSession::render has come.
@@ -129,7 +129,7 @@ class RenderSession {
     /// Brings buffers and renderer up to date where the scene has changed in place.
     void follow_scene();
     SessionEnd render_preview(const RenderBudget& budget);
-    SessionEnd render_path(const RenderBudget& budget);
+    SessionEnd render_reference(const RenderBudget& budget);
     /// Renders and shows one frame; returns what FrameRenderer::render_frame does.
     bool render_frame(const KeepGoing& keep_going);
     void deliver(bool complete);
@@ -144,7 +144,7 @@ class RenderSession {
     ImageSettings settings_;
     std::shared_ptr<SceneBuffers> buffers_;
     std::unique_ptr<FrameRenderer> renderer_;
-    PathRenderer* path_ = nullptr;  ///< renderer_, where it is a PathRenderer
+    ExactRenderer* exact_ = nullptr;  ///< renderer_, where it is an ExactRenderer
     SessionStats stats_;
     DisplayResolve resolve_;
     OutputDriver* output_ = nullptr;

@@ -109,6 +109,33 @@ static inline uint vector_mask_bits(typename WideOf<N>::Mask m) {
 #endif
 }
 
+// Halves are compared with each other, lane by lane, until four lanes are left: as SELECT of
+// port_opencl.h does it, so that NaN takes the same ways.
+template <int N>
+static inline float lowest_lane(typename WideOf<N>::Float v) {
+    if constexpr (N == 4) {
+        const float a = v[0] < v[2] ? v[0] : v[2];
+        const float b = v[1] < v[3] ? v[1] : v[3];
+        return a < b ? a : b;
+    } else {
+        typename WideOf<N / 2>::Float lanes[2];
+        __builtin_memcpy(lanes, &v, sizeof(v));
+        return lowest_lane<N / 2>(lanes[0] < lanes[1] ? lanes[0] : lanes[1]);
+    }
+}
+template <int N>
+static inline float highest_lane(typename WideOf<N>::Float v) {
+    if constexpr (N == 4) {
+        const float a = v[0] > v[2] ? v[0] : v[2];
+        const float b = v[1] > v[3] ? v[1] : v[3];
+        return a > b ? a : b;
+    } else {
+        typename WideOf<N / 2>::Float lanes[2];
+        __builtin_memcpy(lanes, &v, sizeof(v));
+        return highest_lane<N / 2>(lanes[0] > lanes[1] ? lanes[0] : lanes[1]);
+    }
+}
+
 #if LANES == 1
 typedef float WFloat;
 typedef int WMask;
@@ -197,14 +224,10 @@ static inline uint mask_count(WMask m) {
     return static_cast<uint>(__builtin_popcount(mask_bits(m)));
 }
 static inline float wide_lowest(WFloat v) {
-    float r = v[0];
-    for (int i = 1; i < LANES; ++i) r = v[i] < r ? v[i] : r;
-    return r;
+    return lowest_lane<LANES>(v);
 }
 static inline float wide_highest(WFloat v) {
-    float r = v[0];
-    for (int i = 1; i < LANES; ++i) r = v[i] > r ? v[i] : r;
-    return r;
+    return highest_lane<LANES>(v);
 }
 static inline WFloat wide_square_root(WFloat v) {
     WFloat r;

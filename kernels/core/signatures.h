@@ -87,6 +87,28 @@
     X(WRITES, SlotLight, irradiance)                   \
     X(WRITES, RayCounters, counters)
 
+#define ARGUMENTS_vpl_shortlist(X)                     \
+    X(VALUE, uint, vpl_count)                          \
+    X(VALUE, uint, region_slots)                       \
+    X(VALUE, uint, list_length)                        \
+    X(VALUE, float, scale)                             \
+    X(VALUE, uint, slots)                              \
+    X(READS, ReceiverPlanes, receiver_planes)          \
+    X(READS, VirtualLights, vpls)                      \
+    X(WRITES, VirtualLights, shortlists)
+
+#define ARGUMENTS_vpl_choice(X)                        \
+    X(TRACES, Scene, scene)                            \
+    X(VALUE, uint, region_slots)                       \
+    X(VALUE, uint, list_length)                        \
+    X(VALUE, uint, choices)                            \
+    X(VALUE, float, scale)                             \
+    X(VALUE, uint, slots)                              \
+    X(READS, ReceiverPlanes, receiver_planes)          \
+    X(READS, VirtualLights, shortlists)                \
+    X(WRITES, SlotLight, irradiance)                   \
+    X(WRITES, RayCounters, counters)
+
 #define ARGUMENTS_area_lights(X)                       \
     X(TRACES, Scene, scene)                            \
     X(GROUP, MediaTables, media_tables)                \
@@ -282,6 +304,14 @@
     X(WRITES, FilmLow, film_low)                       \
     X(WRITES, NonfiniteCounters, nonfinite)            \
     X(MAY_READ, EdgeMasks, edge_masks)
+
+#define ARGUMENTS_compose_sums(X)                      \
+    X(GROUP, SeenSurfaces, surfaces)                   \
+    X(GROUP, ComposedLight, composed)                  \
+    X(VALUE, uint, slots)                              \
+    X(VALUE, float, film_scale)                        \
+    X(WRITES, FilmSums, film_sums)                     \
+    X(WRITES, NonfiniteCounters, nonfinite)
 
 #define ARGUMENTS_edge_samples(X)                      \
     X(TRACES, Scene, scene)                            \

@@ -9,6 +9,7 @@
 
 #define INVALID_INDEX 0xFFFFFFFFu
 #define MAX_BOUNCES 8
+#define MAX_CHOICE_VPLS 512  // in a list that vpl_choice.cl chooses from
 #define PACKET_BLOCK 16  // slots of one work list block share a sample set; a multiple of any LANES
 // Shadow rays between two points end this share before the second: a receiver on the edge of two
 // faces lies in the plane of both, and rounding must not let the other one block it.

@@ -4,8 +4,9 @@
 // Exact sums over samples. A sample is rounded once to a fixed-point number, and fixed-point sums
 // do not depend on order: an image made in parts is the image made at once, bit for bit.
 //
-// A sum is a two's complement integer of several words, the least significant first. The words of
-// one plane follow one another: word k of pixel p is words[k * pixels + p].
+// A sum is a two's complement integer of several words, the least significant first. All sums of a
+// pixel follow one another, FILM_PIXEL_WORDS words: many samples of a pixel are added one after the
+// other, and words a whole image apart would not stay in a processor's cache together.
 #ifndef WEFT_KERNELS_FILM_FILM_SUMS_H
 #define WEFT_KERNELS_FILM_FILM_SUMS_H
 
@@ -14,7 +15,7 @@
 
 /// Adds `value` * 2^`shift`, rounded to an integer, to the sum of `count` words at `words`. `value`
 /// is finite. What exceeds the sum's range wraps around: the host chooses `shift` with room.
-static inline void add_to_sum(GLOBAL uint* words, uint stride, uint count, float value, int shift) {
+static inline void add_to_sum(GLOBAL uint* words, uint count, float value, int shift) {
     uint bits = as_bits(value);
     uint exponent = (bits >> 23) & 255u;
     uint mantissa = bits & 0x007FFFFFu;
@@ -40,12 +41,11 @@ static inline void add_to_sum(GLOBAL uint* words, uint stride, uint count, float
         uint word = k == first ? low : (k == first + 1u ? high : 0u);
         // Minus x is its complement plus 1; below `first` that 1 only ripples through.
         if (negative != 0u) word = ~word;
-        uint at = k * stride;
-        uint before = words[at];
+        uint before = words[k];
         uint sum = before + word;
         uint total = sum + carry;
         carry = (sum < before ? 1u : 0u) | (total < sum ? 1u : 0u);
-        words[at] = total;
+        words[k] = total;
     }
 }
 

@@ -16,12 +16,11 @@ typedef struct {
     uint word[FILM_SUM_WORDS];
 } FilmSum;
 
-/// Adds the sum of one plane of a pixel, exactly.
-static inline void add_film_sum(GLOBAL const uint* sums, uint pixels, uint plane, uint pixel,
-                                FilmSum* total) {
+/// Adds the sum of one plane, exactly.
+static inline void add_film_sum(GLOBAL const uint* sums, uint plane, FilmSum* total) {
     uint carry = 0u;
     for (uint k = 0u; k < FILM_SUM_WORDS; ++k) {
-        uint word = sums[(plane * FILM_SUM_WORDS + k) * pixels + pixel];
+        uint word = sums[plane * FILM_SUM_WORDS + k];
         uint sum = total->word[k] + word;
         uint next = sum + carry;
         carry = (sum < word ? 1u : 0u) | (next < sum ? 1u : 0u);
@@ -40,13 +39,13 @@ static inline float film_sum_value(const FilmSum* sum) {
     return value * half_unit * half_unit;
 }
 
-/// All light of one channel.
-static inline float sums_light(GLOBAL const uint* sums, uint pixels, uint pixel, uint channel) {
+/// All light of one channel of a pixel, by its sums.
+static inline float sums_light(GLOBAL const uint* sums, uint channel) {
     FilmSum total;
     for (uint k = 0u; k < FILM_SUM_WORDS; ++k) total.word[k] = 0u;
-    add_film_sum(sums, pixels, FILM_EMISSION + channel, pixel, &total);
-    add_film_sum(sums, pixels, FILM_DIRECT + channel, pixel, &total);
-    add_film_sum(sums, pixels, FILM_INDIRECT + channel, pixel, &total);
+    add_film_sum(sums, FILM_EMISSION + channel, &total);
+    add_film_sum(sums, FILM_DIRECT + channel, &total);
+    add_film_sum(sums, FILM_INDIRECT + channel, &total);
     return film_sum_value(&total);
 }
 
@@ -54,10 +53,10 @@ WEFT_KERNEL(resolve_display_sums)
 {
     if (WORK_ITEM(range) >= range.count) return;
     uint pixel = range.first + WORK_ITEM(range);
-    uint pixels = params.camera.width * params.camera.height;
+    GLOBAL const uint* sums = film_sums + (size_t)pixel * FILM_PIXEL_WORDS;
     float3 light;
-    light.x = sums_light(film_sums, pixels, pixel, 0u) * exposure;
-    light.y = sums_light(film_sums, pixels, pixel, 1u) * exposure;
-    light.z = sums_light(film_sums, pixels, pixel, 2u) * exposure;
+    light.x = sums_light(sums, 0u) * exposure;
+    light.y = sums_light(sums, 1u) * exposure;
+    light.z = sums_light(sums, 2u) * exposure;
     colours[pixel] = display_colour(&params, pixel, tone, light);
 }

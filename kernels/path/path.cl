@@ -53,16 +53,14 @@ INLINES_ALL WEFT_KERNEL(path)
 {
     if (WORK_ITEM(range) >= range.count) return;
     uint pixel = range.first + WORK_ITEM(range);
-    uint pixels = params.camera.width * params.camera.height;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
-    GLOBAL uint* sums = film_sums + pixel;
     uint rays = 0u;
     for (uint i = 0u; i < path_params.samples; ++i) {
         Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
         PathSample sample = trace_path(&params, &path_params, &world, pixel, &random, &rays);
-        add_sample(path_params.film_scale, sums, pixels, pixel, &sample, nonfinite);
+        add_sample(path_params.film_scale, film_sums, pixel, &sample, nonfinite);
     }
     count_rays(counters + range.counter, rays);
 }

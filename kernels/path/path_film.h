@@ -32,42 +32,40 @@ static inline PathSample no_path_sample(void) {
     return sample;
 }
 
-static inline void add_plane(GLOBAL uint* sums, uint pixels, uint plane, float value) {
-    add_to_sum(sums + plane * FILM_SUM_WORDS * pixels, pixels, FILM_SUM_WORDS, value,
-               FILM_SUM_SHIFT);
+static inline void add_plane(GLOBAL uint* sums, uint plane, float value) {
+    add_to_sum(sums + plane * FILM_SUM_WORDS, FILM_SUM_WORDS, value, FILM_SUM_SHIFT);
 }
 
-static inline void add_planes(GLOBAL uint* sums, uint pixels, uint plane, float3 value) {
-    add_plane(sums, pixels, plane, value.x);
-    add_plane(sums, pixels, plane + 1u, value.y);
-    add_plane(sums, pixels, plane + 2u, value.z);
+static inline void add_planes(GLOBAL uint* sums, uint plane, float3 value) {
+    add_plane(sums, plane, value.x);
+    add_plane(sums, plane + 1u, value.y);
+    add_plane(sums, plane + 2u, value.z);
 }
 
-static inline void add_square(GLOBAL uint* sums, uint pixels, uint channel, float value) {
-    GLOBAL uint* words =
-        sums + (FILM_PLANES * FILM_SUM_WORDS + channel * FILM_SQUARE_WORDS) * pixels;
-    add_to_sum(words, pixels, FILM_SQUARE_WORDS, value * value, FILM_SQUARE_SHIFT);
+static inline void add_square(GLOBAL uint* sums, uint channel, float value) {
+    add_to_sum(sums + FILM_PLANES * FILM_SUM_WORDS + channel * FILM_SQUARE_WORDS, FILM_SQUARE_WORDS,
+               value * value, FILM_SQUARE_SHIFT);
 }
 
-/// Adds a sample to the sums of its pixel, which begin at `sums`.
-static inline void add_sample(float scale, GLOBAL uint* sums, uint pixels, uint pixel,
+/// Adds a sample to the sums of its pixel, among those of all.
+static inline void add_sample(float scale, GLOBAL uint* film_sums, uint pixel,
                               const PathSample* sample, GLOBAL NonfiniteCounter* nonfinite) {
+    GLOBAL uint* sums = film_sums + (size_t)pixel * FILM_PIXEL_WORDS;
     // Scaled by a power of two, so that the sums' range fits the scene's light.
     float3 emission = guard(nonfinite, COMPONENT_EMISSION, pixel, sample->emission) * scale;
     float3 direct = guard(nonfinite, COMPONENT_DIRECT, pixel, sample->light.direct) * scale;
     float3 indirect = guard(nonfinite, COMPONENT_INDIRECT, pixel, sample->light.indirect) * scale;
-    add_planes(sums, pixels, FILM_EMISSION, emission);
-    add_planes(sums, pixels, FILM_DIRECT, direct);
-    add_planes(sums, pixels, FILM_INDIRECT, indirect);
-    add_planes(sums, pixels, FILM_ALBEDO,
-               guard(nonfinite, COMPONENT_SURFACE, pixel, sample->albedo));
-    add_planes(sums, pixels, FILM_NORMAL, sample->normal);
-    add_plane(sums, pixels, FILM_DEPTH, sample->depth);
-    add_plane(sums, pixels, FILM_ALPHA, sample->alpha);
+    add_planes(sums, FILM_EMISSION, emission);
+    add_planes(sums, FILM_DIRECT, direct);
+    add_planes(sums, FILM_INDIRECT, indirect);
+    add_planes(sums, FILM_ALBEDO, guard(nonfinite, COMPONENT_SURFACE, pixel, sample->albedo));
+    add_planes(sums, FILM_NORMAL, sample->normal);
+    add_plane(sums, FILM_DEPTH, sample->depth);
+    add_plane(sums, FILM_ALPHA, sample->alpha);
     float3 beauty = emission + direct + indirect;
-    add_square(sums, pixels, 0u, beauty.x);
-    add_square(sums, pixels, 1u, beauty.y);
-    add_square(sums, pixels, 2u, beauty.z);
+    add_square(sums, 0u, beauty.x);
+    add_square(sums, 1u, beauty.y);
+    add_square(sums, 2u, beauty.z);
 }
 
 #endif

@@ -37,6 +37,13 @@ static inline float area_light_share(const RenderParams* params, const PathScene
                         cosine_x, cosine_y);
 }
 
+/// How much of a path's light roulette expects to be left when it is past the surfaces that virtual
+/// lights serve, where it has met `bounce` surfaces: half of it goes on from each. Where the path's
+/// share is 0, only that is left to it, and most such paths end at their first surface.
+static inline float late_share(const RenderParams* params, uint bounce) {
+    return m_scale(1.0f, (int)bounce - (int)params->sampling.bounces - 2);
+}
+
 /// Traces a ray from the receiver to the first surface and a path from there on, and weights the
 /// light that these find by the share that virtual lights leave out.
 static inline PathLight trace_residual(const RenderParams* params, const PathScene* world,
@@ -65,10 +72,12 @@ static inline PathLight trace_residual(const RenderParams* params, const PathSce
     float share = share_beyond(params->sampling.vpl_bound, hit.t, local_vector.z, facing);
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
     while (goes_on != 0) {
-        vertex.light_weight = vertex.bounce <= params->sampling.bounces + 1u ? share : 1.0f;
+        int has_vpls = vertex.bounce <= params->sampling.bounces + 1u ? 1 : 0;
+        float weight = has_vpls != 0 ? m_max(share, late_share(params, vertex.bounce)) : 1.0f;
+        if (survives(&vertex, 1u, ROULETTE_LEVEL / weight, random) == 0) break;
+        vertex.light_weight = has_vpls != 0 ? share : 1.0f;
         if (vertex.light_weight > 0.0f) *rays += next_event(params, world, &vertex, random, &sum);
         goes_on = scatter(params, world, &vertex, random, &sum, rays);
-        if (goes_on != 0) goes_on = survives(&vertex, 1u, 1.0f, random);
     }
     return sum;
 }

@@ -37,9 +37,9 @@ TEST(AlgorithmOptions, PathTracing) {
                       .find("--target-error: "),
                   0u)
             << text;
-    // Only path tracing knows these; samples are counted once, and kept where they fit.
-    EXPECT_EQ(render_refusal({"--samples", "0:8"}).find("--samples: is for path"), 0u);
-    EXPECT_EQ(render_refusal({"--resume", "a.exr"}).find("--resume: is for path"), 0u);
+    // Only references know these; samples are counted once, and kept where they fit.
+    EXPECT_EQ(render_refusal({"--samples", "0:8"}).find("--samples: is for references"), 0u);
+    EXPECT_EQ(render_refusal({"--resume", "a.exr"}).find("--resume: is for references"), 0u);
     EXPECT_NE(render_refusal({"--algorithm=path", "--samples", "0:8", "--spp", "8"}), "no failure");
     EXPECT_NE(render_refusal({"--algorithm=path", "--samples", "0:8", "-o", "a.png"}),
               "no failure");

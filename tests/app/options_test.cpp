@@ -253,7 +253,7 @@ TEST(Options, RefusesBadListsAndNames) {
         EXPECT_EQ(render_refusal({"--components", text}).find("--components: "), 0u) << text;
     EXPECT_EQ(render_refusal({"--algorithm", "photons"}),
               "--algorithm: 'photons' is not valid, expected one of ais, amax, igi, ir, ic, tic, "
-              "irradiance-cache, path");
+              "irradiance-cache, path, reference");
     EXPECT_EQ(render_refusal({"--backend", "cuda"}),
               "--backend: 'cuda' is not valid, expected one of opencl, embree, native");
     EXPECT_EQ(render_refusal({"--progress", "bar"}).find("--progress: "), 0u);

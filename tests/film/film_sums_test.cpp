@@ -53,9 +53,9 @@ float any_float(std::mt19937& random) {
     }
 }
 
-Wide wide_of(const std::uint32_t* words, std::size_t count, std::size_t stride) {
+Wide wide_of(const std::uint32_t* words, std::size_t count) {
     Wide result = 0;
-    for (std::size_t k = count; k-- > 0;) result = (result << 32) | words[k * stride];
+    for (std::size_t k = count; k-- > 0;) result = (result << 32) | words[k];
     return result;
 }
 
@@ -69,25 +69,24 @@ TEST(FilmSums, AddingIsExact) {
          {std::pair<std::uint32_t, int>{FILM_SUM_WORDS, FILM_SUM_SHIFT},
           std::pair<std::uint32_t, int>{FILM_SQUARE_WORDS, FILM_SQUARE_SHIFT},
           std::pair<std::uint32_t, int>{FILM_SUM_WORDS, 0}}) {
-        constexpr std::size_t stride = 3;
-        std::array<std::uint32_t, 4 * stride> words{};
+        std::array<std::uint32_t, 6> words{};
         Wide expected = 0;
         for (int i = 0; i < 1'000'000; ++i) {
             const float value = any_float(random);
-            native::add_to_sum(words.data(), stride, count, value, shift);
+            native::add_to_sum(words.data() + 1, count, value, shift);
             expected = low_bits(expected + fixed(value, shift), count);
-            ASSERT_TRUE(wide_of(words.data(), count, stride) == expected) << value << " at " << i;
+            ASSERT_TRUE(wide_of(words.data() + 1, count) == expected) << value << " at " << i;
         }
         for (std::size_t i = 0; i < words.size(); ++i)
-            ASSERT_TRUE(i % stride == 0 || words[i] == 0) << "beside the sum";
+            ASSERT_TRUE((i >= 1 && i <= count) || words[i] == 0) << "beside the sum";
     }
 }
 
 TEST(FilmSums, SingleValues) {
     const auto sum_of = [](float value) {
         std::array<std::uint32_t, FILM_SUM_WORDS> words{};
-        native::add_to_sum(words.data(), 1, FILM_SUM_WORDS, value, FILM_SUM_SHIFT);
-        return wide_of(words.data(), FILM_SUM_WORDS, 1);
+        native::add_to_sum(words.data(), FILM_SUM_WORDS, value, FILM_SUM_SHIFT);
+        return wide_of(words.data(), FILM_SUM_WORDS);
     };
     const Wide unit = Wide{1} << 52;
     EXPECT_TRUE(sum_of(1.0F) == unit);
@@ -102,9 +101,9 @@ TEST(FilmSums, SingleValues) {
     EXPECT_TRUE(sum_of(0x1.fffffep+42F) == Wide{0xFFFFFF} << (43 + 52 - 24)) << "the largest";
     // A carry through all words, forth and back.
     std::array<std::uint32_t, 3> words{0xFFFFFFFF, 0xFFFFFFFF, 0};
-    native::add_to_sum(words.data(), 1, 3, 1.0F, 0);
+    native::add_to_sum(words.data(), 3, 1.0F, 0);
     EXPECT_EQ(words, (std::array<std::uint32_t, 3>{0, 0, 1}));
-    native::add_to_sum(words.data(), 1, 3, -1.0F, 0);
+    native::add_to_sum(words.data(), 3, -1.0F, 0);
     EXPECT_EQ(words, (std::array<std::uint32_t, 3>{0xFFFFFFFF, 0xFFFFFFFF, 0}));
 }
 
@@ -115,14 +114,14 @@ TEST(FilmSums, OrderDoesNotMatter) {
     std::vector<std::array<std::uint32_t, 3>> results;
     for (int order = 0; order < 10; ++order) {
         std::array<std::uint32_t, 3> words{};
-        for (const float value : values) native::add_to_sum(words.data(), 1, 3, value, 52);
+        for (const float value : values) native::add_to_sum(words.data(), 3, value, 52);
         results.push_back(words);
         std::shuffle(values.begin(), values.end(), random);
     }
     for (const auto& result : results) EXPECT_EQ(result, results.front());
     // And what is added is taken away again.
     std::array<std::uint32_t, 3> words = results.front();
-    for (const float value : values) native::add_to_sum(words.data(), 1, 3, -value, 52);
+    for (const float value : values) native::add_to_sum(words.data(), 3, -value, 52);
     EXPECT_EQ(words, (std::array<std::uint32_t, 3>{}));
 }
 
@@ -162,15 +161,14 @@ FilmSums empty_sums() {
 }
 
 void add_sample(FilmSums& sums, std::size_t pixel, const Sample& sample) {
-    std::uint32_t* const words = sums.words.data() + pixel;
+    std::uint32_t* const words = sums.words.data() + pixel * FILM_PIXEL_WORDS;
     for (std::size_t plane = 0; plane < FILM_PLANES; ++plane)
-        native::add_to_sum(words + plane * FILM_SUM_WORDS * pixels, pixels, FILM_SUM_WORDS,
-                           sample[plane], FILM_SUM_SHIFT);
+        native::add_to_sum(words + plane * FILM_SUM_WORDS, FILM_SUM_WORDS, sample[plane],
+                           FILM_SUM_SHIFT);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const float value = beauty_of(sample, channel);
-        native::add_to_sum(
-            words + (FILM_PLANES * FILM_SUM_WORDS + channel * FILM_SQUARE_WORDS) * pixels, pixels,
-            FILM_SQUARE_WORDS, value * value, FILM_SQUARE_SHIFT);
+        native::add_to_sum(words + FILM_PLANES * FILM_SUM_WORDS + channel * FILM_SQUARE_WORDS,
+                           FILM_SQUARE_WORDS, value * value, FILM_SQUARE_SHIFT);
     }
 }
 
@@ -327,6 +325,10 @@ FilmSums flashes(std::uint32_t n, std::uint32_t bright, float light) {
     return sums;
 }
 
+double error_of_mean(const FilmSums& sums) {
+    return relative_error(sums, PixelNoise::independent);
+}
+
 TEST(FilmSums, RelativeErrorIsThatOfTheMean) {
     // Of n samples b are 1: the mean is b / n, its variance b (n - b) / (n^2 (n - 1)), and pixels
     // are independent.
@@ -336,31 +338,34 @@ TEST(FilmSums, RelativeErrorIsThatOfTheMean) {
             const double b = bright;
             const double expected =
                 std::sqrt(b * (n - b) / (double(n) * n * (n - 1.0)) / double(pixels)) / (b / n);
-            EXPECT_NEAR(relative_error(flashes(n, bright, light)), expected, 1e-5 * expected);
+            EXPECT_NEAR(error_of_mean(flashes(n, bright, light)), expected, 1e-5 * expected);
+            // These flash all at once, which is what shared noise is taken to do.
+            EXPECT_NEAR(relative_error(flashes(n, bright, light), PixelNoise::shared),
+                        expected * std::sqrt(double(pixels)), 1e-5 * expected * pixels);
         }
 }
 
 TEST(FilmSums, RelativeErrorIsNotDeceived) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(relative_error(empty_sums()), infinity);
-    EXPECT_EQ(relative_error(flashes(1, 1, 1.0F)), infinity);
-    EXPECT_EQ(relative_error(flashes(15, 7, 1.0F)), infinity) << "too few samples";
-    EXPECT_LT(relative_error(flashes(16, 7, 1.0F)), 1.0);
+    EXPECT_EQ(error_of_mean(empty_sums()), infinity);
+    EXPECT_EQ(error_of_mean(flashes(1, 1, 1.0F)), infinity);
+    EXPECT_EQ(error_of_mean(flashes(15, 7, 1.0F)), infinity) << "too few samples";
+    EXPECT_LT(error_of_mean(flashes(16, 7, 1.0F)), 1.0);
     // Samples that agree may only not have met the light yet.
-    EXPECT_EQ(relative_error(flashes(16, 0, 1.0F)), infinity);
-    EXPECT_EQ(relative_error(flashes(1023, 0, 1.0F)), infinity);
-    EXPECT_EQ(relative_error(flashes(1024, 0, 1.0F)), 0.0);
-    EXPECT_EQ(relative_error(flashes(1023, 1023, 1.0F)), infinity);
-    EXPECT_LT(relative_error(flashes(1024, 1024, 1.0F)), 1e-12);
+    EXPECT_EQ(error_of_mean(flashes(16, 0, 1.0F)), infinity);
+    EXPECT_EQ(error_of_mean(flashes(1023, 0, 1.0F)), infinity);
+    EXPECT_EQ(error_of_mean(flashes(1024, 0, 1.0F)), 0.0);
+    EXPECT_EQ(error_of_mean(flashes(1023, 1023, 1.0F)), infinity);
+    EXPECT_LT(error_of_mean(flashes(1024, 1024, 1.0F)), 1e-12);
     // Nor does it count for a variance that squares are rounded.
     for (const float light : {0.3F, 0.1F, 0.7F, 1e-3F, 123.4F}) {
-        EXPECT_EQ(relative_error(flashes(16, 16, light)), infinity) << light;
-        EXPECT_EQ(relative_error(flashes(1023, 1023, light)), infinity) << light;
-        EXPECT_LT(relative_error(flashes(1024, 1024, light)), 1e-4) << light;
+        EXPECT_EQ(error_of_mean(flashes(16, 16, light)), infinity) << light;
+        EXPECT_EQ(error_of_mean(flashes(1023, 1023, light)), infinity) << light;
+        EXPECT_LT(error_of_mean(flashes(1024, 1024, light)), 1e-4) << light;
     }
     // Where squares are too faint for their sum, the error is never said to be smaller than it is.
     for (int exponent = -48; exponent <= 0; ++exponent) {
-        const double found = relative_error(flashes(1024, 512, std::ldexp(1.0F, exponent)));
+        const double found = error_of_mean(flashes(1024, 512, std::ldexp(1.0F, exponent)));
         const double truth = std::sqrt(1.0 / 1023.0 / static_cast<double>(pixels));
         EXPECT_GT(found, 0.999 * truth) << exponent;
         if (exponent > -30) {
