@@ -23,6 +23,7 @@
 #include "bench/common/bench_scenes.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
+#include "bench/common/references_folder.h"
 #include "device/native/native_executor.h"
 #include "plan/quality.h"
 #include "scene/load/load_scene.h"
@@ -40,7 +41,7 @@ struct Settings {
     std::string json;
     std::string backend = "opencl";
     std::string device;
-    std::string references = WEFT_SOURCE_DIR "/build/references";
+    std::string references = references_folder(WEFT_SOURCE_DIR).string();
     std::string published = WEFT_SOURCE_DIR "/../shared/reference/tables.json";
     std::string images;
     int threads = 0;
@@ -87,6 +88,7 @@ struct Settings {
         run.frames = frames();
         run.filters = without_errors ? std::vector<std::string>{} : filters;
         run.references = references;
+        if (reference_spp == 0) run.enough = good_floor;
         run.reference_spp = spp();
         run.images = images;
         run.say = [](const std::string& text) { print(text + "\n"); };
@@ -121,7 +123,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--roulette", settings.roulette, "of ais; default: that of the quality")
         ->check(CLI::Range(0.0, 1e3));
     app.add_option("--references", settings.references,
-                   "folder of path-traced references, each with its halves");
+                   "folder of references, each with its halves");
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
         ->check(CLI::Range(2U, limits::max_samples_per_pixel));
     app.add_option("--filters", settings.filters, "compare with references of these filters only")

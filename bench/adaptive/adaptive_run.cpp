@@ -57,6 +57,7 @@ void compare(const AdaptiveRun& run, const FlatScene& flat, const Camera& camera
     for (const bool centre : {false, true}) {
         ReferenceWish wish{scene.name, run.frames.size, centre, run.reference_spp};
         wish.with_halves = true;
+        wish.enough = run.enough;
         if (std::find(run.filters.begin(), run.filters.end(), wish.filter()) == run.filters.end())
             continue;
         const Reference reference = references.find(flat, camera, wish);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "bench/adaptive/adaptive_report.h"
 #include "bench/common/bench_scenes.h"
 #include "device/executor.h"
+#include "tradeoff/reference_floor.h"
 
 namespace weft::bench {
 
@@ -25,6 +27,8 @@ struct AdaptiveRun {
     bool layers = true;                ///< errors of direct and indirect light as well
     std::filesystem::path references;  ///< folder
     std::uint32_t reference_spp = 2500;
+    /// A reference that is known to have no larger floor will do, whatever its number of samples.
+    std::optional<ReferenceFloor> enough{};
     std::filesystem::path images{};               ///< folder to write all of them to; or empty
     std::function<void(const std::string&)> say;  ///< is told what takes long, without line ends
 };

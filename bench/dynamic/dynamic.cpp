@@ -22,6 +22,7 @@
 #include "bench/common/growing_report.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
+#include "bench/common/references_folder.h"
 #include "bench/dynamic/dynamic_methods.h"
 #include "bench/dynamic/dynamic_report.h"
 #include "bench/dynamic/dynamic_run.h"
@@ -32,6 +33,7 @@
 #include "render/camera_params.h"
 #include "scene/load/load_scene.h"
 #include "scene/pose_scene.h"
+#include "tradeoff/error_values.h"
 #include "tradeoff/reference_images.h"
 
 namespace {
@@ -50,7 +52,7 @@ struct Settings {
     std::string report;
     std::string backend = "opencl";
     std::string device;
-    std::string references = WEFT_SOURCE_DIR "/build/references";
+    std::string references = references_folder(WEFT_SOURCE_DIR).string();
     int threads = 0;
     std::uint32_t size = 0;           ///< 0: by `quick`
     std::uint32_t frames = 0;         ///< 0: by `quick`
@@ -126,9 +128,10 @@ void add_options(CLI::App& app, Settings& settings) {
             {"none", Visible::none}, {"last", Visible::last}, {"all", Visible::all}}));
     app.add_option("--repetitions", settings.repetitions, "of --static: frames of every method")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--references", settings.references, "of --static: folder of references");
+    app.add_option("--references", settings.references,
+                   "of --static: folder of references, each with its halves");
     app.add_option("--reference-spp", settings.reference_spp, "of --static: samples of new ones")
-        ->check(CLI::Range(1U, limits::max_samples_per_pixel));
+        ->check(CLI::Range(2U, limits::max_samples_per_pixel));
 }
 
 std::optional<Settings> parse(int argc, char** argv, int& status) {
@@ -252,13 +255,17 @@ nlohmann::json static_scene(const Settings& settings, const BenchScene& source,
     SharedScene path_shared(path_executor);
     ReferenceImages images(settings.references, path_shared,
                            [](const std::string& text) { print(text + "\n"); });
-    const Reference reference =
-        images.find(flat, camera, {source.name, run.edge, true, settings.spp()});
+    ReferenceWish wish{source.name, run.edge, true, settings.spp()};
+    wish.with_halves = true;
+    const Reference reference = images.find(flat, camera, wish);
+    nlohmann::json reference_json = reference.json();
+    if (const auto noise = noise_relmse_of(reference.image))
+        reference_json["noise_relmse"] = *noise;
     SharedScene shared(executor);
     const StaticReferences references{reference.image,
                                       many_vpls(shared, flat, camera, run.edge, run.converged)};
     return {{"scene", source.name},
-            {"reference", reference.json()},
+            {"reference", reference_json},
             {"methods", measure_static(shared, flat, camera, methods, references, run)}};
 }
 

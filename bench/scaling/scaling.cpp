@@ -19,6 +19,7 @@
 #include "bench/common/growing_report.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
+#include "bench/common/references_folder.h"
 #include "bench/scaling/scaling_report.h"
 #include "device/native/native_executor.h"
 
@@ -40,7 +41,7 @@ struct Settings {
     std::string json;
     std::string backend = "native";
     std::string device;
-    std::string references = WEFT_SOURCE_DIR "/build/references";
+    std::string references = references_folder(WEFT_SOURCE_DIR).string();
     int threads = 0;
     std::uint32_t size = 0;           ///< 0: by `quick`
     std::uint32_t repetitions = 0;    ///< 0: by `quick`
@@ -93,9 +94,10 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
         ->check(CLI::Range(16, 1024));
     app.add_option("--repetitions", settings.repetitions, "timed frames at every point")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--references", settings.references, "folder of path-traced references");
+    app.add_option("--references", settings.references,
+                   "folder of references, each with its halves");
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
-        ->check(CLI::Range(1U, limits::max_samples_per_pixel));
+        ->check(CLI::Range(2U, limits::max_samples_per_pixel));
     app.add_flag("--no-errors", settings.without_errors, "times alone, without references");
     if (const auto code = parse_arguments(app, argc, argv)) {
         status = *code;

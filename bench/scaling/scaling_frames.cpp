@@ -110,12 +110,16 @@ void compare(const ScalingAxis& axis, const ScalingRun& run, Stages& stages,
     for (std::size_t p = 0; p < stages.size(); ++p) {
         SharedScene shared(path_executor);
         ReferenceImages references(run.references, shared, run.say);
-        const ReferenceWish wish{"scaling-" + axis.name, axis.points[p].size, true,
-                                 run.reference_spp};
+        ReferenceWish wish{"scaling-" + axis.name, axis.points[p].size, true, run.reference_spp};
+        wish.with_halves = true;
+        const ErrorChoice choice{.visible = false, .hdrflip = true};
         const Reference reference = references.find(stages[p]->flat(), stages[p]->camera(), wish);
+        result.points[p].reference = reference.json();
+        if (const auto floor = floor_errors(reference.image, choice))
+            result.points[p].reference["floor"] = floor->json();
         for (std::size_t m = 0; m < run.methods.size(); ++m)
-            result.points[p].methods[m].errors = image_errors(
-                reference.image, stages[p]->image(m), "", {.visible = false, .hdrflip = true});
+            result.points[p].methods[m].errors =
+                image_errors(reference.image, stages[p]->image(m), "", choice);
     }
 }
 

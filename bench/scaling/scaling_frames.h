@@ -42,6 +42,7 @@ struct PointFrames {
     std::uint64_t triangles = 0;
     std::vector<double> build_ms;  ///< of the acceleration structure; where the axis times it
     std::vector<MethodAtPoint> methods;
+    nlohmann::json reference{};  ///< of the errors, and the `floor` between its halves; else null
 };
 
 /// Everything measured along an axis.

@@ -92,11 +92,14 @@ nlohmann::json axis_json(const ScalingAxis& axis, const std::vector<FrameMethod>
     nlohmann::json of_methods = nlohmann::json::array();
     for (std::size_t m = 0; m < methods.size(); ++m)
         of_methods.push_back(method_json(axis, methods[m].name, m, frames));
+    nlohmann::json references = nlohmann::json::array();
+    for (const PointFrames& point : frames.points) references.push_back(point.reference);
     return {{"axis", axis.name},
             {"unit", axis.unit},
             {"setting", axis.setting},
             {"methods", of_methods},
             {"build", build_json(axis, frames)},
+            {"references", references},
             {"left_out", frames.left_out}};
 }
 

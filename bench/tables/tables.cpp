@@ -25,6 +25,7 @@
 #include "bench/common/growing_report.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
+#include "bench/common/references_folder.h"
 #include "bench/tables/moving_times.h"
 #include "bench/tables/shipped_scenes.h"
 #include "bench/tables/tables_report.h"
@@ -54,7 +55,7 @@ struct Settings {
     std::string images;
     std::string backend = "opencl";
     std::string device;
-    std::string references = WEFT_SOURCE_DIR "/build/references";
+    std::string references = references_folder(WEFT_SOURCE_DIR).string();
     std::string published = WEFT_SOURCE_DIR "/../shared/reference/tables.json";
     Quality quality = Quality::preview;
     int threads = 0;
@@ -96,6 +97,7 @@ struct Settings {
         run.filters = without_errors ? std::vector<std::string>{} : std::vector<std::string>{"box"};
         run.layers = false;
         run.references = references;
+        if (reference_spp == 0) run.enough = good_floor;
         run.reference_spp = reference_spp > 0 ? reference_spp : quick ? 64 : 2500;
         run.images = images;
         run.say = [](const std::string& text) { print(text + "\n"); };
@@ -135,7 +137,7 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--repetitions", settings.repetitions, "timed frames of every method")
         ->check(CLI::Range(1, 1000));
     app.add_option("--references", settings.references,
-                   "folder of path-traced references, each with its halves");
+                   "folder of references, each with its halves");
     app.add_option("--reference-spp", settings.reference_spp, "samples of references to make")
         ->check(CLI::Range(2U, limits::max_samples_per_pixel));
     app.add_flag("--no-errors", settings.without_errors, "times alone, without references");

@@ -178,6 +178,7 @@ struct TradeoffOptions {
     std::vector<std::string> algorithms;              ///< only these; empty means all
     std::uint32_t repetitions = 5;                    ///< images of each setting, 2 and up
     std::uint32_t reference_spp = 1024;               ///< 2 and up
+    bool reference_spp_given = false;                 ///< else a reference with good_floor will do
     std::optional<std::filesystem::path> references;  ///< folder
     std::vector<double> budgets_ms;                   ///< ascending, each once
     std::vector<double> errors;                       ///< likewise

@@ -12,7 +12,6 @@
 #include "app/print.h"
 #include "app/thread_limit.h"
 #include "app/tradeoff_options.h"
-#include "base/cache_folder.h"
 #include "base/quote.h"
 #include "device/native/embree_scene.h"
 #include "device/native/native_executor.h"
@@ -26,6 +25,7 @@
 #include "tradeoff/error_values.h"
 #include "tradeoff/measure_points.h"
 #include "tradeoff/other_renderers.h"
+#include "tradeoff/reference_files.h"
 #include "tradeoff/reference_images.h"
 #include "tradeoff/thumbnail.h"
 #include "tradeoff/time_spread.h"
@@ -61,13 +61,12 @@ TradeoffOptions completed(TradeoffOptions options, const Scene& scene) {
     return options;
 }
 
-/// The folder where references are kept. It depends on the version, whose images may differ. Where
-/// the cache folder cannot be written to, it lies in the output folder.
+/// The folder where references are kept. Where the cache folder cannot be written to, it lies in
+/// the output folder.
 fs::path references_folder(const TradeoffOptions& options, Diagnostics& diagnostics) {
     if (options.references) return *options.references;
-    const fs::path cache = default_cache_folder();
-    if (!cache.empty()) {
-        fs::path folder = cache / "references" / WEFT_VERSION;
+    fs::path folder = default_references_folder();
+    if (!folder.empty()) {
         try {
             prepare_folder(folder);
             return folder;
@@ -180,6 +179,7 @@ class TradeoffRun {
         wish.height = result_.height;
         wish.spp = options_.reference_spp;
         wish.with_halves = true;
+        if (!options_.reference_spp_given) wish.enough = good_floor;
         Reference found = images.find(flat_, camera_, wish);
         TradeoffReference& reference = result_.reference;
         reference.samples = found.samples;

@@ -63,9 +63,11 @@ void read_measurement(const CLI::App& command, TradeoffOptions& options) {
     options.reference_spp = options.quick ? 256 : 1024;
     if (const auto text = value_of(command, "--repetitions"))
         options.repetitions = parse_unsigned("--repetitions", *text, 2, max_repetitions);
-    if (const auto text = value_of(command, "--reference-spp"))
+    if (const auto text = value_of(command, "--reference-spp")) {
         options.reference_spp =
             parse_unsigned("--reference-spp", *text, 2, limits::max_samples_per_pixel);
+        options.reference_spp_given = true;
+    }
     if (const auto text = value_of(command, "--seed"))
         options.seed =
             parse_unsigned("--seed", *text, 0, std::numeric_limits<std::uint32_t>::max());
@@ -101,7 +103,8 @@ void add_tradeoff(CLI::App& app) {
               "measured)");
     add_value(tradeoff, "--repetitions", "N", "Images of every setting, 2 and up (default: 5)");
     add_value(tradeoff, "--reference-spp", "N",
-              "Samples per pixel of the path-traced reference (default: 1024)");
+              "Samples per pixel of the reference (default: 1024, or as many as one with little "
+              "noise has that is kept)");
     add_value(tradeoff, "--references", "DIR",
               "Folder that keeps references (default: that of compiled kernels)");
     add_value(tradeoff, "--peers", "FILE", "JSON file of images by other renderers to compare");
@@ -171,9 +174,11 @@ std::string tradeoff_command_line(const TradeoffOptions& options) {
     line += tradeoff_image_options(options);
     if (!options.algorithms.empty())
         line += fmt::format(" --algorithms {}", fmt::join(options.algorithms, ","));
-    line += fmt::format(" --measure {} --repetitions {} --reference-spp {} --seed {}",
-                        to_string(options.measure), options.repetitions, options.reference_spp,
-                        options.seed);
+    line += fmt::format(" --measure {} --repetitions {}", to_string(options.measure),
+                        options.repetitions);
+    if (options.reference_spp_given)
+        line += fmt::format(" --reference-spp {}", options.reference_spp);
+    line += fmt::format(" --seed {}", options.seed);
     for (const double budget : options.budgets_ms) line += fmt::format(" --budget {}ms", budget);
     for (const double error : options.errors) line += fmt::format(" --error {}", error);
     if (options.others) line += " --peers " + shell_file(options.others->string());

@@ -97,10 +97,10 @@ ImageErrors image_errors(const Image& reference, const Image& test, std::string_
     return errors;
 }
 
-std::optional<ImageErrors> floor_errors(const Image& reference) {
+std::optional<ImageErrors> floor_errors(const Image& reference, const ErrorChoice& choice) {
     if (!halves_of(reference)) return std::nullopt;
     return image_errors(layer_as_beauty(reference, first_half_layer),
-                        layer_as_beauty(reference, second_half_layer), "", {});
+                        layer_as_beauty(reference, second_half_layer), "", choice);
 }
 
 }  // namespace weft

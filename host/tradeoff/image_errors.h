@@ -56,7 +56,8 @@ struct ErrorChoice {
 
 /// The errors of one half of a reference against the other: what its noise leaves between two
 /// images that show the same. Empty where it has no halves.
-[[nodiscard]] std::optional<ImageErrors> floor_errors(const Image& reference);
+[[nodiscard]] std::optional<ImageErrors> floor_errors(const Image& reference,
+                                                      const ErrorChoice& choice = {});
 
 }  // namespace weft
 

@@ -3,6 +3,7 @@
 #include "tradeoff/measure_points.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "tradeoff/pareto_front.h"
@@ -101,10 +102,13 @@ bool within(const Interval& interval, double value) {
 }  // namespace
 
 std::uint32_t image_seed(std::uint32_t first, std::uint32_t index) {
-    const std::uint32_t seed = first + index;
     // Seeds wrap around at 32 bits, so the distances from `first` are compared.
-    const bool passed = reference_seed - first <= index;
-    return passed ? seed + 1 : seed;
+    std::array<std::uint32_t, reference_seeds.size()> left_out = reference_seeds;
+    for (std::uint32_t& seed : left_out) seed -= first;
+    std::sort(left_out.begin(), left_out.end());
+    for (const std::uint32_t distance : left_out)
+        if (distance <= index) ++index;
+    return first + index;
 }
 
 std::vector<TradeoffPoint> measure_points(std::span<const Candidate> candidates,

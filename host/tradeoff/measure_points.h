@@ -37,7 +37,7 @@ struct Measuring {
     std::function<std::optional<ErrorEstimate>(const Image&)> unbiased{};
 };
 
-/// Seed of image `index` of a setting: `first` and the numbers after it, except reference_seed.
+/// Seed of image `index` of a setting: `first` and the numbers after it, except reference_seeds.
 [[nodiscard]] std::uint32_t image_seed(std::uint32_t first, std::uint32_t index);
 
 /// Measures all candidates in rounds, each of which visits every one once, so that whatever slows

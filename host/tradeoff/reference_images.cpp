@@ -5,59 +5,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "film/film_sums_file.h"
 #include "image/exr.h"
-#include "render/path_renderer.h"
+#include "plan/algorithm.h"
+#include "tradeoff/reference_files.h"
 
 namespace weft {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double checkpoint_ms = 60e3;
+constexpr const char* algorithm_key = "algorithm";
 
-/// The number between `prefix` and `suffix`, where `name` consists of these three.
-std::optional<std::uint32_t> number_in(std::string_view name, std::string_view prefix,
-                                       std::string_view suffix) {
-    if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) ||
-        !name.ends_with(suffix))
-        return std::nullopt;
-    const std::string_view digits =
-        name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-    return value;
-}
-
-/// The file of that pattern with the highest number for which `accept` is true.
-std::optional<Reference> most_samples(const fs::path& folder, const std::string& prefix,
-                                      const std::string& suffix, std::uint32_t least,
-                                      const std::function<bool(const Image&)>& accept) {
-    std::vector<std::pair<std::uint32_t, fs::path>> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const auto spp = number_in(entry.path().filename().string(), prefix, suffix);
-        if (spp && *spp >= least) files.emplace_back(*spp, entry.path());
-    }
-    std::sort(files.rbegin(), files.rend());
-    for (const auto& [spp, file] : files) {
-        try {
-            Image image = read_exr(file);
-            if (accept(image)) return Reference{std::move(image), file, spp, false};
-        } catch (const Error&) {
-            continue;  // a damaged file counts as absent
-        }
-    }
-    return std::nullopt;
+PathSettings path_settings_of(const ReferenceWish& wish) {
+    PathSettings settings;
+    settings.algorithm = wish.algorithm;
+    settings.width = wish.size;
+    settings.height = wish.rows();
+    settings.through_centres = wish.through_centres;
+    return settings;
 }
 
 bool usable(const Image& image, const ReferenceWish& wish) {
@@ -70,38 +41,56 @@ bool usable(const Image& image, const ReferenceWish& wish) {
     });
 }
 
-void write_sums(const FilmSums& sums, const fs::path& file) {
-    Image image = resolve_sums(sums);
-    attach_sums(sums, image);
-    write_exr(file, image);
-}
-
-/// The first samples of a part, which an earlier run has left in a checkpoint; none where it is
-/// missing, damaged or of another image.
-FilmSums sums_so_far(const fs::path& checkpoint, const std::string& identity, SampleRange part) {
-    std::error_code error;
-    if (!fs::is_regular_file(checkpoint, error)) return {};
-    try {
-        FilmSums sums = sums_of(read_exr(checkpoint), checkpoint.string());
-        const bool begins_it = sums.ranges.size() == 1 && sums.ranges[0].first == part.first &&
-                               sums.ranges[0].end <= part.end;
-        if (sums.identity == identity && begins_it) return sums;
-    } catch (const Error&) {
-        return {};
+/// The first of the files that can be used.
+std::optional<Reference> first_usable(const std::vector<SampledFile>& files,
+                                      const ReferenceWish& wish,
+                                      const std::function<bool(const Reference&)>& accept) {
+    for (const auto& [samples, file] : files) {
+        try {
+            Reference found{read_exr(file), file, samples};
+            found.floor = stated_floor(found.image);
+            if (usable(found.image, wish) && accept(found)) return found;
+        } catch (const Error&) {
+            continue;  // a damaged file counts as absent
+        }
     }
-    return {};
+    return std::nullopt;
 }
 
-Layer beauty_of(const FilmSums& sums, const char* name) {
-    Layer layer = *resolve_sums(sums).find("");
-    layer.name = name;
-    return layer;
+std::string floor_words(const ReferenceFloor& floor) {
+    return fmt::format("halves differ at {:.3g} % of the pixels (published), {:.3g} % (display)",
+                       floor.published, floor.display);
+}
+
+std::string image_suffix(const std::string& identity) {
+    return "-" + identity + ".exr";
+}
+
+/// The next number of samples of a half: of `first` and its doubles the smallest one that a half
+/// with `done` samples does not have, or has but was not judged with.
+std::uint32_t next_step(std::uint32_t first, std::uint32_t done, bool is_judged,
+                        std::uint32_t most) {
+    std::uint64_t step = first;
+    while (step < done || (step == done && is_judged)) step *= 2;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(step, most));
 }
 
 }  // namespace
 
+std::string Reference::algorithm() const {
+    const auto found = image.metadata.find(algorithm_key);
+    return found != image.metadata.end() ? found->second : std::string();
+}
+
+double Reference::seconds() const {
+    return metadata_number(image, reference_seconds_key).value_or(0.0);
+}
+
 nlohmann::json Reference::json() const {
-    return {{"file", file.filename().string()}, {"samples", samples}, {"identified", identified}};
+    nlohmann::json json{
+        {"file", file.filename().string()}, {"samples", samples}, {"identified", identified}};
+    if (!algorithm().empty()) json["algorithm"] = algorithm();
+    return json;
 }
 
 ReferenceImages::ReferenceImages(fs::path folder, Executor& executor,
@@ -117,94 +106,104 @@ ReferenceImages::ReferenceImages(fs::path folder, Executor& executor,
         throw Error(ExitCode::output, folder_.string(), "is no folder, expected one to write to");
 }
 
-FilmSums ReferenceImages::make_part(const FlatScene& scene, const Camera& camera,
-                                    const PathSettings& settings, const std::string& identity,
-                                    const fs::path& checkpoint, double begin) {
-    constexpr double share = 0.5;
-    const SampleRange part = settings.samples;
-    PathSettings left = settings;
-    FilmSums sums = sums_so_far(checkpoint, identity, part);
-    left.samples.first = sums.ranges.empty() ? part.first : sums.ranges[0].end;
-    if (left.samples.first == part.end) return sums;
-    PathRenderer renderer(executor_, scene, camera, left, std::move(sums));
-    Stopwatch watch;
-    double saved = 0.0;
-    while (renderer.samples_left() > 0) {
-        const double done =
-            1.0 - static_cast<double>(renderer.samples_left()) / (part.end - part.first);
-        if (keep_going_ && !keep_going_(begin + share * done)) {
-            if (renderer.samples() > 0) write_sums(renderer.sums(), checkpoint);
-            throw Error(ExitCode::interrupted,
-                        "interrupted, the samples of the reference so far are kept for next time");
-        }
-        (void)renderer.render_frame({});
-        if (watch.total() - saved < checkpoint_ms) continue;
-        write_sums(renderer.sums(), checkpoint);
-        saved = watch.total();
-    }
-    return renderer.sums();
+std::optional<Reference> ReferenceImages::kept(const ReferenceWish& wish,
+                                               const std::string& identity) const {
+    const auto is_enough = [&](const Reference& found) {
+        return found.samples >= wish.spp ||
+               (wish.enough && found.floor && found.floor->within(*wish.enough));
+    };
+    auto found = first_usable(files_by_samples(folder_, image_suffix(identity)), wish, is_enough);
+    if (found) found->identified = true;
+    return found;
 }
 
-Reference ReferenceImages::make(const FlatScene& scene, const Camera& camera,
-                                const ReferenceWish& wish, PathSettings settings,
-                                const std::string& identity) {
-    const std::string name = fmt::format("{}-{}x{}-{}-{}-{}", wish.scene, wish.size, wish.rows(),
-                                         wish.filter(), wish.spp, identity);
-    say_(fmt::format("reference {}: {} samples per pixel", name, wish.spp));
-    const std::uint32_t middle = wish.spp / 2;
-    const std::array<SampleRange, 2> parts{SampleRange{0, middle}, SampleRange{middle, wish.spp}};
-    std::array<fs::path, 2> checkpoints;
-    std::vector<Layer> halves;
-    FilmSums whole;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        checkpoints[i] = folder_ / fmt::format("{}.{}.part", name, i + 1);
-        if (parts[i].first == parts[i].end) continue;  // a half of a single sample is empty
-        settings.samples = parts[i];
-        FilmSums part =
-            make_part(scene, camera, settings, identity, checkpoints[i], i == 0 ? 0.0 : 0.5);
-        // Saved, so that an interruption of the second half does not lose the first.
-        if (i == 0) write_sums(part, checkpoints[i]);
-        halves.push_back(beauty_of(part, i == 0 ? first_half_layer : second_half_layer));
-        if (whole.words.empty())
-            whole = std::move(part);
-        else
-            add_sums(whole, part);
-    }
-    Reference made{resolve_sums(whole), folder_ / (name + ".exr"), whole.samples(), true};
-    // References measure light: from a file, alpha would come back as a part of beauty.
-    std::erase_if(made.image.layers,
-                  [](const Layer& layer) { return layer.name == alpha_layer_name; });
-    if (halves.size() == parts.size())
-        made.image.layers.insert(made.image.layers.end(), halves.begin(), halves.end());
-    made.image.metadata["picture"] = identity;
-    made.image.metadata["samples"] = std::to_string(made.samples);
+fs::path ReferenceImages::stem_of(const ReferenceWish& wish, const std::string& identity) const {
+    // The scene may have had another name before.
+    if (auto file = file_ending_with(folder_, "-" + identity + ".1.sums"))
+        return file->replace_extension().replace_extension();
+    return folder_ / fmt::format("{}-{}x{}-{}-{}", wish.scene, wish.size, wish.rows(),
+                                 wish.filter(), identity);
+}
+
+Reference ReferenceImages::image_of(const ReferenceWish& wish, ReferenceSums& sums) const {
+    const std::uint32_t samples = 2 * sums.samples();
+    Reference made{sums.image(),
+                   folder_ / fmt::format("{}-{}x{}-{}-{}{}", wish.scene, wish.size, wish.rows(),
+                                         wish.filter(), samples, image_suffix(sums.identity())),
+                   samples, true};
+    made.image.metadata["picture"] = sums.identity();
+    made.image.metadata["samples"] = std::to_string(samples);
+    made.image.metadata["seed"] = fmt::format("{} and {}", reference_seeds[0], reference_seeds[1]);
+    made.image.metadata[algorithm_key] = to_string(sums.algorithm());
+    made.image.metadata[reference_seconds_key] = fmt::format("{:.3f}", sums.seconds());
+    return made;
+}
+
+void ReferenceImages::keep(const Reference& made, const std::string& identity) const {
     write_exr(made.file, made.image);
     std::error_code error;
-    for (const fs::path& checkpoint : checkpoints) fs::remove(checkpoint, error);
-    return made;
+    for (const auto& [samples, file] : files_by_samples(folder_, image_suffix(identity)))
+        if (samples < made.samples) fs::remove(file, error);
 }
 
 Reference ReferenceImages::find(const FlatScene& scene, const Camera& camera,
                                 const ReferenceWish& wish) {
-    PathSettings settings;
-    settings.width = wish.size;
-    settings.height = wish.rows();
-    settings.seed = reference_seed;
-    settings.through_centres = wish.through_centres;
-    settings.samples = {0, 1};
-    const std::string identity =
-        PathRenderer(executor_, scene, camera, settings, FilmSums{}).sums().identity;
-    const std::string prefix =
-        fmt::format("{}-{}x{}-{}-", wish.scene, wish.size, wish.rows(), wish.filter());
-    const auto fits = [&](const Image& image) { return usable(image, wish); };
-    if (auto found = most_samples(folder_, prefix, "-" + identity + ".exr", wish.spp, fits)) {
-        found->identified = true;
-        return std::move(*found);
+    ReferenceSums sums(executor_, scene, camera, path_settings_of(wish));
+    if (auto found = kept(wish, sums.identity())) return std::move(*found);
+    if (sums.algorithm() != Algorithm::path) {
+        PathSettings by_path = path_settings_of(wish);
+        by_path.algorithm = Algorithm::path;
+        const ReferenceSums other(executor_, scene, camera, by_path);
+        if (auto found = kept(wish, other.identity())) return std::move(*found);
     }
-    const std::string plain = fmt::format("{}-{}-", wish.scene, wish.filter());
-    if (!wish.with_halves)
-        if (auto found = most_samples(folder_, plain, ".exr", 1, fits)) return std::move(*found);
-    return make(scene, camera, wish, settings, identity);
+    if (!wish.with_halves) {
+        const std::string plain = fmt::format("{}-{}-", wish.scene, wish.filter());
+        const auto any = [](const Reference&) { return true; };
+        if (auto found = first_usable(files_by_samples(folder_, plain, ".exr"), wish, any))
+            return std::move(*found);
+    }
+    say_(fmt::format("reference {}-{}x{}-{}: {} samples per pixel", wish.scene, wish.size,
+                     wish.rows(), wish.filter(), wish.spp));
+    sums.keep_in(stem_of(wish, sums.identity()));
+    (void)sums.grow((wish.spp + 1) / 2, {.keep_going = keep_going_});
+    Reference made = image_of(wish, sums);
+    keep(made, sums.identity());
+    return made;
+}
+
+Reference ReferenceImages::reach(const FlatScene& scene, const Camera& camera,
+                                 const ReferenceWish& wish, const FloorGoal& goal) {
+    const Stopwatch watch;
+    ReferenceSums sums(executor_, scene, camera, path_settings_of(wish));
+    ReferenceWish any = wish;
+    any.with_halves = true;
+    any.spp = 0;
+    std::optional<Reference> best = kept(any, sums.identity());
+    const auto judge = [&](Reference& reference) {
+        reference.floor = measured_floor(reference.image);
+        state_floor(*reference.floor, reference.image);
+        keep(reference, sums.identity());
+        say_(fmt::format("reference {}-{}x{}-{}: {} samples, {:.0f} s, {}", wish.scene, wish.size,
+                         wish.rows(), wish.filter(), reference.samples, reference.seconds(),
+                         floor_words(*reference.floor)));
+    };
+    if (best && !best->floor) judge(*best);
+    if (best && best->floor->within(goal.floor)) return std::move(*best);
+    sums.keep_in(stem_of(wish, sums.identity()));
+    const std::uint32_t first = std::max(1U, (wish.spp + 1) / 2);
+    const std::uint32_t most = std::max(1U, goal.most_spp / 2);
+    for (bool in_time = true; in_time;) {
+        const bool is_judged = best && best->samples >= std::uint64_t{2} * sums.samples();
+        const std::uint32_t step = next_step(first, sums.samples(), is_judged, most);
+        if (step <= sums.samples() && is_judged) break;
+        in_time = sums.grow(
+            step, {.keep_going = keep_going_, .seconds = goal.most_seconds - 1e-3 * watch.total()});
+        if (best && best->samples >= std::uint64_t{2} * sums.samples()) continue;
+        best = image_of(wish, sums);
+        judge(*best);
+        if (best->floor->within(goal.floor)) break;
+    }
+    return std::move(*best);
 }
 
 }  // namespace weft

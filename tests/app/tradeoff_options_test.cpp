@@ -43,6 +43,8 @@ TEST(TradeoffOptions, QuickChangesWhatIsNotGiven) {
     EXPECT_EQ(tradeoff({"--quick"}).reference_spp, 256U);
     EXPECT_EQ(tradeoff({"--quick", "--repetitions", "7"}).repetitions, 7U);
     EXPECT_EQ(tradeoff({"--reference-spp", "64", "--quick"}).reference_spp, 64U);
+    EXPECT_TRUE(tradeoff({"--reference-spp", "64"}).reference_spp_given);
+    EXPECT_FALSE(tradeoff({"--quick"}).reference_spp_given);
 }
 
 TEST(TradeoffOptions, ReadsEveryOption) {
@@ -131,8 +133,9 @@ TEST(TradeoffOptions, TheCommandLineMeasuresTheSameAgain) {
     const std::string line = tradeoff_command_line(options);
     EXPECT_EQ(line,
               "weft tradeoff scenes/box.gltf --quick --size 64x48 --camera 'it'\\''s' --measure "
-              "hdrflip --repetitions 3 --reference-spp 256 --seed 0 --budget 50ms --error 0.1 "
-              "--verify");
+              "hdrflip --repetitions 3 --seed 0 --budget 50ms --error 0.1 --verify");
+    options = tradeoff({"--reference-spp", "64"});
+    EXPECT_NE(tradeoff_command_line(options).find(" --reference-spp 64 "), std::string::npos);
 }
 
 }  // namespace

@@ -204,18 +204,19 @@ TEST(MeasurePoints, TheCheckUsesNewSeedsAndCounts) {
 }
 
 TEST(MeasurePoints, SeedsDifferAndAreNeverTheReferences) {
-    for (const std::uint32_t first :
-         {0U, reference_seed - 1, reference_seed, reference_seed + 1, 0xFFFFFFF0U}) {
-        std::set<std::uint32_t> seeds;
-        for (std::uint32_t index = 0; index < 200; ++index) {
-            const std::uint32_t seed = image_seed(first, index);
-            EXPECT_NE(seed, reference_seed);
-            EXPECT_TRUE(seeds.insert(seed).second) << first << " " << index;
+    for (const std::uint32_t left_out : reference_seeds)
+        for (const std::uint32_t first :
+             {0U, left_out - 150, left_out - 1, left_out, left_out + 1, 0xFFFFFFF0U}) {
+            std::set<std::uint32_t> seeds;
+            for (std::uint32_t index = 0; index < 200; ++index) {
+                const std::uint32_t seed = image_seed(first, index);
+                for (const std::uint32_t never : reference_seeds) EXPECT_NE(seed, never);
+                EXPECT_TRUE(seeds.insert(seed).second) << first << " " << index;
+            }
+            if (first != left_out) {
+                EXPECT_EQ(image_seed(first, 0), first);
+            }
         }
-        if (first != reference_seed) {
-            EXPECT_EQ(image_seed(first, 0), first);
-        }
-    }
 }
 
 TEST(MeasurePoints, EndsWhereTheReportThrows) {
