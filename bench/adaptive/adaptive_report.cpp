@@ -209,7 +209,7 @@ std::string adaptive_legend() {
            "share: rate of its shadow rays over that of packets. x full to x SS o.: times as\n"
            "fast as amax in each of these, x cpu the full frame by processor time; x igi and\n"
            "x i.cpu: the full frame against igi. Ratios are medians of those within repetitions.\n"
-           "Errors against path tracing with a box filter, then through pixel centres (ctr): p75,\n"
+           "Errors against references with a box filter, then through pixel centres (ctr): p75,\n"
            "p95: percent of the pixels whose difference is seen with that probability (HDR-VDP)\n"
            "at 1 cd/m2 of value 1; d75, d95: at 100; HDR-FLIP; relMSE; unb., low,\n"
            "high: relMSE without the noise of the reference, and its interval (95 %); bias of the\n"

@@ -188,6 +188,9 @@ def about(report):
     """Machine, versions and the command, alike on both pages."""
     machine, device, versions = report["machine"], report["device"], report["versions"]
     samples = sorted({at(scene, "reference", "samples") for scene in report["scenes"]} - {None})
+    # Reports of earlier versions do not name it.
+    made_by = sorted({at(scene, "reference", "algorithm") or "path" for scene in report["scenes"]
+                      if at(scene, "reference")})
     rows = [["image", f'{report["size"]} × {report["size"]} pixels, quality '
              f'`{report["quality"]}`, {report["repetitions"]} repetitions'],
             ["rendered by", f'{device["backend"]}, {device["name"]}, {device["driver"]} '
@@ -195,7 +198,8 @@ def about(report):
             ["processor", f'{machine["processor"]}, {machine["hardware_threads"]} threads'],
             ["versions", f'Weft {versions["weft"]}, compiler {versions["compiler"]}, Embree '
              f'{versions["embree"]}'],
-            ["references", "path tracing, box filter, "
+            ["references", (" or ".join(f"`{name}`" for name in made_by)
+                            if "reference" in made_by else "path tracing") + ", box filter, "
              + (" or ".join(map(str, samples)) or "no") + " samples per pixel"]]
     source = at(report, "published", "source")
     if source:

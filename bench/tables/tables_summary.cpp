@@ -115,7 +115,7 @@ std::string tables_legend() {
            "ID, SS, PM: the stages of indirect and of direct light and of light that media\n"
            "scatter, on the device; FULL: wall time of whole frames. Frames per second are those\n"
            "of median times, and speed-ups are medians of the ratios within repetitions, over\n"
-           "amax unless another is named. Errors are those of whole frames against path tracing\n"
+           "amax unless another is named. Errors are those of whole frames against references\n"
            "with a box filter: HDR-VDP, percent of the pixels seen to differ with a probability\n"
            "of 75 and 95 percent, at 1 cd/m2 of value 1 and on a display at 100; HDR-FLIP;\n"
            "relMSE, and relMSE without the noise of the reference, with its interval. floor: one\n"
