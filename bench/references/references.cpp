@@ -166,7 +166,9 @@ int run(const Settings& settings) {
     const auto executor = open_backend(settings.backend, settings.device, settings.threads);
     ReferencesRun how = settings.run();
     nlohmann::json json = header_of(settings, how, *executor);
+    std::vector<ReferenceRow> latest;
     how.report = [&](const std::vector<ReferenceRow>& rows) {
+        latest = rows;
         json["references"] = nlohmann::json::array();
         for (const ReferenceRow& row : rows) json["references"].push_back(row_json(row));
         json["summary"] = references_summary(rows);
@@ -175,9 +177,14 @@ int run(const Settings& settings) {
     print(fmt::format("references are kept in {}\n", settings.folder));
     guard.keep_work();
     int status = 0;
-    const std::vector<ReferenceRow> rows = make_references(how, *executor, status);
-    print(references_table(rows, how.goal.floor));
-    const bool all = references_summary(rows)["all_reached"];
+    try {
+        latest = make_references(how, *executor, status);
+    } catch (const Error&) {
+        print(references_table(latest, how.goal.floor));
+        throw;
+    }
+    print(references_table(latest, how.goal.floor));
+    const bool all = references_summary(latest)["all_reached"];
     return status != 0 || all ? status : 1;
 }
 
