@@ -64,8 +64,8 @@ struct Settings {
     }
     [[nodiscard]] std::vector<BenchScene> wanted_scenes() const {
         std::vector<BenchScene> found;
-        const auto add = [&](std::vector<BenchScene> scenes) {
-            for (BenchScene& scene : scenes)
+        const auto add = [&](std::vector<BenchScene> list) {
+            for (BenchScene& scene : list)
                 if (wants_scene(scene.name)) found.push_back(std::move(scene));
         };
         if (wants_set("shipped")) add(all_shipped_scenes(shipped));

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct ReferencesRun {
     std::uint32_t size = 512;
     std::uint32_t spp = 64;  ///< of the first step
     Algorithm algorithm = Algorithm::reference;
-    FloorGoal goal;        ///< its seconds are not used
-    double limit_minutes;  ///< of each reference in this run; infinity: none
+    FloorGoal goal;  ///< its seconds are not used
+    /// Of each reference in this run.
+    double limit_minutes = std::numeric_limits<double>::infinity();
     std::filesystem::path folder;
     std::function<void(const std::string&)> say;                   ///< is told of every step
     std::function<bool()> keep_going;                              ///< false ends the run
