@@ -105,14 +105,6 @@ void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed,
     params.camera.jitter_y = shifted(3, 1);
 }
 
-void set_random_jitter(std::uint32_t seed, shared::RenderParams& params) {
-    const auto place = [&](std::uint32_t axis) {
-        return std::min(static_cast<float>(shift_of(seed, axis)), 0.99999994F);
-    };
-    params.camera.jitter_x = place(0);
-    params.camera.jitter_y = place(1);
-}
-
 Camera choose_camera(const Scene& scene, const FlatScene& flat, const std::string& name,
                      Diagnostics& diagnostics, const std::optional<SceneBounds>& bounds) {
     if (!name.empty()) {

@@ -43,9 +43,6 @@ void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderPa
 /// all pixels.
 void set_jitter(std::uint32_t frame, bool single, std::uint32_t seed, shared::RenderParams& params);
 
-/// Sets a position that depends on the seed alone, uniform in [0, 1)^2 over the seeds.
-void set_random_jitter(std::uint32_t seed, shared::RenderParams& params);
-
 /// The camera of that name; the first where `name` is empty. A scene without cameras gets one that
 /// shows `bounds`, by default those of the scene as it stands, and a warning says so. Throws Error
 /// (exit code 1) that lists the names.

@@ -261,12 +261,11 @@ shared::RenderParams Renderer::params_of_sample(std::uint32_t sample) const {
     sampling.seed = seed_of_sample(settings_.seed, sample);
     sampling.sample = sample;
     sampling.set_rotation = sample * 4 % plan_.gather_sets;
-    if (settings_.through_centres) {
-        set_jitter(0, true, 0, params);
-        return params;
-    }
+    set_jitter(0, true, 0, params);
+    if (settings_.through_centres) return params;
     params.camera.texture_angle = 0.0F;
-    set_random_jitter(sampling.seed, params);
+    // One place for all pixels would let the borders of lights err together.
+    params.camera.own_jitter = 1;
     return params;
 }
 

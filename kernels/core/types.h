@@ -312,7 +312,7 @@ typedef struct {
     float texture_angle;     // angle over which primary rays average textures
     uint width, height;      // of the image, pixels
     uint hides_environment;  // 1: rays that meet nothing show none
-    uint pad;
+    uint own_jitter;         // 1: each pixel has a random jitter of its own instead
 } CameraParams;
 
 // The scene as all kernels see it. Lights lie in the light table by kind: area lights, then point

@@ -1,13 +1,31 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Primary visibility: one ray a pixel, through its centre or the frame's jittered point, in packets
-// of a small block of pixels. One work-item per block, row by row.
+// Primary visibility: one ray a pixel, through its centre, the frame's jittered point or one of its
+// own, in packets of a small block of pixels. One work-item per block, row by row.
 #include "kernels/bsdf/surface.h"
 #include "kernels/core/kernel.h"
+#include "kernels/core/random.h"
 #include "kernels/film/camera_rays.h"
 #include "kernels/film/gbuffer.h"
 #include "kernels/light/environment.h"
+
+// Keeps the random numbers of places in pixels apart from those of paths through them.
+#define JITTER_SEED 0x5BE0CD19u
+
+/// Makes the ray through the pixel at (`x`, `y`) a lane's.
+static inline void set_pixel_ray(const RenderParams* params, uint x, uint y, uint lane,
+                                 CameraPacket* rays) {
+    float right = params->camera.jitter_x;
+    float down = params->camera.jitter_y;
+    if (params->camera.own_jitter != 0u) {
+        Random random = make_random(params->sampling.seed ^ JITTER_SEED,
+                                    y * params->camera.width + x, params->sampling.sample);
+        right = next_random(&random);
+        down = next_random(&random);
+    }
+    set_camera_ray(params, rays, lane, (float)x + right, (float)y + down);
+}
 
 /// What a pixel's ray in that direction met; `facet` is the triangle's.
 static inline void store_pixel(const RenderParams* params, const Geometry* geometry,
@@ -60,8 +78,7 @@ WEFT_KERNEL(gbuffer)
     for (uint lane = 0u; lane < LANES; ++lane) {
         uint x = left + lane % block_width;
         uint y = top + lane / block_width;
-        set_camera_ray(&params, &rays, lane, (float)x + params.camera.jitter_x,
-                       (float)y + params.camera.jitter_y);
+        set_pixel_ray(&params, x, y, lane, &rays);
         if (x < params.camera.width && y < params.camera.height) inside |= 1u << lane;
     }
     Hit hits[LANES];

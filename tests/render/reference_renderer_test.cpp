@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "tests/testing/bvh_meshes.h"
+#include "tests/testing/furnished_room.h"
 #include "tests/testing/path_fixture.h"
 
 // References by virtual lights and paths: the light of path tracing, a variance that is that of
@@ -32,34 +33,15 @@ constexpr std::uint32_t height = 30;
 const FlatScene& room() {
     static const FlatScene flat = [] {
         SceneBuilder builder;
-        Texture texture;
-        texture.width = texture.height = 4;
-        test::Uniform uniform(3);
-        for (int i = 0; i < 4 * 16; ++i)
-            texture.rgba.push_back(static_cast<std::uint8_t>(uniform(40.0F, 250.0F)));
-        builder.scene.textures.push_back(texture);
-        const std::uint32_t textured = builder.material({0.9F, 0.8F, 0.7F});
-        set_albedo_texture(builder.scene.materials[textured], 0);
-        builder.add(test::quad_mesh({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 3), textured);
+        test::furnish(builder);
         const std::uint32_t white = builder.material({0.7F, 0.7F, 0.6F});
         builder.add(test::quad_mesh({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, 4), white);
         builder.add(test::quad_mesh({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}, 2), white);
         builder.add(test::quad_mesh({1, -1, -1}, {0, 0, 2}, {0, 2, 0}, 2), white);
         builder.add(test::quad_mesh({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 2), white);
-        Mesh ball = test::icosphere(2, false);
-        ball.normals = ball.positions;
-        builder.add(std::move(ball), builder.material({0.8F, 0.9F, 0.6F}),
-                    test::placement(0.35, {-0.4, -0.64, -0.2}));
         builder.add(test::quad_mesh({0.2F, -0.5F, -0.95F}, {0.5F, 0, 0}, {0, 0.6F, 0}),
                     builder.material({0.3F, 0.3F, 0.3F}, {6.0F, 5.0F, 4.0F}));
-        const std::uint32_t screen = builder.material({0.0F, 0.0F, 0.0F}, {0.5F, 1.0F, 2.0F});
-        builder.scene.materials[screen].emission.texture = 0;
-        builder.add(test::quad_mesh({-0.9F, 0.1F, -0.8F}, {0.2F, 0, 0.2F}, {0, 0.3F, 0}), screen);
-        builder.light(LightType::point, {0.5, 0.4, 0.6}, {0.3F, 0.4F, 0.3F});
-        builder.light(LightType::spot, {0.0, 0.9, 0.8}, {2.0F, 1.5F, 1.0F}, {0.1, -1.0, -0.6})
-            .cos_outer = 0.8F;
         builder.light(LightType::directional, {}, {0.5F, 0.5F, 0.7F}, {-0.1, -0.2, -1.0});
-        builder.scene.environment = Environment{{0.2F, 0.3F, 0.4F}};
         validate_scene(builder.scene);
         return flatten(builder.scene);
     }();
