@@ -10,13 +10,6 @@
 
 namespace weft {
 
-/// Probability that a variable with Student's t distribution lies in [-t, t], t >= 0, of `degrees`
-/// degrees of freedom, 1 and up (Abramowitz and Stegun 26.7.3 and 26.7.4).
-[[nodiscard]] double student_t_coverage(double t, std::uint32_t degrees);
-
-/// The t for which student_t_coverage is `coverage`, in (0, 1).
-[[nodiscard]] double student_t_quantile(double coverage, std::uint32_t degrees);
-
 /// The middle value of at least one, or the mean of the two in the middle.
 [[nodiscard]] double median(std::span<const double> values);
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/student_t.h"
 #include "tradeoff/prediction_interval.h"
 
 namespace weft {

@@ -14,8 +14,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/student_t.h"
 #include "metrics/numeric.h"
-#include "tradeoff/prediction_interval.h"
 
 namespace weft::unbiased_mse_test {
 namespace {
