@@ -173,6 +173,19 @@ void read_quality(const CLI::App& command, RenderOptions& options) {
             "tracing");
 }
 
+/// Takes the denoiser of the preset where the algorithm supports it; --denoise wins.
+void read_denoiser(const CLI::App& command, RenderOptions& options) {
+    if (options.preset && can_denoise(options.algorithm, options.preset->denoiser))
+        options.denoiser = options.preset->denoiser;
+    const auto text = value_of(command, "--denoise");
+    if (!text) return;
+    options.denoiser = static_cast<Denoiser>(parse_name("--denoise", *text, denoiser_names));
+    if (!can_denoise(options.algorithm, options.denoiser))
+        throw usage_error(
+            "--denoise: statistical needs the variance of every pixel, which previews do not have, "
+            "expected --algorithm path or reference, or --denoise oidn");
+}
+
 }  // namespace
 
 std::string_view to_string(Quality quality) {
@@ -221,6 +234,7 @@ void read_algorithm(const CLI::App& command, RenderOptions& options) {
     read_hemispheres(command, options);
     refuse_compensation(options);
     read_quality(command, options);
+    read_denoiser(command, options);
     read_preset_samples(options);
 }
 

@@ -72,6 +72,9 @@ void add_render(CLI::App& app) {
     add_value(render, "--pixel-filter", "NAME",
               "Of path tracing: box, or centre: every sample through the pixel's centre (default: "
               "box)");
+    add_value(render, "--denoise", "NAME",
+              "Removes noise: statistical, of path and reference, or oidn, by Open Image Denoise "
+              "(default: none)");
     add_value(render, "--time", "T", "Total wall time, such as 300ms, 2.5s or 2m");
     add_value(render, "--frame-time", "T", "Of ais: wall time of each frame, such as 300ms");
     add_value(render, "--seed", "N", "Seed of all random numbers (default: 0)");
@@ -379,6 +382,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["cache_error"] = json_or_null(options.cache_error);
     json["vpl_compensation"] = options.compensation;
     json["pixel_filter"] = options.through_centres ? "centre" : "box";
+    json["denoise"] = to_string(options.denoiser);
     json["time"] = json_or_null(options.time_seconds);
     json["frame_time"] = json_or_null(options.frame_seconds);
     json["seed"] = options.seed;

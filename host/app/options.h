@@ -20,6 +20,7 @@
 #include "film/film_sums.h"
 #include "image/background.h"
 #include "image/tone.h"
+#include "plan/denoiser.h"
 #include "plan/preset.h"
 
 namespace CLI {
@@ -71,6 +72,7 @@ struct RenderOptions {
     std::optional<double> target_error;                  ///< of path tracing: ends it, above 0
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
     bool through_centres = false;                 ///< of path tracing
+    Denoiser denoiser = Denoiser::none;
     DefaultLight light = DefaultLight::as_needed;
     std::optional<double> time_seconds;   ///< total wall time, above 0
     std::optional<double> frame_seconds;  ///< of ais: wall time of each frame, above 0

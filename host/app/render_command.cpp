@@ -24,6 +24,7 @@
 #include "base/process_age.h"
 #include "base/quote.h"
 #include "base/stopwatch.h"
+#include "denoise/image_denoiser.h"
 #include "film/film_sums_file.h"
 #include "image/exr.h"
 #include "render/camera_params.h"
@@ -226,14 +227,20 @@ class CommandOutput : public FileOutput {
 
     /// Writes a single image even where it is not complete; one of several only where it is.
     void write(SessionImage image) override {
-        times_.render_ms += watch_.lap();
+        times_.render_ms += watch_.lap() - image.denoise_ms;
+        times_.denoise_ms += image.denoise_ms;
+        denoiser_ = image.denoiser;
         if (!image.complete && whole_only_) return;
         if (image.complete) progress_.update(1.0, "writing");
         FileOutput::write(std::move(image));
         times_.write_ms += watch_.lap();
     }
 
+    /// What the last image has gone through.
+    [[nodiscard]] Denoiser denoiser() const { return denoiser_; }
+
   private:
+    Denoiser denoiser_ = Denoiser::none;
     bool whole_only_;
     Progress& progress_;
     Stopwatch& watch_;
@@ -248,6 +255,16 @@ void warn_about_paths(const RenderSession& session, const RenderOptions& options
     diagnostics.warn("", std::string("--algorithm reference is path tracing here, because ") +
                              (media ? "there are participating media"
                                     : "less than half of the virtual lights land on a surface"));
+}
+
+/// Says where the image was left with its noise.
+void warn_about_denoiser(const RenderSession& session, const RenderOptions& options,
+                         Denoiser applied, Diagnostics& diagnostics) {
+    if (options.denoiser != Denoiser::statistical || session.samples() != 1) return;
+    if (applied == Denoiser::none)
+        diagnostics.warn("",
+                         "--denoise statistical: a single sample has no variance, the image keeps "
+                         "its noise, expected --spp 2 or more");
 }
 
 /// Makes the session for the options. With --resume, path tracing continues the file where there is
@@ -375,6 +392,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
                                 : options.output);
     if (options.stats) check_output(*options.stats);
     if (options.resume) check_output(*options.resume);
+    const ImageDenoiser denoiser(options.denoiser);
     InterruptGuard guard(
         "weft: warning: interrupted before there was a sample, no image is written");
     const ThreadLimit limit(options.threads);
@@ -418,6 +436,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
     session.set_mattes({options.object_mattes, options.material_mattes});
+    session.set_denoiser(&denoiser);
     guard.keep_work();
     const std::uint32_t finished = render_images(session, output, camera, options, progress, clock);
     times.render_ms += watch.lap();  // where no image was written
@@ -442,7 +461,9 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
                                          session.samples()));
     warn_about_frame_time(session, options, diagnostics);
     warn_about_nonfinite(session, options, settings.width, diagnostics);
-    const RenderOptions used = effective(options, settings, camera, session);
+    warn_about_denoiser(session, options, output.denoiser(), diagnostics);
+    RenderOptions used = effective(options, settings, camera, session);
+    used.denoiser = output.denoiser();
     write_stats(options, stats_json(used, session, settings, times));
     return complete ? ExitCode::success : ExitCode::interrupted;
 }

@@ -76,10 +76,11 @@ nlohmann::json scene_json(const FlatScene& scene, const Executor& executor) {
 }
 
 /// The settings that took effect, as a preset.
-Preset settings_of(const RenderSettings& settings, const RenderSession& session) {
+Preset settings_of(const RenderSettings& settings, const RenderSession& session,
+                   Denoiser denoiser) {
     const auto samples =
         std::clamp<std::uint64_t>(session.samples(), 1, limits::max_samples_per_pixel);
-    return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples)};
+    return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples), denoiser};
 }
 
 nlohmann::json plan_json(const FramePlan& plan) {
@@ -142,7 +143,7 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
             {"samples", is_dark(session.light()) ? 0 : session.samples()},
             {"light", light},
             {"scene", scene_json(session.scene().flat(), executor)},
-            {"settings", preset_json(settings_of(settings, session))},
+            {"settings", preset_json(settings_of(settings, session, options.denoiser))},
             {"plan", plan_json(session.plan())},
             {"kernels", kernels},
             {"times",
@@ -151,6 +152,7 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
               {"build_kernels_ms", times.build_kernels_ms},
               {"build_bvh_ms", times.build_bvh_ms},
               {"render_ms", times.render_ms},
+              {"denoise_ms", times.denoise_ms},
               {"write_ms", times.write_ms},
               {"total_ms", times.total_ms}}},
             {"bytes", executor.allocated_bytes()},

@@ -19,6 +19,7 @@ struct RunTimes {
     double build_kernels_ms = 0.0;  ///< of all programs together, some compiled at the same time
     double build_bvh_ms = 0.0;
     double render_ms = 0.0;
+    double denoise_ms = 0.0;
     double write_ms = 0.0;
     double total_ms = 0.0;  ///< from the start of the program to the written image
 };

@@ -101,6 +101,18 @@ nlohmann::json machine_of(const Executor& executor, const TradeoffOptions& optio
             {"compiler", __VERSION__}};
 }
 
+/// What removes noise here: Open Image Denoise last, and only where it is installed.
+std::vector<ImageDenoiser> all_denoisers() {
+    std::vector<ImageDenoiser> all;
+    all.emplace_back(Denoiser::statistical);
+    try {
+        all.emplace_back(Denoiser::oidn);
+    } catch (const Error&) {
+        // It is optional: the settings that need it are left out.
+    }
+    return all;
+}
+
 /// One run of the command: renders, and lets host/tradeoff decide what.
 class TradeoffRun {
   public:
@@ -195,7 +207,8 @@ class TradeoffRun {
     }
 
     [[nodiscard]] std::vector<Candidate> candidates() const {
-        const SweepScene requested = sweep_scene(plan_for(flat_, RenderSettings{}));
+        SweepScene requested = sweep_scene(plan_for(flat_, RenderSettings{}));
+        requested.oidn = denoisers_.size() > 1;
         std::vector<Candidate> all =
             settings_sweep(requested, options_.quick ? SweepSize::quick : SweepSize::full);
         const std::vector<std::string>& wanted = options_.algorithms;
@@ -220,8 +233,9 @@ class TradeoffRun {
         return {
             .make =
                 [this](const Preset& preset, std::uint32_t seed, bool first_alone) {
-                    const ImageSubject subject{shared_, flat_, camera_, *options_.size,
-                                               [] { return !interrupt_flag(); }};
+                    const ImageSubject subject{
+                        shared_,   flat_, camera_, *options_.size, [] { return !interrupt_flag(); },
+                        denoisers_};
                     MeasuredImage made = measure_image(subject, preset, seed, first_alone);
                     if (interrupt_flag()) end_interrupted();
                     return made;
@@ -281,6 +295,7 @@ class TradeoffRun {
     Progress progress_;
     std::unique_ptr<Executor> executor_;
     SharedScene shared_;
+    std::vector<ImageDenoiser> denoisers_ = all_denoisers();
     Image halves_;  ///< of the reference, without other layers
     TradeoffResult result_;
 };

@@ -54,7 +54,8 @@ void put_behind(const Background& background, Image& image) {
     const std::span<const float> found = alpha_of(image);
     const std::vector<float> alpha(found.begin(), found.end());
     for (Layer& layer : image.layers) {
-        const bool shows = layer.name.empty() || layer.name == "emission";
+        const bool shows =
+            layer.name.empty() || layer.name == "emission" || layer.name == noisy_layer_name;
         if (!shows || !layer.channels.starts_with("RGB")) continue;
         for (std::size_t c = 0; c < 3; ++c)
             for (std::size_t pixel = 0; pixel < pixels; ++pixel)

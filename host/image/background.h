@@ -27,9 +27,9 @@ struct Background {
 /// with it.
 [[nodiscard]] std::span<const float> alpha_of(const Image& image);
 
-/// Puts a colour behind an image: adds its share to beauty and to emission, of which background is
-/// a part, and makes alpha 1. Does nothing where the background is transparent or the image has no
-/// alpha.
+/// Puts a colour behind an image: adds its share to beauty, rendered and denoised, and to emission,
+/// of which background is a part, and makes alpha 1. Does nothing where the background is
+/// transparent or the image has no alpha.
 void put_behind(const Background& background, Image& image);
 
 }  // namespace weft

@@ -26,6 +26,9 @@ struct Layer {
 /// beauty, and comes back as one.
 inline constexpr std::string_view alpha_layer_name = "alpha";
 
+/// The layer that holds the beauty as it was rendered, where beauty is that without its noise.
+inline constexpr std::string_view noisy_layer_name = "noisy";
+
 /// Names of layers of words begin with this and a dot.
 inline constexpr std::string_view word_layer_prefix = "weft.sums";
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "plan/denoiser.h"
 #include "plan/frame_plan.h"
 
 namespace weft {
@@ -54,6 +55,12 @@ inline constexpr std::array<std::string_view, 4> source_names = {"vpl", "ic", "t
 /// tracing leaves nothing out.
 [[nodiscard]] constexpr bool can_compensate(Algorithm algorithm, IndirectSource source) {
     return !is_reference(algorithm) && !caches_indirect(algorithm, source);
+}
+
+/// Whether images by an algorithm have what a denoiser takes: the statistical one takes the
+/// variance of independent samples.
+[[nodiscard]] constexpr bool can_denoise(Algorithm algorithm, Denoiser denoiser) {
+    return denoiser != Denoiser::statistical || is_reference(algorithm);
 }
 
 /// Where settings take indirect light from.

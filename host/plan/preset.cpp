@@ -85,8 +85,8 @@ double real(const JsonValue& value, double least, double most) {
     return number;
 }
 
-/// The index in `names`, those of algorithms or of sources of indirect light, of a name or of the
-/// long name that means the same.
+/// The index in `names`, those of algorithms, of sources of indirect light or of denoisers, of a
+/// name or of the long name that means the same.
 std::size_t name_of(const JsonValue& value, std::span<const std::string_view> names) {
     const std::string& text = value.as_string();
     const auto found = std::find(names.begin(), names.end(), short_algorithm_name(text));
@@ -97,6 +97,15 @@ std::size_t name_of(const JsonValue& value, std::span<const std::string_view> na
         throw value.error("is " + quote(text) + ", expected one of " + list);
     }
     return static_cast<std::size_t>(found - names.begin());
+}
+
+void read_denoiser(const JsonValue& value, Preset& preset) {
+    const auto member = value.find("denoise");
+    if (!member) return;
+    preset.denoiser = static_cast<Denoiser>(name_of(*member, denoiser_names));
+    if (!can_denoise(preset.algorithm, preset.denoiser))
+        throw member->error(
+            "needs the variance of every pixel, expected the algorithm path or reference");
 }
 
 void check_version(const JsonValue& value) {
@@ -145,6 +154,7 @@ Json preset_json(const Preset& preset) {
     Json json{{"weft_preset", 1},
               {"algorithm", to_string(preset.algorithm)},
               {"spp", preset.samples},
+              {"denoise", to_string(preset.denoiser)},
               {"cache_masks", preset.sampling.cache_masks},
               {"compensation", preset.sampling.compensation}};
     if (has_indirect_source(preset.algorithm))
@@ -165,7 +175,7 @@ Preset read_preset(const std::filesystem::path& file) {
                              "bound_spacing", "filter_radius", "max_light_samples", "filter_cosine",
                              "filter_planes", "threshold",     "luminance_scale",   "support",
                              "roulette",      "cache_masks",   "cache_records",     "cache_error",
-                             "cache_rays",    "compensation",  "edge_samples"});
+                             "cache_rays",    "compensation",  "edge_samples",      "denoise"});
     Preset preset;
     read_source(value, preset);
     if (const auto member = value.find("spp"))
@@ -178,6 +188,7 @@ Preset read_preset(const std::filesystem::path& file) {
             preset.sampling.*setting.member = real(*member, setting.least, setting.most);
     preset.sampling.cache_masks = value.bool_or("cache_masks", preset.sampling.cache_masks);
     preset.sampling.compensation = value.bool_or("compensation", preset.sampling.compensation);
+    read_denoiser(value, preset);
     check_together(value, preset);
     return preset;
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
+#include "plan/denoiser.h"
 #include "plan/frame_plan.h"
 
 namespace weft {
@@ -17,6 +18,7 @@ struct Preset {
     Algorithm algorithm = default_algorithm;
     SamplingSettings sampling;  ///< cached and temporal say where indirect light comes from
     std::uint32_t samples = 1;  ///< per pixel, 1 and up
+    Denoiser denoiser = Denoiser::none;
 };
 
 /// The preset as JSON for read_preset, every setting by its name.

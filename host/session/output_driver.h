@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "pipeline/light_work.h"
 #include "plan/algorithm.h"
+#include "plan/denoiser.h"
 
 namespace weft {
 
@@ -21,7 +22,9 @@ struct SessionImage {
     Algorithm algorithm{};
     std::uint64_t samples = 0;  ///< of every pixel
     std::uint32_t seed = 0;
-    bool complete = true;  ///< false where the user has ended it early
+    bool complete = true;                ///< false where the user has ended it early
+    Denoiser denoiser = Denoiser::none;  ///< that its beauty has gone through
+    double denoise_ms = 0.0;             ///< and how long that took
     /// See FrameRenderer::light.
     std::vector<LightShare> light;
 };

@@ -165,6 +165,7 @@ void RenderSession::deliver(bool complete) {
             unsaved = std::current_exception();
         }
     }
+    denoise(result);
     output_->write(std::move(result));
     delivery_ms_ = watch.total();
     if (unsaved) std::rethrow_exception(unsaved);
@@ -174,7 +175,8 @@ double RenderSession::delivery_ms() {
     if (output_ == nullptr) return 0.0;
     if (!delivery_ms_) {
         const Stopwatch watch;
-        const SessionImage now = image();
+        SessionImage now = image();
+        denoise(now);
         const double resolve_ms = watch.total();
         delivery_ms_ = resolve_ms + output_->write_ms(now);
     }

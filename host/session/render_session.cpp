@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/stopwatch.h"
+
 namespace weft {
 
 RenderSession::RenderSession(std::unique_ptr<Executor> executor, MovingScene scene,
@@ -119,6 +121,16 @@ void RenderSession::add_identifiers(Image& image) {
     }
     (void)add_mattes(executor_, scene_.at_rest(), scene_.flat(), *buffers_,
                      {camera_, image.width, image.height, samples, seed}, mattes_, image);
+}
+
+void RenderSession::denoise(SessionImage& image) const {
+    if (denoiser_ == nullptr) return;
+    const Stopwatch watch;
+    const bool media = scene_.flat().media.present();
+    const DenoiseView view = denoise_view(camera_, image.image.width, image.image.height, media);
+    if (denoiser_->denoise(image.image, image.samples, view))
+        image.denoiser = denoiser_->denoiser();
+    image.denoise_ms = watch.total();
 }
 
 SessionImage RenderSession::image() {

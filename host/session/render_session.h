@@ -11,6 +11,7 @@
 #include <optional>
 #include <variant>
 
+#include "denoise/image_denoiser.h"
 #include "device/cancellable_executor.h"
 #include "render/reference_renderer.h"
 #include "render/renderer.h"
@@ -82,6 +83,13 @@ class RenderSession {
     /// Sets which identifiers images get that are handed to the output; by default none.
     void set_mattes(const MatteSettings& mattes) { mattes_ = mattes; }
 
+    /// Sets what removes noise from images that are handed to the output; may be null. Must outlive
+    /// its use. Sums, and images that are saved with them, stay as they are rendered.
+    void set_denoiser(const ImageDenoiser* denoiser) {
+        denoiser_ = denoiser;
+        delivery_ms_.reset();
+    }
+
     /// Adds samples to the image until the budget is spent, shows it after each frame, and writes
     /// it to the output in the end. What that takes is measured, and is part of the budget's time.
     /// A call that ends early before there is any light writes nothing. A cancelled call writes
@@ -137,6 +145,7 @@ class RenderSession {
     /// resolve of the image as it is now and a rehearsal of its output.
     double delivery_ms();
     void add_identifiers(Image& image);
+    void denoise(SessionImage& image) const;
 
     CancellableExecutor executor_;
     MovingScene scene_;
@@ -151,6 +160,7 @@ class RenderSession {
     std::optional<double> delivery_ms_;  ///< of the last image of these settings for this output
     DisplayDriver* display_ = nullptr;
     MatteSettings mattes_;
+    const ImageDenoiser* denoiser_ = nullptr;
 };
 
 }  // namespace weft

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tradeoff/measured_image.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
+#include "base/stopwatch.h"
 #include "plan/algorithm.h"
 #include "render/path_renderer.h"
 #include "render/renderer.h"
@@ -33,6 +35,20 @@ std::unique_ptr<FrameRenderer> renderer_of(const ImageSubject& subject, const Pr
     return std::make_unique<Renderer>(subject.executor, subject.scene, subject.camera, settings);
 }
 
+/// Removes noise as the preset asks for; returns how many milliseconds that took.
+double denoise(Image& image, std::uint64_t samples, const ImageSubject& subject,
+               const Preset& preset) {
+    const auto found = std::find_if(
+        subject.denoisers.begin(), subject.denoisers.end(),
+        [&](const ImageDenoiser& known) { return known.denoiser() == preset.denoiser; });
+    if (found == subject.denoisers.end()) return 0.0;
+    const Stopwatch watch;
+    found->denoise(
+        image, samples,
+        denoise_view(subject.camera, image.width, image.height, subject.scene.media.present()));
+    return watch.total();
+}
+
 /// The beauty layer, which is compared; the others would only take memory.
 Image beauty_of(const Image& image) {
     Image beauty{.width = image.width, .height = image.height, .layers = {}, .metadata = {}};
@@ -53,8 +69,10 @@ MeasuredImage measure_image(const ImageSubject& subject, const Preset& preset, s
         if (first_alone || !keeps_going()) break;
     }
     MeasuredImage made;
-    made.image = beauty_of(renderer->image());
+    Image image = renderer->image();
     made.frames = static_cast<std::uint32_t>(renderer->samples());
+    made.ms = denoise(image, renderer->samples(), subject, preset);
+    made.image = beauty_of(image);
     for (const FrameStats& frame : renderer->stats()) {
         made.ms += frame.ms;
         made.rays += frame.rays;

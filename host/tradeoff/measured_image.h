@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 
+#include "denoise/image_denoiser.h"
 #include "device/executor.h"
 #include "image/image.h"
 #include "plan/preset.h"
@@ -17,7 +19,7 @@ namespace weft {
 /// An image, and its time, samples and rays.
 struct MeasuredImage {
     Image image;               ///< its beauty layer alone
-    double ms = 0.0;           ///< wall time of its frames
+    double ms = 0.0;           ///< wall time of its frames, and of removing noise
     std::uint32_t frames = 0;  ///< samples of every pixel
     std::uint64_t rays = 0;
 };
@@ -30,11 +32,14 @@ struct ImageSubject {
     FilmSize size;
     /// Called now and then; where it returns false, an image ends incomplete. Empty: go on always.
     std::function<bool()> keep_going{};
+    /// What presets may ask for, one of a kind; those of others are not applied.
+    std::span<const ImageDenoiser> denoisers{};
 };
 
-/// Makes an image with a renderer of its own. The time is that of the frames alone, as in `weft
-/// render`, without reading, building the acceleration structure and the kernels, or allocating
-/// buffers. `first_alone`: stops after the first frame.
+/// Makes an image with a renderer of its own. The time is that of the frames, as in `weft
+/// render`, and of removing noise where the preset asks for that; without reading, building the
+/// acceleration structure and the kernels, or allocating buffers. `first_alone`: stops after the
+/// first frame.
 [[nodiscard]] MeasuredImage measure_image(const ImageSubject& subject, const Preset& preset,
                                           std::uint32_t seed, bool first_alone = false);
 

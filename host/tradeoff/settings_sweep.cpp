@@ -29,7 +29,8 @@ class Sweep {
         add_records();
         add_paths();
         for (const char* const variant : {"", "high"}) fill_budgets(variant, Algorithm::ais);
-        fill_budgets("", Algorithm::path);
+        for (const char* const variant : {"", "statistical", "oidn"})
+            fill_budgets(variant, Algorithm::path);
         if (!full_) return;
         for (const char* const variant : {"draft", "compensation"})
             fill_budgets(variant, Algorithm::ais);
@@ -42,9 +43,9 @@ class Sweep {
     [[nodiscard]] bool samples_light() const { return has_vpls() || scene_.sampled_lights; }
 
     void add(const std::string& variant, Algorithm algorithm, const SamplingSettings& sampling,
-             std::uint32_t samples = 1) {
+             std::uint32_t samples = 1, Denoiser denoiser = Denoiser::none) {
         const Candidate plain{
-            {}, std::string(to_string(algorithm)), {algorithm, sampling, 1}, variant};
+            {}, std::string(to_string(algorithm)), {algorithm, sampling, 1, denoiser}, variant};
         const Candidate candidate = with_samples(plain, samples);
         if (known_.insert(preset_json(candidate.preset).dump()).second)
             candidates.push_back(candidate);
@@ -160,8 +161,16 @@ class Sweep {
 
     void add_paths() {
         for (const std::uint32_t samples : {4U, 16U, 64U}) add("", Algorithm::path, {}, samples);
+        add_denoised(Denoiser::statistical);
+        if (scene_.oidn) add_denoised(Denoiser::oidn);
         if (!full_) return;
         for (const std::uint32_t samples : {1U, 256U}) add("", Algorithm::path, {}, samples);
+    }
+
+    void add_denoised(Denoiser denoiser) {
+        const std::string variant(to_string(denoiser));
+        add(variant, Algorithm::path, {}, 16, denoiser);
+        if (full_) add(variant, Algorithm::path, {}, 64, denoiser);
     }
 
     SweepScene scene_;

@@ -29,6 +29,7 @@ struct SweepScene {
     bool media = false;          ///< light goes through participating media
     bool media_light = false;    ///< media scatter light to the camera
     bool adapts = true;          ///< `ais` may leave out samples in this scene
+    bool oidn = false;           ///< the library Open Image Denoise is there
 };
 
 /// The properties of a scene by the plan of frames of the standard setting.
@@ -37,7 +38,7 @@ struct SweepScene {
 /// How many settings to try.
 enum class SweepSize : std::uint8_t { quick, full };
 
-/// Settings of single images, by algorithm: about a dozen, or about fifty. `tic` is for sequences
+/// Settings of single images, by algorithm: about a dozen, or about sixty. `tic` is for sequences
 /// and has none. Settings that would make the same image as others of the list are left out.
 [[nodiscard]] std::vector<Candidate> settings_sweep(const SweepScene& scene, SweepSize size);
 

@@ -47,6 +47,20 @@ TEST(AlgorithmOptions, PathTracing) {
     EXPECT_NE(render_refusal({"--algorithm=path", "--resume", "./box.exr"}), "no failure");
 }
 
+TEST(AlgorithmOptions, Denoisers) {
+    EXPECT_EQ(render({}).denoiser, Denoiser::none);
+    EXPECT_EQ(render({"--denoise", "none"}).denoiser, Denoiser::none);
+    EXPECT_EQ(render({"--denoise", "oidn"}).denoiser, Denoiser::oidn);
+    for (const char* const algorithm : {"path", "reference"})
+        EXPECT_EQ(render({"--denoise", "statistical", "--algorithm", algorithm}).denoiser,
+                  Denoiser::statistical);
+    for (const char* const algorithm : {"ais", "ir", "tic"})
+        EXPECT_EQ(render_refusal({"--denoise", "statistical", "--algorithm", algorithm})
+                      .find("--denoise: statistical needs the variance"),
+                  0U);
+    EXPECT_EQ(render_refusal({"--denoise", "opix"}).find("--denoise: "), 0U);
+}
+
 TEST(AlgorithmOptions, LongNamesMeanTheSameAsShortOnes) {
     for (std::size_t i = 0; i < algorithm_names.size(); ++i) {
         const std::string short_name(algorithm_names[i]);

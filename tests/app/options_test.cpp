@@ -288,7 +288,7 @@ TEST(Options, SuggestsNearMisses) {
     EXPECT_TRUE(suggests(refusal({"devices", "--jsn"}), "--json"));
     EXPECT_EQ(render_refusal({"--photons", "4"}), "unknown option '--photons'");
     // The dashes are no part of the likeness.
-    EXPECT_EQ(render_refusal({"--denoise"}), "unknown option '--denoise'");
+    EXPECT_EQ(render_refusal({"--dissolve"}), "unknown option '--dissolve'");
     EXPECT_EQ(render_refusal({"--depth", "4"}), "unknown option '--depth'");
     EXPECT_EQ(refusal({"photons"}),
               "unknown command 'photons', expected render, merge, compare, tradeoff, info, devices "

@@ -152,6 +152,11 @@ TEST_F(PresetFile, RefusesWhatDoesNotFitTogether) {
     EXPECT_NE(refusal(R"({"weft_preset": 1, "interleave": 15, "vpls": 65536})")
                   .find("in all 225 sample sets"),
               std::string::npos);
+    EXPECT_EQ(
+        refusal(R"({"weft_preset": 1, "denoise": "statistical"})").find("preset.json#/denoise: "),
+        0U);
+    EXPECT_EQ(refusal(R"({"weft_preset": 1, "denoise": "much"})").find("preset.json#/denoise: "),
+              0U);
     EXPECT_EQ(refusal(R"({"weft_preset": 1, "algorithm": "igi", "indirect": "ic"})")
                   .find("preset.json#/indirect: "),
               0U);
@@ -208,6 +213,20 @@ TEST_F(PresetFile, TheCommandLineWins) {
     EXPECT_EQ(test::render({"--preset", cached.c_str(), "--indirect", "vpl"}).indirect,
               IndirectSource::vpl);
     EXPECT_FALSE(test::render({"--preset", cached.c_str(), "--algorithm", "path"}).indirect);
+}
+
+TEST_F(PresetFile, MayDenoise) {
+    const Preset preset{Algorithm::path, {}, 4, Denoiser::statistical};
+    const std::string text = preset_json(preset).dump();
+    EXPECT_EQ(read(text).denoiser, Denoiser::statistical);
+    EXPECT_EQ(read(R"({"weft_preset": 1})").denoiser, Denoiser::none);
+    const std::string file = folder_.write("d.json", text);
+    EXPECT_EQ(test::render({"--preset", file.c_str()}).denoiser, Denoiser::statistical);
+    EXPECT_EQ(test::render({"--preset", file.c_str(), "--denoise", "none"}).denoiser,
+              Denoiser::none);
+    // Which previews cannot be.
+    EXPECT_EQ(test::render({"--preset", file.c_str(), "--algorithm", "ais"}).denoiser,
+              Denoiser::none);
 }
 
 class PresetImage : public PresetFile {

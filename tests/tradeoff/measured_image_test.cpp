@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,7 +46,7 @@ class Setting {
                                      bool first_alone = false,
                                      std::function<bool()> keep_going = {}) const {
         return measure_image({test::shared_executor(TestBackend::own_bvh), flat_, camera_, size,
-                              std::move(keep_going)},
+                              std::move(keep_going), std::span(&denoiser_, 1)},
                              preset, seed, first_alone);
     }
     [[nodiscard]] const FlatScene& flat() const { return flat_; }
@@ -54,6 +55,7 @@ class Setting {
   private:
     FlatScene flat_;
     Camera camera_;
+    ImageDenoiser denoiser_{Denoiser::statistical};
 };
 
 /// A room with an area light: noise, shadows and light by way of walls.
@@ -133,6 +135,22 @@ TEST(MeasuredImage, IsThatOfTheRendererWithTheSameSeed) {
               setting.make(paths, 5).image.layers[0].values);
     EXPECT_NE(setting.make(paths, 5).image.layers[0].values,
               setting.make(paths, 6).image.layers[0].values);
+}
+
+TEST(MeasuredImage, IsDenoisedWhereThePresetSaysSo) {
+    const Setting setting = room();
+    Preset preset = preset_of(Algorithm::path, 8);
+    const MeasuredImage noisy = setting.make(preset, 1);
+    preset.denoiser = Denoiser::statistical;
+    const MeasuredImage clean = setting.make(preset, 1);
+    EXPECT_EQ(clean.rays, noisy.rays);
+    ASSERT_EQ(clean.image.layers.size(), 1U);
+    EXPECT_NE(clean.image.layers[0].values, noisy.image.layers[0].values);
+    const Image reference = setting.make(preset_of(Algorithm::path, 4096), 2).image;
+    const auto relmse = [&](const MeasuredImage& made) {
+        return error_of(error_values(reference, made.image), ErrorMeasure::relmse);
+    };
+    EXPECT_LT(relmse(clean), 0.5 * relmse(noisy));
 }
 
 TEST(MeasuredImage, StopsAfterTheFirstFrameAndWhereItIsToldTo) {

@@ -31,11 +31,11 @@ std::vector<SweepScene> all_scenes() {
     return scenes;
 }
 
-TEST(SettingsSweep, HasAboutADozenOrAboutFifty) {
+TEST(SettingsSweep, HasAboutADozenOrAboutSixty) {
     EXPECT_GE(settings_sweep({}, SweepSize::quick).size(), 12U);
     EXPECT_LE(settings_sweep({}, SweepSize::quick).size(), 15U);
-    EXPECT_GE(settings_sweep({}, SweepSize::full).size(), 40U);
-    EXPECT_LE(settings_sweep({}, SweepSize::full).size(), 60U);
+    EXPECT_GE(settings_sweep({}, SweepSize::full).size(), 50U);
+    EXPECT_LE(settings_sweep({}, SweepSize::full).size(), 70U);
 }
 
 TEST(SettingsSweep, NamesAndSettingsAreUnique) {
@@ -116,6 +116,22 @@ TEST(SettingsSweep, LeavesOutWhatTheSceneDoesNotCallFor) {
             EXPECT_FALSE(has_family(all, "tic"));
             for (const char* family : {"ais", "amax", "igi", "path"})
                 EXPECT_TRUE(has_family(all, family)) << family;
+        }
+}
+
+TEST(SettingsSweep, DenoisesPathsByWhatIsThere) {
+    for (const SweepSize size : {SweepSize::quick, SweepSize::full})
+        for (const bool oidn : {false, true}) {
+            std::set<Denoiser> found;
+            for (const Candidate& candidate : settings_sweep({.oidn = oidn}, size)) {
+                found.insert(candidate.preset.denoiser);
+                if (candidate.preset.denoiser == Denoiser::none) continue;
+                EXPECT_EQ(candidate.preset.algorithm, Algorithm::path);
+                EXPECT_NE(candidate.name.find(to_string(candidate.preset.denoiser)),
+                          std::string::npos);
+            }
+            EXPECT_TRUE(found.contains(Denoiser::statistical));
+            EXPECT_EQ(found.contains(Denoiser::oidn), oidn);
         }
 }
 
