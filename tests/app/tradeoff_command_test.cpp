@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -56,7 +57,9 @@ std::size_t lines_of(const std::string& text) {
 }
 
 TEST_F(TradeoffCommand, WritesAllThatItFound) {
-    const ProgramResult result = run_program(box(small));
+    // Without Open Image Denoise, which some machines have, and with what stands in for it below.
+    const ProgramResult result =
+        run_program(box(small), {.environment = {{"WEFT_OIDN_LIBRARY", at("none.so")}}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
     EXPECT_NE(result.out.find("for 60 s the best is "), std::string::npos) << result.out;
@@ -71,9 +74,9 @@ TEST_F(TradeoffCommand, WritesAllThatItFound) {
     EXPECT_NE(result.out.find("unbiased relMSE"), std::string::npos) << result.out;
     EXPECT_EQ(found["machine"]["backend"], "native");
     EXPECT_TRUE(found["check"].is_null());
-    // igi, ic, and path with 4, 16 and 64 samples.
-    ASSERT_EQ(found["points"].size(), 5U);
-    EXPECT_EQ(found["time_spread"]["deviations"], 20);
+    // igi, ic, and path with 4, 16 and 64 samples, and with 16 denoised.
+    ASSERT_EQ(found["points"].size(), 6U);
+    EXPECT_EQ(found["time_spread"]["deviations"], 24);
     EXPECT_GT(found["time_spread"]["factor"], 1.0);
     EXPECT_GE(found["time_spread"]["degrees"], 3.0);
     bool any_on_front = false;
@@ -100,8 +103,26 @@ TEST_F(TradeoffCommand, WritesAllThatItFound) {
         any_on_front = any_on_front || point["on_front"].get<bool>();
     }
     EXPECT_TRUE(any_on_front);
-    EXPECT_EQ(lines_of(text_of_file(at("out/tradeoff.csv"))), 6U);
+    EXPECT_EQ(lines_of(text_of_file(at("out/tradeoff.csv"))), 7U);
     EXPECT_NE(text_of_file(at("out/index.html")).find("<html"), std::string::npos);
+}
+
+TEST_F(TradeoffCommand, MeasuresDenoisedPathsLikeAnyOtherSetting) {
+    const ProgramResult result =
+        run_program(box({"--quick", "--repetitions", "2", "--reference-spp", "64", "--algorithms",
+                         "path", "--budget", "1ms"}),
+                    {.environment = {{"WEFT_OIDN_LIBRARY", WEFT_OIDN_STUB_2}}});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json found = report();
+    std::map<std::string, json> points;
+    for (const json& point : found["points"]) points[point["name"]] = point;
+    ASSERT_EQ(points.size(), 5U);
+    const auto error = [&](const char* name) {
+        return points.at(name)["unbiased_relmse"]["value"].get<double>();
+    };
+    EXPECT_LT(error("path statistical spp 16"), 0.8 * error("path spp 16"));
+    // What stands in for the library takes half of the light, a fourth of its square.
+    EXPECT_GT(error("path oidn spp 16"), error("path spp 16") / 4.0 + 0.05);
 }
 
 TEST_F(TradeoffCommand, ItsAdviceCanBeRendered) {
