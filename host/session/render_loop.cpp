@@ -176,6 +176,8 @@ double RenderSession::delivery_ms() {
     if (!delivery_ms_) {
         const Stopwatch watch;
         SessionImage now = image();
+        // A first sample has no variance, but the image will have one, and then be denoised.
+        now.samples = std::max<std::uint64_t>(now.samples, 2);
         denoise(now);
         const double resolve_ms = watch.total();
         delivery_ms_ = resolve_ms + output_->write_ms(now);
