@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
+#include "plan/halton.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -150,6 +152,42 @@ WorkList make_spread_work_list(std::uint32_t width, std::uint32_t height, std::u
     WorkList list = make_work_list(width, height, spread, tile);
     for (std::uint32_t& set : list.block_sets)
         set = set % spread % interleave + set / spread % interleave * interleave;
+    return list;
+}
+
+WorkList make_shuffled_work_list(std::uint32_t width, std::uint32_t height,
+                                 std::uint32_t interleave) {
+    // As many blocks as sets.
+    const std::uint32_t edge = 4 * interleave;
+    static_assert(PACKET_BLOCK == 4 * 4);
+    const std::uint32_t sets = interleave * interleave;
+    // Squares that follow one another, so that neighbouring slots stay neighbours in the image.
+    constexpr std::uint32_t together = 4;
+    const std::vector<Cell> order = morton_order(together);
+    WorkList list;
+    std::vector<std::uint32_t> square;
+    for (std::uint32_t top = 0; top < height; top += together * edge)
+        for (std::uint32_t left = 0; left < width; left += together * edge)
+            for (const Cell& cell : order) {
+                square.clear();
+                const std::uint32_t x0 = left + cell.column * edge;
+                const std::uint32_t y0 = top + cell.row * edge;
+                for (std::uint32_t y = y0; y < std::min(y0 + edge, height); ++y)
+                    for (std::uint32_t x = x0; x < std::min(x0 + edge, width); ++x)
+                        square.push_back(y * width + x);
+                const auto block = static_cast<std::uint32_t>(list.block_sets.size());
+                for (std::uint32_t k = static_cast<std::uint32_t>(square.size()); k > 1; --k) {
+                    const std::uint64_t random = seed_of_sample(block, k);
+                    std::swap(square[k - 1], square[random * k >> 32]);
+                }
+                std::uint32_t set = seed_of_sample(block, 0) % sets;
+                for (std::size_t k = 0; k < square.size(); ++k) {
+                    list.pixels.push_back(square[k]);
+                    if ((k + 1) % PACKET_BLOCK != 0 && k + 1 < square.size()) continue;
+                    pad(list, set);
+                    set = (set + 1) % sets;
+                }
+            }
     return list;
 }
 

@@ -32,6 +32,12 @@ struct WorkList {
 [[nodiscard]] WorkList make_spread_work_list(std::uint32_t width, std::uint32_t height,
                                              std::uint32_t interleave, std::uint32_t tile);
 
+/// Work list of an image that is not filtered over sets: squares of 4 n x 4 n pixels, each of which
+/// is dealt at random to n x n blocks of different sets. So the errors that the pixels of a set
+/// share look like noise, not like a grid. The same list each time.
+[[nodiscard]] WorkList make_shuffled_work_list(std::uint32_t width, std::uint32_t height,
+                                               std::uint32_t interleave);
+
 /// Work list of the pixels in `masks` alone, one mask per tile of the grid; bits outside of the
 /// image are left out. Ordered region by region, large squares of tiles whose packets are filled
 /// together.

@@ -34,6 +34,8 @@ float texture_angle(const shared::RenderParams& params, const RenderSettings& se
 }
 
 WorkList work_list_of(const FramePlan& plan, const RenderSettings& settings) {
+    if (plan.exact)
+        return make_shuffled_work_list(settings.width, settings.height, plan.interleave);
     if (plan.adapts_direct())
         return make_spread_work_list(settings.width, settings.height, plan.interleave,
                                      settings.tile);

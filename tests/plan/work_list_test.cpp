@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -271,6 +272,52 @@ TEST(WorkList, ASpreadListKeepsSetsAndPartsNeighbours) {
         }
         for (const std::uint32_t count : seen) EXPECT_EQ(count, 1U);
     }
+}
+
+TEST(WorkList, AShuffledListDealsSquaresToBlocksOfAllSets) {
+    for (const std::uint32_t n : {1U, 2U, 3U})
+        for (const auto& [width, height] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+                 {1, 1}, {5, 90}, {96, 96}, {131, 77}}) {
+            const WorkList list = make_shuffled_work_list(width, height, n);
+            ASSERT_EQ(list.pixels.size(), list.block_sets.size() * PACKET_BLOCK);
+            std::vector<std::uint32_t> seen(std::size_t{width} * height, 0);
+            for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
+                const std::uint32_t pixel = list.pixels[slot];
+                if (pixel == INVALID_INDEX) continue;
+                ASSERT_LT(pixel, seen.size());
+                ++seen[pixel];
+                EXPECT_LT(list.block_sets[slot / PACKET_BLOCK], n * n);
+                // All of a block lie in one square, and only its end is padded.
+                const std::uint32_t first = list.pixels[slot / PACKET_BLOCK * PACKET_BLOCK];
+                ASSERT_NE(first, INVALID_INDEX);
+                EXPECT_EQ(pixel % width / (4 * n), first % width / (4 * n));
+                EXPECT_EQ(pixel / width / (4 * n), first / width / (4 * n));
+            }
+            for (const std::uint32_t count : seen) EXPECT_EQ(count, 1U);
+        }
+}
+
+TEST(WorkList, AShuffledListHasNoGridOfSets) {
+    // Of pixels that lie 3 apart, as many have the same set as chance gives: one of nine, and of
+    // the square's 143 others 15 in a block. Of a regular list all would. 4 standard deviations.
+    constexpr std::uint32_t size = 96;
+    const WorkList list = make_shuffled_work_list(size, size, 3);
+    std::vector<std::uint32_t> set_of(std::size_t{size} * size);
+    std::vector<double> pixels_of(9, 0.0);
+    for (std::size_t slot = 0; slot < list.pixels.size(); ++slot) {
+        set_of[list.pixels[slot]] = list.block_sets[slot / PACKET_BLOCK];
+        ++pixels_of[list.block_sets[slot / PACKET_BLOCK]];
+    }
+    for (const double pixels : pixels_of) EXPECT_EQ(pixels, size * size / 9.0);
+    double same = 0.0;
+    double all = 0.0;
+    for (std::uint32_t y = 0; y < size; ++y)
+        for (std::uint32_t x = 0; x + 3 < size; ++x) {
+            same += set_of[y * size + x] == set_of[y * size + x + 3] ? 1.0 : 0.0;
+            ++all;
+        }
+    const double chance = 15.0 / 143.0 * 0.75 + 1.0 / 9.0 * 0.25;
+    EXPECT_NEAR(same / all, chance, 4.0 * std::sqrt(chance / all));
 }
 
 }  // namespace
