@@ -17,12 +17,12 @@ constexpr std::array shares = {0.55, 0.82};
 }  // namespace
 
 std::vector<Candidate> budget_candidates(const Candidate& base, double sample_ms,
-                                         const BudgetWish& wish) {
+                                         const BudgetWish& wish, double fixed_ms) {
     if (!(sample_ms > 0.0) || !std::isfinite(sample_ms)) return {};
     std::set<std::uint32_t> counts;
     for (const double budget : wish.budgets_ms)
         for (const double share : shares) {
-            const double fitting = std::floor(share * budget / sample_ms);
+            const double fitting = std::floor((share * budget - fixed_ms) / sample_ms);
             if (fitting >= 2.0)
                 counts.insert(static_cast<std::uint32_t>(
                     std::min(fitting, static_cast<double>(wish.most_samples))));

@@ -19,10 +19,12 @@ struct BudgetWish {
 
 /// The settings of `base` with as many samples as use budgets up: about half of each budget, and
 /// about four fifths, which may exceed the budget on a machine whose times scatter. `sample_ms`:
-/// time of one sample of every pixel. By rising samples, each number once, without that of `base`;
-/// none where there is no time for two samples, or `sample_ms` is not a positive time.
+/// time of one sample of every pixel; `fixed_ms`: of an image besides its samples. By rising
+/// samples, each number once, without that of `base`; none where there is no time for two samples,
+/// or `sample_ms` is not a positive time.
 [[nodiscard]] std::vector<Candidate> budget_candidates(const Candidate& base, double sample_ms,
-                                                       const BudgetWish& wish);
+                                                       const BudgetWish& wish,
+                                                       double fixed_ms = 0.0);
 
 }  // namespace weft
 

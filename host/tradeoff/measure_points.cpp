@@ -29,8 +29,8 @@ double expected_ms(const Candidate& candidate, const MeasurePlan& plan, const Me
     double expected = 0.0;
     for (int attempt = 0; attempt < 2; ++attempt) {
         const MeasuredImage first = measuring.make(candidate.preset, plan.seed, true);
-        frame_ms = first.ms / std::max(1U, first.frames);
-        expected = frame_ms * candidate.preset.samples;
+        frame_ms = (first.ms - first.denoise_ms) / std::max(1U, first.frames);
+        expected = frame_ms * candidate.preset.samples + first.denoise_ms;
         if (expected <= plan.slow_ms) break;
     }
     return expected;
@@ -69,9 +69,10 @@ void fill_budgets(std::vector<Entrant>& entrants, const MeasurePlan& plan,
         measuring.report(0.0, "frames of " + base.candidate.name);
         const Candidate probe = with_samples(base.candidate, probe_frames);
         const MeasuredImage made = measuring.make(probe.preset, plan.seed, false);
-        const double sample_ms = made.ms / std::max(1U, made.frames);
-        for (Candidate& candidate : budget_candidates(base.candidate, sample_ms, plan.wish)) {
-            const double expected = sample_ms * candidate.preset.samples;
+        const double sample_ms = (made.ms - made.denoise_ms) / std::max(1U, made.frames);
+        for (Candidate& candidate :
+             budget_candidates(base.candidate, sample_ms, plan.wish, made.denoise_ms)) {
+            const double expected = sample_ms * candidate.preset.samples + made.denoise_ms;
             if (expected <= plan.slow_ms && known.insert(candidate.name).second)
                 entrants.push_back({std::move(candidate), expected});
         }

@@ -71,7 +71,8 @@ MeasuredImage measure_image(const ImageSubject& subject, const Preset& preset, s
     MeasuredImage made;
     Image image = renderer->image();
     made.frames = static_cast<std::uint32_t>(renderer->samples());
-    made.ms = denoise(image, renderer->samples(), subject, preset);
+    made.denoise_ms = denoise(image, renderer->samples(), subject, preset);
+    made.ms = made.denoise_ms;
     made.image = beauty_of(image);
     for (const FrameStats& frame : renderer->stats()) {
         made.ms += frame.ms;

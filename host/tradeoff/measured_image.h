@@ -20,6 +20,7 @@ namespace weft {
 struct MeasuredImage {
     Image image;               ///< its beauty layer alone
     double ms = 0.0;           ///< wall time of its frames, and of removing noise
+    double denoise_ms = 0.0;   ///< the part of ms that removing noise took, whatever the samples
     std::uint32_t frames = 0;  ///< samples of every pixel
     std::uint64_t rays = 0;
 };

@@ -40,6 +40,15 @@ TEST(BudgetCandidates, UseUpHalfAndFourFifthsOfEveryBudget) {
     EXPECT_EQ(counts(10.0, {300.0, 301.0}, 1000), (Counts{16, 24}));
 }
 
+TEST(BudgetCandidates, LeaveRoomForWhatComesAfterTheSamples) {
+    const std::vector<double> budgets{300.0};
+    std::vector<std::uint32_t> samples;
+    for (const Candidate& candidate : budget_candidates(high(), 10.0, {budgets, 1000}, 100.0))
+        samples.push_back(candidate.preset.samples);
+    EXPECT_EQ(samples, (Counts{6, 14}));  // 65 and 146 ms
+    EXPECT_TRUE(budget_candidates(high(), 10.0, {budgets, 1000}, 300.0).empty());
+}
+
 TEST(BudgetCandidates, KeepToTheMostSamplesAndLeaveOutThoseThatAreThere) {
     EXPECT_EQ(counts(1.0, {300.0, 1000.0}, 200), (Counts{165, 200}));
     EXPECT_EQ(counts(10.0, {300.0}, 1000, with_samples(high(), 16)), (Counts{24}));
