@@ -174,11 +174,13 @@ void RenderSession::deliver(bool complete) {
 double RenderSession::delivery_ms() {
     if (output_ == nullptr) return 0.0;
     if (!delivery_ms_) {
+        constexpr std::uint64_t least = 2;
         const Stopwatch watch;
         SessionImage now = image();
         // A first sample has no variance, but the image will have one, and then be denoised.
-        now.samples = std::max<std::uint64_t>(now.samples, 2);
+        const std::uint64_t samples = std::exchange(now.samples, std::max(now.samples, least));
         denoise(now);
+        now.samples = samples;
         const double resolve_ms = watch.total();
         delivery_ms_ = resolve_ms + output_->write_ms(now);
     }

@@ -109,7 +109,7 @@ TEST_F(TradeoffCommand, WritesAllThatItFound) {
 
 TEST_F(TradeoffCommand, MeasuresDenoisedPathsLikeAnyOtherSetting) {
     const ProgramResult result =
-        run_program(box({"--quick", "--repetitions", "2", "--reference-spp", "64", "--algorithms",
+        run_program(box({"--quick", "--repetitions", "2", "--reference-spp", "1024", "--algorithms",
                          "path", "--budget", "1ms"}),
                     {.environment = {{"WEFT_OIDN_LIBRARY", WEFT_OIDN_STUB_2}}});
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -120,6 +120,8 @@ TEST_F(TradeoffCommand, MeasuresDenoisedPathsLikeAnyOtherSetting) {
     const auto error = [&](const char* name) {
         return points.at(name)["unbiased_relmse"]["value"].get<double>();
     };
+    // In so small an image most of what is left lies at the border of the light, where nothing is
+    // averaged: 0.051 of 0.074.
     EXPECT_LT(error("path statistical spp 16"), 0.8 * error("path spp 16"));
     // What stands in for the library takes half of the light, a fourth of its square.
     EXPECT_GT(error("path oidn spp 16"), error("path spp 16") / 4.0 + 0.05);
