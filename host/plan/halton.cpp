@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#define NATIVE_KERNELS "kernels/core/sampling.h"
+#include "shared/native_functions.h"
+
 namespace weft {
 
 double radical_inverse(std::uint32_t base, std::uint32_t index) {
@@ -22,12 +25,7 @@ double shift_of(std::uint32_t seed, std::uint32_t axis) {
 
 std::uint32_t seed_of_sample(std::uint32_t seed, std::uint32_t sample) {
     // Each step is a permutation, so that two samples of one seed never share theirs.
-    const auto mix = [](std::uint32_t x) {
-        x = (x ^ x >> 16) * 0x7feb352dU;
-        x = (x ^ x >> 15) * 0x846ca68bU;
-        return x ^ x >> 16;
-    };
-    return mix(sample + mix(seed ^ 0x6a09e667U));
+    return native::hash_bits(sample + native::hash_bits(seed ^ 0x6a09e667U));
 }
 
 double shifted_halton(std::uint32_t base, std::uint32_t index, double shift) {

@@ -74,14 +74,6 @@ FilmSums render(SampleRange range, FilmSums before = {}) {
                   std::move(before));
 }
 
-void expect_same(const FilmSums& a, const FilmSums& b) {
-    EXPECT_TRUE(a.words == b.words);
-    EXPECT_EQ(a.ranges, b.ranges);
-    EXPECT_EQ(a.identity, b.identity);
-    EXPECT_EQ(a.light_exponent, b.light_exponent);
-    EXPECT_EQ(test::differing_values(resolve_sums(a), resolve_sums(b)), 0U);
-}
-
 /// Writes the sums to a file and reads them again.
 FilmSums through_a_file(const FilmSums& sums) {
     const TemporaryFolder folder;
@@ -114,13 +106,13 @@ TEST(PathResume, TenContinuationsThroughFilesEqualTheWhole) {
     EXPECT_EQ(whole.samples(), 40U);
     for (const std::uint32_t stop : {1U, 2U, 3U, 5U, 8U, 13U, 21U, 34U, 38U, 39U}) {
         SCOPED_TRACE(stop);
-        expect_same(render({stop, 40}, through_a_file(render({0, stop}))), whole);
+        test::expect_same_sums(render({stop, 40}, through_a_file(render({0, stop}))), whole);
     }
     // One image, left and gone on with ten times.
     FilmSums sums;
     for (std::uint32_t first = 0; first < 40; first += 4)
         sums = through_a_file(render({first, first + 4}, std::move(sums)));
-    expect_same(sums, whole);
+    test::expect_same_sums(sums, whole);
 }
 
 TEST(PathResume, FramesEndedByTheUserAreWhole) {
@@ -137,8 +129,8 @@ TEST(PathResume, FramesEndedByTheUserAreWhole) {
         settings.samples.first = interruption;
         sums = renderer.sums();
     }
-    expect_same(render(test::shared_executor(TestBackend::own_bvh), settings, std::move(sums)),
-                whole);
+    test::expect_same_sums(
+        render(test::shared_executor(TestBackend::own_bvh), settings, std::move(sums)), whole);
 }
 
 TEST(PathResume, ThreeRangesAddUpToTheWhole) {
@@ -148,12 +140,12 @@ TEST(PathResume, ThreeRangesAddUpToTheWhole) {
     add_sums(sum, parts[0]);
     EXPECT_EQ(sum.ranges, (std::vector<SampleRange>{{0, 11}, {12, 50}}));
     add_sums(sum, through_a_file(parts[1]));
-    expect_same(sum, whole);
+    test::expect_same_sums(sum, whole);
     expect_refused([&] { add_sums(sum, parts[1]); });
     // A gap is filled as well.
     FilmSums gap = parts[0];
     add_sums(gap, parts[2]);
-    expect_same(render({11, 12}, gap), whole);
+    test::expect_same_sums(render({11, 12}, gap), whole);
 }
 
 TEST(PathResume, OtherImagesAreNotContinued) {
@@ -187,14 +179,14 @@ TEST(PathResume, SeedsAndSamplesDiffer) {
     const FilmSums first = render(executor, settings_of({0, 2}, 0));
     EXPECT_FALSE(first.words == render(executor, settings_of({0, 2}, 1)).words);
     EXPECT_FALSE(first.words == render(executor, settings_of({2, 4}, 0)).words);
-    expect_same(first, render(executor, settings_of({0, 2}, 0)));
+    test::expect_same_sums(first, render(executor, settings_of({0, 2}, 0)));
 }
 
 TEST(PathResume, ThreadsDoNotMatter) {
     for (const TestBackend backend : test::backends()) {
         SCOPED_TRACE(test::backend_name(backend));
-        expect_same(render(*test::make_executor(backend, 0, 1), settings_of({0, 12})),
-                    render(*test::make_executor(backend, 0, 2), settings_of({0, 12})));
+        test::expect_same_sums(render(*test::make_executor(backend, 0, 1), settings_of({0, 12})),
+                               render(*test::make_executor(backend, 0, 2), settings_of({0, 12})));
     }
 }
 
@@ -204,8 +196,8 @@ TEST(PathResume, EveryPacketWidthGivesTheSameBits) {
         SCOPED_TRACE(lanes);
         for (const TestBackend backend : {TestBackend::own_bvh, TestBackend::opencl}) {
             if (backend == TestBackend::opencl && !test::has_opencl()) continue;
-            expect_same(render(*test::make_executor(backend, lanes), settings_of({3, 9})),
-                        expected);
+            test::expect_same_sums(
+                render(*test::make_executor(backend, lanes), settings_of({3, 9})), expected);
         }
     }
 }
@@ -215,8 +207,8 @@ TEST(PathResume, BackendsShareAnImage) {
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
     const FilmSums whole = render({0, 20});
     Executor& opencl = test::shared_executor(TestBackend::opencl);
-    expect_same(render(opencl, settings_of({9, 20}), render({0, 9})), whole);
-    expect_same(render({9, 20}, render(opencl, settings_of({0, 9}))), whole);
+    test::expect_same_sums(render(opencl, settings_of({9, 20}), render({0, 9})), whole);
+    test::expect_same_sums(render({9, 20}, render(opencl, settings_of({0, 9}))), whole);
 }
 
 TEST(PathResume, EmbreeDiffersByAlmostNothing) {
@@ -263,7 +255,7 @@ TEST_F(PathResumeProgram, ContinuedImagesEqualTheWhole) {
     run("whole.exr", {"--samples", "0:24"});
     for (const char* samples : {"1", "5", "16", "24"})
         run("x.exr", {"--spp", samples, "--resume", at("kept.exr")});
-    expect_same(sums("kept.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("kept.exr"), sums("whole.exr"));
     // The image is the one without sums, too.
     run("plain.exr", {"--spp", "24"});
     const Image plain = read_exr(at("plain.exr"));
@@ -272,9 +264,9 @@ TEST_F(PathResumeProgram, ContinuedImagesEqualTheWhole) {
     EXPECT_EQ(continued.metadata.at("samples"), "24");
     // Fewer samples than there are: nothing is lost.
     run("x.exr", {"--spp", "3", "--resume", at("kept.exr")});
-    expect_same(sums("kept.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("kept.exr"), sums("whole.exr"));
     run("x.exr", {"--spp", "30", "--seed", "1", "--resume", at("kept.exr")}, 2);
-    expect_same(sums("kept.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("kept.exr"), sums("whole.exr"));
 }
 
 TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
@@ -290,7 +282,7 @@ TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
     };
     const test::ProgramResult result = merge({"c.exr", "a.exr", "b.exr"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    expect_same(sums("merged.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("merged.exr"), sums("whole.exr"));
     EXPECT_EQ(test::differing_values(read_exr(at("merged.exr")), read_exr(at("whole.exr"))), 0U);
     EXPECT_EQ(merge({"a.exr", "a.exr"}).exit_code, 2);
     const test::ProgramResult twice = merge({"a.exr", "b.exr", "b.exr"});
@@ -303,10 +295,10 @@ TEST_F(PathResumeProgram, MergedRangesEqualTheWhole) {
     run("x.exr", {"--spp", "30", "--resume", at("merged.exr")}, 2);
     run("x.exr", {"--spp", "9", "--resume", at("merged.exr")});
     run("x.exr", {"--samples", "9:10", "--resume", at("merged.exr")});
-    expect_same(sums("merged.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("merged.exr"), sums("whole.exr"));
     run("late.exr", {"--samples", "10:24"});
     run("x.exr", {"--spp", "24", "--resume", at("late.exr")});  // what is missing before
-    expect_same(sums("late.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("late.exr"), sums("whole.exr"));
     run("d.exr", {"--samples", "9:10", "--seed", "1"});
     const test::ProgramResult other = merge({"a.exr", "d.exr"});
     EXPECT_EQ(other.exit_code, 2);
@@ -371,7 +363,7 @@ TEST_F(PathResumeProgram, InterruptedRunsAreContinued) {
     EXPECT_EQ(read_exr(at("x.exr")).metadata.at("samples"), std::to_string(made));
     run("whole.exr", {"--samples", "0:" + std::to_string(made + 7)});
     run("x.exr", {"--spp", std::to_string(made + 7), "--resume", at("kept.exr")});
-    expect_same(sums("kept.exr"), sums("whole.exr"));
+    test::expect_same_sums(sums("kept.exr"), sums("whole.exr"));
 }
 
 }  // namespace

@@ -85,12 +85,6 @@ FilmSums render(SampleRange range, FilmSums before = {}) {
                   std::move(before));
 }
 
-void expect_same(const FilmSums& a, const FilmSums& b) {
-    EXPECT_TRUE(a.words == b.words);
-    EXPECT_EQ(a.ranges, b.ranges);
-    EXPECT_EQ(a.identity, b.identity);
-}
-
 TEST(ReferenceRenderer, IsChosenInRooms) {
     SceneBuilder builder;
     builder.add(test::room_mesh(), builder.material({0.6F, 0.5F, 0.4F}));
@@ -184,11 +178,11 @@ TEST(ReferenceRenderer, StatesTheVarianceOfItsImages) {
 
 TEST(ReferenceRenderer, PartsEqualTheWhole) {
     const FilmSums whole = render({0, 12});
-    expect_same(render({5, 12}, render({0, 5})), whole);
+    test::expect_same_sums(render({5, 12}, render({0, 5})), whole);
     FilmSums sum = render({7, 12});
     add_sums(sum, render({0, 3}));
     add_sums(sum, render({3, 7}));
-    expect_same(sum, whole);
+    test::expect_same_sums(sum, whole);
     EXPECT_THROW((void)render({12, 14},
                               [] {
                                   PathSettings other = settings_of({0, 12}, 1);
@@ -206,7 +200,7 @@ TEST(ReferenceRenderer, FramesEndedByTheUserAreWhole) {
         renderer_of(test::shared_executor(TestBackend::own_bvh), settings_of({0, 4}));
     EXPECT_FALSE(renderer->render_frame([](Stage, double) { return false; }));
     EXPECT_EQ(renderer->samples(), 1U);
-    expect_same(render({1, 4}, renderer->sums()), render({0, 4}));
+    test::expect_same_sums(render({1, 4}, renderer->sums()), render({0, 4}));
 }
 
 TEST(ReferenceRenderer, AnotherCameraBeginsAnew) {
@@ -217,22 +211,23 @@ TEST(ReferenceRenderer, AnotherCameraBeginsAnew) {
     renderer->set_camera(camera());
     EXPECT_EQ(renderer->samples_left(), 2U);
     while (renderer->render_frame({})) continue;
-    expect_same(renderer->sums(), render({0, 2}));
+    test::expect_same_sums(renderer->sums(), render({0, 2}));
 }
 
 TEST(ReferenceRenderer, ThreadsAndTheWidthOfPacketsDoNotMatter) {
     const FilmSums expected = render({3, 6});
     for (const std::uint32_t lanes : {1U, 4U, 8U, 16U}) {
         SCOPED_TRACE(lanes);
-        expect_same(render(*test::make_executor(TestBackend::own_bvh, lanes), settings_of({3, 6})),
-                    expected);
+        test::expect_same_sums(
+            render(*test::make_executor(TestBackend::own_bvh, lanes), settings_of({3, 6})),
+            expected);
     }
     // OpenCL has the widths of packets from the same sources, and takes seconds to compile each.
     if (test::has_opencl())
-        expect_same(render(test::shared_executor(TestBackend::opencl), settings_of({3, 6})),
-                    expected);
-    expect_same(render(*test::make_executor(TestBackend::own_bvh, 0, 1), settings_of({3, 6})),
-                expected);
+        test::expect_same_sums(
+            render(test::shared_executor(TestBackend::opencl), settings_of({3, 6})), expected);
+    test::expect_same_sums(
+        render(*test::make_executor(TestBackend::own_bvh, 0, 1), settings_of({3, 6})), expected);
 }
 
 }  // namespace

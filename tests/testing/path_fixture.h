@@ -52,6 +52,15 @@ inline Rendering path_image(TestBackend backend, const Scene& scene, const Camer
     return path_image(shared_executor(backend), flatten(scene), camera, settings);
 }
 
+/// That two sums are of the same samples of the same image, to the bit.
+inline void expect_same_sums(const FilmSums& a, const FilmSums& b) {
+    EXPECT_TRUE(a.words == b.words);
+    EXPECT_EQ(a.ranges, b.ranges);
+    EXPECT_EQ(a.identity, b.identity);
+    EXPECT_EQ(a.light_exponent, b.light_exponent);
+    EXPECT_EQ(differing_values(resolve_sums(a), resolve_sums(b)), 0U);
+}
+
 /// What a comparison allows.
 struct Tolerance {
     std::size_t comparisons = 100;  ///< of the file: for sidak_limit
