@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <span>
+#include <type_traits>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -19,6 +20,7 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t most_frame_samples = 256;
+
 /// FNV-1a, 64 bits, over the bytes of anything that samples depend on.
 class Digest {
   public:
@@ -63,7 +65,8 @@ std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
 
-std::string image_identity(const FlatScene& scene, const shared::RenderParams& params,
+std::string image_identity(std::string_view estimator, const FlatScene& scene,
+                           const shared::RenderParams& params,
                            const shared::PathParams& path_params) {
     Digest digest;
     const auto add = [&]<class T>(const std::vector<T>& values) {
@@ -94,7 +97,7 @@ std::string image_identity(const FlatScene& scene, const shared::RenderParams& p
     shared::PathParams of_all_launches = path_params;
     of_all_launches.samples = 0;
     digest.add(std::span<const shared::PathParams>(&of_all_launches, 1));
-    return fmt::format("{:016x}", digest.value());
+    return fmt::format("{}-{:016x}", estimator, digest.value());
 }
 
 PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene, const Camera& camera,
@@ -129,7 +132,8 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
 }
 
 KernelId PathRenderer::kernel() const noexcept {
-    return scene_.media.present() ? KernelId::path_media : KernelId::path;
+    if (!scene_.media.present()) return KernelId::path;
+    return scene_.media.grids.records.empty() ? KernelId::path_media : KernelId::path_grid;
 }
 
 void PathRenderer::filter_textures() {
@@ -138,7 +142,7 @@ void PathRenderer::filter_textures() {
 }
 
 const std::string& PathRenderer::identity() {
-    if (!identity_) identity_ = image_identity(scene_, params_, path_params_);
+    if (!identity_) identity_ = image_identity("path2", scene_, params_, path_params_);
     return *identity_;
 }
 
@@ -219,27 +223,32 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
     constexpr std::uint32_t items = 1U << 14;
     const FrameContext::Items all{
         .count = pixels - first, .per_launch = std::max(64U, items / open_->count), .first = first};
-    if (scene_.media.present())
+    const auto run_media = [&]<class Kernel>(std::type_identity<Kernel>) {
         frame.run(Stage::paths, "",
-                  kernels::path_media{.scene = *scene_buffers_->traced,
-                                      .geometry = view(scene_buffers_->geometry),
-                                      .light_table = view(scene_buffers_->light_table),
-                                      .media_tables = view(*media_),
-                                      .path_params = path_params_,
-                                      .film_sums = film_.buffer(),
-                                      .counters = buffers_.counters,
-                                      .nonfinite = buffers_.nonfinite},
+                  Kernel{.scene = *scene_buffers_->traced,
+                         .geometry = view(scene_buffers_->geometry),
+                         .light_table = view(scene_buffers_->light_table),
+                         .media_tables = view(*media_),
+                         .path_params = path_params_,
+                         .film_sums = film_.buffer(),
+                         .counters = buffers_.counters,
+                         .nonfinite = buffers_.nonfinite},
                   all);
-    else
-        frame.run(Stage::paths, "",
-                  kernels::path{.scene = *scene_buffers_->traced,
-                                .geometry = view(scene_buffers_->geometry),
-                                .light_table = view(scene_buffers_->light_table),
-                                .path_params = path_params_,
-                                .film_sums = film_.buffer(),
-                                .counters = buffers_.counters,
-                                .nonfinite = buffers_.nonfinite},
-                  all);
+    };
+    switch (kernel()) {
+        case KernelId::path_media: run_media(std::type_identity<kernels::path_media>{}); break;
+        case KernelId::path_grid: run_media(std::type_identity<kernels::path_grid>{}); break;
+        default:
+            frame.run(Stage::paths, "",
+                      kernels::path{.scene = *scene_buffers_->traced,
+                                    .geometry = view(scene_buffers_->geometry),
+                                    .light_table = view(scene_buffers_->light_table),
+                                    .path_params = path_params_,
+                                    .film_sums = film_.buffer(),
+                                    .counters = buffers_.counters,
+                                    .nonfinite = buffers_.nonfinite},
+                      all);
+    }
     add_part(open_->stats, frame_stats(frame, watch));
     if (open_->pixel < pixels) return false;
     finish_frame();

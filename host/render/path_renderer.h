@@ -95,7 +95,7 @@ class PathRenderer : public ExactRenderer {
     void fit_film();
     /// Builds the kernel again where the scene or the camera needs other features.
     void set_features();
-    /// The kernel `path`, or `path_media` where the scene has media.
+    /// The kernel `path`, or `path_media` where the scene has media, `path_grid` where with grids.
     [[nodiscard]] KernelId kernel() const noexcept;
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;
 
@@ -118,8 +118,11 @@ class PathRenderer : public ExactRenderer {
     double most_frame_ms_ = std::numeric_limits<double>::infinity();
 };
 
-/// Identifies the image that samples belong to: a digest of everything that changes them.
-[[nodiscard]] std::string image_identity(const FlatScene& scene, const shared::RenderParams& params,
+/// Identifies the image that samples belong to: `estimator` and a digest of everything else that
+/// changes them. The name of an estimator has to change whenever its samples do, so that sums of an
+/// earlier version are not continued.
+[[nodiscard]] std::string image_identity(std::string_view estimator, const FlatScene& scene,
+                                         const shared::RenderParams& params,
                                          const shared::PathParams& path_params);
 
 /// FEATURE_* of path tracing.

@@ -9,10 +9,6 @@
 namespace weft {
 namespace {
 
-// Begins the identity of images, and has to change whenever samples do, so that sums of an earlier
-// version of the estimator are not continued.
-constexpr const char* estimator = "vpl2-";
-
 RenderSettings render_settings(const PathSettings& settings) {
     RenderSettings result;
     result.algorithm = Algorithm::reference;
@@ -46,8 +42,7 @@ const std::string& ReferenceRenderer::identity() {
     const shared::PathParams constant{.samples = 0,
                                       .through_centres = settings_.through_centres ? 1U : 0U,
                                       .film_scale = film_.scale()};
-    identity_ =
-        std::string(estimator) + image_identity(scene_, renderer_.constant_params(), constant);
+    identity_ = image_identity("vpl2", scene_, renderer_.constant_params(), constant);
     return identity_;
 }
 

@@ -12,6 +12,7 @@
 #include "pipeline/edge_samples.h"
 #include "pipeline/view_media.h"
 #include "pipeline/virtual_lights.h"
+#include "plan/halton.h"
 #include "render/camera_params.h"
 #include "render/surface_features.h"
 

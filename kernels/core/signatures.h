@@ -375,6 +375,8 @@
     X(WRITES, RayCounters, counters)                   \
     X(WRITES, NonfiniteCounters, nonfinite)
 
+#define ARGUMENTS_path_grid(X) ARGUMENTS_path_media(X)
+
 #define ARGUMENTS_resolve_display(X)                   \
     X(VALUE, uint, samples)                            \
     X(VALUE, float, exposure)                          \

@@ -112,6 +112,7 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
     reflectance.y = LAMBERT_REFLECTANCE(sample->albedo.y);
     reflectance.z = LAMBERT_REFLECTANCE(sample->albedo.z);
     // As in no_pixel_light: no component hands over radiance yet.
+    sample->media = black();
     WFloat3 direct_radiance = black();
     WFloat3 indirect_radiance = black();
     if (HAS(params, FEATURE_MEDIA)) {

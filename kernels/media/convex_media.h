@@ -105,7 +105,7 @@ static inline void add_medium_depth(const RenderParams* params, const Media* med
                                     WFloat length, WFloat3* depth) {
     if (index == NO_MEDIUM) return;
     MediumRecord medium = media->media[index];
-    if (has_grid(params, &medium) != 0) return;
+    if (has_grid(params, media, &medium) != 0) return;
     // Rounding may leave a little less than nothing.
     length = VMAX(length, WIDE(0.0f));
     depth->x = depth->x + length * medium.sigma_t.x;
@@ -130,7 +130,7 @@ static inline int grid_within(const RenderParams* params, const Media* media, ui
     uint index = media->record->interior[boundary];
     if (index == NO_MEDIUM) return 0;
     MediumRecord medium = media->media[index];
-    if (has_grid(params, &medium) == 0) return 0;
+    if (has_grid(params, media, &medium) == 0) return 0;
     *grid = grid_of(media, &medium);
     *sigma = xyz(medium.sigma_t);
     return 1;

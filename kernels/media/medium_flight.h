@@ -23,7 +23,7 @@ static inline int sample_segment(const RenderParams* params, const Media* media,
     float3 sigma = xyz(medium->sigma_t);
     float length = walk->end - walk->begin;
     if (!(max_component(sigma) > 0.0f && length > 0.0f)) return 0;
-    if (has_grid(params, medium) != 0) {
+    if (has_grid(params, media, medium) != 0) {
         DensityGrid grid = grid_of(media, medium);
         CubeRay ray = ray_in_cube(&grid, walk->origin, walk->direction);
         float density;

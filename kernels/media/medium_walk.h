@@ -24,7 +24,8 @@
     name.record = media_record;      \
     name.grids = grids;              \
     name.densities = densities;      \
-    name.bounds = density_bounds
+    name.bounds = density_bounds;    \
+    name.any_grid = 1
 
 typedef struct {
     GLOBAL const BvhNode* nodes;  // of the boundaries
@@ -35,6 +36,7 @@ typedef struct {
     GLOBAL const DensityGridRecord* grids;  // meaningless without FEATURE_DENSITY_GRIDS
     GLOBAL const float* densities;
     GLOBAL const float* bounds;
+    int any_grid;  // 0 where the kernel is for homogeneous media alone
 } Media;
 
 // A ray on its way, and the segment of it in one medium that was reached last.
@@ -134,8 +136,12 @@ static inline int next_segment(const RenderParams* params, const Media* media, M
 }
 
 /// Whether a medium has a grid.
-static inline int has_grid(const RenderParams* params, const MediumRecord* medium) {
-    return HAS(params, FEATURE_DENSITY_GRIDS) && medium->grid != INVALID_INDEX ? 1 : 0;
+static inline int has_grid(const RenderParams* params, const Media* media,
+                           const MediumRecord* medium) {
+    return media->any_grid != 0 && HAS(params, FEATURE_DENSITY_GRIDS) &&
+                   medium->grid != INVALID_INDEX
+               ? 1
+               : 0;
 }
 
 /// The grid of a medium that has one.
@@ -177,7 +183,7 @@ static inline float3 ray_transmittance(const RenderParams* params, const Media* 
     while (next_segment(params, media, &walk, length) != 0 && max_component(transmittance) > 0.0f) {
         if (walk.medium == NO_MEDIUM) continue;
         MediumRecord medium = media->media[walk.medium];
-        if (has_grid(params, &medium) != 0) {
+        if (has_grid(params, media, &medium) != 0) {
             DensityGrid grid = grid_of(media, &medium);
             transmittance *= tracked_transmittance(&grid, xyz(medium.sigma_t), origin, direction,
                                                    walk.begin, walk.end, random);

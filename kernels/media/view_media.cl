@@ -42,7 +42,7 @@ static inline void add_segment(const RenderParams* params, const Media* media,
     float begin = walk->begin;
     float end = walk->end;
     float least = clearest_channel(xyz(medium->sigma_t));
-    if (has_grid(params, medium) != 0) {
+    if (has_grid(params, media, medium) != 0) {
         DensityGrid grid = grid_of(media, medium);
         CubeRay ray = ray_in_cube(&grid, walk->origin, walk->direction);
         GridRay inside;
@@ -73,7 +73,7 @@ static inline void pass_segment(const RenderParams* params, const Media* media,
     if (!(max_component(passed->transmittance) > 0.0f)) return;
     float3 sigma = xyz(medium->sigma_t);
     float depth = walk->end - walk->begin;
-    if (has_grid(params, medium) != 0) {
+    if (has_grid(params, media, medium) != 0) {
         DensityGrid grid = grid_of(media, medium);
         depth = depth_on_way(&grid, walk->origin + walk->direction * walk->begin, walk->direction,
                              depth, M_INFINITY);

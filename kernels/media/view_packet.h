@@ -151,7 +151,7 @@ static inline void walk_to_place(const RenderParams* params, const Media* media,
         if (walk.medium != NO_MEDIUM) {
             MediumRecord medium = media->media[walk.medium];
             float3 sigma = xyz(medium.sigma_t);
-            if (has_grid(params, &medium) != 0) {
+            if (has_grid(params, media, &medium) != 0) {
                 DensityGrid grid = grid_of(media, &medium);
                 *transmittance *= tracked_transmittance(&grid, sigma, origin, direction, walk.begin,
                                                         end, &random);

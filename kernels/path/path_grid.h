@@ -70,7 +70,7 @@ static inline float3 grid_airlight(const RenderParams* params, const PathScene* 
     at.value = segment->throughput * segment->ratio * (segment->sigma_t * (density / free)) *
                transmittance * xyz(segment->medium.albedo);
     at.free = 1.0f;
-    at.angular = 1.0f / free;
+    at.angular = segment->angular_share / free;
     return light_scattered_at(params, world, media, segment, &chosen, &at, random, rays);
 }
 
@@ -85,7 +85,7 @@ static inline float3 collision_light(const RenderParams* params, const PathScene
     at.t = t;
     at.value = path->throughput * path->ratio * xyz(segment->medium.albedo);
     at.free = 1.0f;
-    at.angular = 1.0f / free;
+    at.angular = segment->angular_share / free;
     return light_scattered_at(params, world, media, segment, &chosen, &at, random, rays);
 }
 
@@ -109,7 +109,7 @@ static inline int cross_grid(const RenderParams* params, const PathScene* world,
         }
     }
     int wanted = wants_bounce(params, path->bounce + 1u);
-    if (wanted != 0 && world->light_count != 0u)
+    if (wanted != 0 && world->light_count != 0u && takes_angular(segment, random) != 0)
         add_scattered(params, sum, path->bounce + 1u,
                       grid_airlight(params, world, media, &grid, segment, random, rays));
     CubeRay ray = ray_in_cube(&grid, segment->origin, segment->direction);

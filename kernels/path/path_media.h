@@ -30,6 +30,10 @@
 // Outside of all boundaries, where a path in a white medium never ends and brings less and less.
 #define OUTER_ROULETTE_MOST 0.99f
 
+// Probability that a segment is sampled by equi-angular sampling too, after the first scattering:
+// little light comes from there, and that light has no streaks that it would have to find.
+#define LATER_ANGULAR_SHARE 0.25f
+
 // Largest radiance that a segment emits, so that the variance of a path of many such segments still
 // fits a float.
 #define MEDIUM_RADIANCE_MOST 7.20575940e16f  // 2^56
@@ -42,6 +46,7 @@ typedef struct {
     float3 sigma_t;
     MediumRecord medium;
     uint enclosing_media;
+    float angular_share;  // probability of equi-angular sampling
 } MediumSegment;
 
 // A path under way.
@@ -111,6 +116,11 @@ static inline int wants_bounce(const RenderParams* params, uint bounce) {
     return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
 }
 
+/// 1 where the segment is sampled by equi-angular sampling.
+static inline int takes_angular(const MediumSegment* segment, Random* random) {
+    return !(segment->angular_share < 1.0f) || next_random(random) < segment->angular_share ? 1 : 0;
+}
+
 static inline ChosenPoint choose_point(const RenderParams* params, const PathScene* world,
                                        Random* random) {
     float choice = next_random(random);
@@ -128,7 +138,8 @@ typedef struct {
     float t;        // distance from the segment's start
     float3 value;   // throughput times the source that scatters there, in the unit of `free`
     float free;     // pdf by free paths
-    float angular;  // factor that brings pdfs by equi-angular sampling to the unit of `free`
+    float angular;  // factor that brings pdfs by equi-angular sampling to the unit of `free`, times
+                    // the probability that it is used
 } ScatterPoint;
 
 /// Light of a chosen point on a light that is scattered into the path at a point of the segment,
@@ -172,7 +183,7 @@ static inline float3 scattered_light(const RenderParams* params, const PathScene
     at.t = t;
     at.value = segment->throughput * source * xyz(segment->medium.albedo);
     at.free = (source.x + source.y + source.z) * 0.333333333f;
-    at.angular = 1.0f;
+    at.angular = segment->angular_share;
     return light_scattered_at(params, world, media, segment, chosen, &at, random, rays);
 }
 
@@ -188,7 +199,8 @@ static inline float met_weight(const RenderParams* params, const PathScene* worl
     if (!(pdf > 0.0f)) return 1.0f;
     float angular = angular_pdf(angular_view(path->segment.origin, path->segment.direction,
                                              path->segment.length, surface->position),
-                                path->along);
+                                path->along) *
+                    path->segment.angular_share;
     float other = pdf / path->pdf;
     return 1.0f / (1.0f + other + other * (angular / path->free_pdf));
 }
