@@ -51,6 +51,7 @@ void BounceRays::sample(FrameContext& frame) {
               kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
                                     .geometry = view(frame.scene_buffers.geometry),
                                     .light_table = view(frame.scene_buffers.light_table),
+                                    .light_nodes = frame.scene_buffers.light_nodes,
                                     .slots = shared_.slots,
                                     .receiver_planes = shared_.receivers,
                                     .slot_pixel = shared_.slot_pixel,

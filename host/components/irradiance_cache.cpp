@@ -102,6 +102,7 @@ void IrradianceCache::trace_batch(FrameContext& frame, std::uint32_t first, std:
               kernels::hemisphere_rays{.scene = *frame.scene_buffers.traced,
                                        .geometry = view(frame.scene_buffers.geometry),
                                        .light_table = view(frame.scene_buffers.light_table),
+                                       .light_nodes = frame.scene_buffers.light_nodes,
                                        .grid = grid,
                                        .slots = pool_.room(),
                                        .receiver_planes = pool_.receivers(),

@@ -102,6 +102,7 @@ void VplResidual::sample(FrameContext& frame) {
                   kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
                                         .geometry = view(frame.scene_buffers.geometry),
                                         .light_table = view(frame.scene_buffers.light_table),
+                                        .light_nodes = frame.scene_buffers.light_nodes,
                                         .slots = to.slots.stride,
                                         .receiver_planes = to.slots.receivers,
                                         .slot_pixel = to.slots.slot_pixel,

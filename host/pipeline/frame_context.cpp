@@ -32,6 +32,9 @@ void upload_lights(Executor& executor, const FlatScene& flat, SceneBuffers& scen
     scene.light_table.lights = upload<kinds::Lights>(executor, flat.lights, "lights");
     scene.light_table.emissive =
         upload<kinds::EmissiveTriangles>(executor, flat.emissive, "emitters");
+    scene.light_nodes = {};
+    if (!flat.light_nodes.empty())
+        scene.light_nodes = upload<kinds::LightNodes>(executor, flat.light_nodes, "light tree");
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ namespace weft {
 struct SceneBuffers {
     owned::Geometry geometry;
     owned::LightTable light_table;
+    DeviceBuffer<kinds::LightNodes> light_nodes;  ///< none where there is one light or none
     std::unique_ptr<TracedScene> traced;
 
     /// The buffers of area lights, whose points lie on triangles of the geometry.

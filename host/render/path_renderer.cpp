@@ -60,7 +60,8 @@ void add_part(FrameStats& whole, FrameStats part) {
 }  // namespace
 
 std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings) {
-    return surface_features(scene) | scene.media.features() |
+    return surface_features(scene) | (scene.features & FEATURE_LIGHT_TREE) |
+           scene.media.features() |
            (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
@@ -83,6 +84,7 @@ std::string image_identity(std::string_view estimator, const FlatScene& scene,
     add(scene.texels);
     add(scene.lights);
     add(scene.emissive);
+    add(scene.light_nodes);
     if (scene.media.present()) {
         add(scene.media.records);
         add(scene.media.positions);
@@ -228,6 +230,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                   Kernel{.scene = *scene_buffers_->traced,
                          .geometry = view(scene_buffers_->geometry),
                          .light_table = view(scene_buffers_->light_table),
+                         .light_nodes = scene_buffers_->light_nodes,
                          .media_tables = view(*media_),
                          .path_params = path_params_,
                          .film_sums = film_.buffer(),
@@ -243,6 +246,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                       kernels::path{.scene = *scene_buffers_->traced,
                                     .geometry = view(scene_buffers_->geometry),
                                     .light_table = view(scene_buffers_->light_table),
+                                    .light_nodes = scene_buffers_->light_nodes,
                                     .path_params = path_params_,
                                     .film_sums = film_.buffer(),
                                     .counters = buffers_.counters,

@@ -396,7 +396,7 @@ void update_flat(const Scene& scene, FlatScene& flat) {
     flat.area_lights = 0;
     flat.environment = glm::vec3(0.0F);
     flat.features &= ~(FEATURE_AREA_LIGHTS | FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS |
-                       FEATURE_ENVIRONMENT);
+                       FEATURE_ENVIRONMENT | FEATURE_LIGHT_TREE);
     build_light_table(scene, flat);
     if (flat.media.present()) put_lights_in_media(flat);
 }

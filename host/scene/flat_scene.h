@@ -46,6 +46,8 @@ struct FlatScene {
     std::vector<std::uint32_t> texels;
     std::vector<shared::LightRecord> lights;  ///< area, point and spot, directional, environment
     std::vector<shared::EmissiveTriangle> emissive;
+    /// The light tree that paths choose lights by; none where there is one light or none.
+    std::vector<shared::LightNode> light_nodes;
     /// By instance: mean colours of the emission texture over its triangles; empty where it has
     /// none.
     std::vector<std::vector<glm::vec3>> emission_means;

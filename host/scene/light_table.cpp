@@ -7,6 +7,7 @@
 
 #include "scene/area_light_bounds.h"
 #include "scene/flat_scene.h"
+#include "scene/light_tree.h"
 
 namespace weft {
 namespace {
@@ -196,7 +197,7 @@ struct Collector {
     }
 };
 
-/// Weights with which path tracing chooses one light for a surface point, half by power and half
+/// Weights with which path tracing chooses one light for a place in a medium, half by power and half
 /// uniformly: a light that is faint beside a sun may be the only one in a room.
 std::vector<double> choice_weights(std::span<const double> powers) {
     double total = 0.0;
@@ -205,6 +206,31 @@ std::vector<double> choice_weights(std::span<const double> powers) {
     for (const double power : powers)
         weights.push_back(0.5 * power / total + 0.5 / static_cast<double>(powers.size()));
     return weights;
+}
+
+/// How bright the lights are that paths choose from, by their powers; see build_light_tree.
+std::vector<double> intensities(const FlatScene& flat, std::span<const double> powers) {
+    const std::span<const shared::LightRecord> lights = flat.lights;
+    std::vector<double> result;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+        double angle = pi;
+        switch (lights[i].kind) {
+            case EMITTER_AREA:
+                angle *= lights[i].both_sides != 0 ? 2.0 : 1.0;
+                break;
+            case EMITTER_POINT:
+                angle *= 4.0;
+                break;
+            case EMITTER_SPOT:
+                angle *= 2.0 * (1.0 - static_cast<double>(lights[i].cos_outer));
+                break;
+            default:
+                angle *= static_cast<double>(flat.radius) * static_cast<double>(flat.radius);
+                break;
+        }
+        result.push_back(powers[i] / angle);
+    }
+    return result;
 }
 
 /// Adds the lights without area, either those at infinity (`directional`) or the others.
@@ -261,7 +287,13 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
     normalise<Light>(std::span(flat.lights).first(near),
                      choice_weights(std::span(collector.powers).first(near)),
                      &Light::choice_cumulative, &Light::choice_probability);
-    flat.features |= (flat.area_lights > 0 ? FEATURE_AREA_LIGHTS : 0U) |
+    flat.light_nodes.clear();
+    if (near > 1)
+        flat.light_nodes =
+            build_light_tree(std::span(flat.lights).first(near),
+                             intensities(flat, std::span(collector.powers).first(near)));
+    flat.features |= (near > 1 ? FEATURE_LIGHT_TREE : 0U) |
+                     (flat.area_lights > 0 ? FEATURE_AREA_LIGHTS : 0U) |
                      (flat.punctual_lights > 0 ? FEATURE_PUNCTUAL_LIGHTS : 0U) |
                      (flat.directional_lights > 0 ? FEATURE_DIRECTIONAL_LIGHTS : 0U);
 }

@@ -257,6 +257,7 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
     X(VALUE, HemisphereGrid, grid)                     \
     X(VALUE, uint, slots)                              \
     X(READS, ReceiverPlanes, receiver_planes)          \
@@ -331,6 +332,7 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
     X(VALUE, uint, slots)                              \
     X(READS, ReceiverPlanes, receiver_planes)          \
     X(READS, SlotPixels, slot_pixel)                   \
@@ -360,6 +362,7 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
     X(VALUE, PathParams, path_params)                  \
     X(WRITES, FilmSums, film_sums)                     \
     X(WRITES, RayCounters, counters)                   \
@@ -369,6 +372,7 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
     X(GROUP, MediaTables, media_tables)                \
     X(VALUE, PathParams, path_params)                  \
     X(WRITES, FilmSums, film_sums)                     \

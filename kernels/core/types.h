@@ -38,6 +38,7 @@
 #define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
 #define FEATURE_EMISSION_TEXTURES 524288u
 #define FEATURE_ORTHOGRAPHIC 1048576u  // rays of the camera are parallel
+#define FEATURE_LIGHT_TREE 2097152u    // paths choose between several lights by a tree
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -129,8 +130,28 @@ typedef struct {
     float choice_probability;
     uint enclosing_media;  // media boundaries about its centre, a bit each
     uint textured;         // area: 1 where its radiance is not the same everywhere
-    uint pad;
+    uint node;             // its leaf of the light tree, of FEATURE_LIGHT_TREE
 } LightRecord;
+
+// A node of the light tree (light_tree.h), by the bounds of its lights.
+#define LIGHT_BALL 0u             // shines in all directions from somewhere in the ball
+#define LIGHT_PANEL 1u            // from flat panels of one normal, `axis`
+#define LIGHT_TWO_SIDED_PANEL 2u  // one panel, both sides of which shine
+#define LIGHT_SPOT 3u
+#define LIGHT_DISTANT 4u      // travels along `axis`, from nowhere
+#define LIGHT_ALL_DISTANT 5u  // several of these
+#define LIGHT_CHILDREN 8u     // most of a node
+typedef struct {
+    float4 position;  // xyz middle of a ball that holds the lights, w its radius
+    float4 axis;      // w of LIGHT_PANEL: how high above the middle, along the normal, panels may
+                      // be; of LIGHT_SPOT: the cosine of its edge
+    float intensity;  // of light leaving along the axis, over that of the scene's brightest light:
+                      // radiance times area, W/sr, or of distant light its irradiance
+    uint shape;
+    uint first, count;  // children; where count is 0, `first` is the light
+    uint parent;
+    uint pad[3];
+} LightNode;
 
 // An emissive triangle; `cumulative` is relative to its light, by area, of a textured one by area
 // times mean radiance. The entries of a textured light are all triangles of its instance, in order.

@@ -9,6 +9,7 @@
 #include "kernels/light/area.h"
 #include "kernels/light/distant.h"
 #include "kernels/light/environment.h"
+#include "kernels/light/light_tree.h"
 #include "kernels/light/punctual.h"
 
 #define LIGHT_STRIDE ((uint)(sizeof(LightRecord) / sizeof(float)))
@@ -118,8 +119,9 @@ static inline PlaceLight light_at_place(const RenderParams* params, const Chosen
     }
 }
 
-/// Pdf, 1/sr, with which next-event estimation samples the direction of a ray that met an emitting
-/// surface after `t`: on that triangle, with that normal on the ray's side. 0 where it never does.
+/// Pdf, 1/sr, with which light samples have the direction of a ray that met an emitting surface
+/// after `t`, where its light is chosen: on that triangle, with that normal on the ray's side. 0
+/// where they never do.
 static inline float met_light_pdf(const RenderParams* params, const Geometry* geometry,
                                   GLOBAL const LightRecord* lights,
                                   GLOBAL const EmissiveTriangle* emissive, uint triangle,
@@ -130,7 +132,7 @@ static inline float met_light_pdf(const RenderParams* params, const Geometry* ge
     float facing = -dot3(direction, normal);
     if (!(facing > 0.0f)) return 0.0f;
     float area = sampled_area(params, geometry, light, emissive, triangle);
-    return area_pdf(area, t, facing) * light.choice_probability;
+    return area_pdf(area, t, facing);
 }
 
 #endif

@@ -138,8 +138,8 @@ static inline int scatter_on_surface(const RenderParams* params, const PathScene
     path->origin = vertex.origin;
     path->throughput = scattered_throughput(&vertex, scattered.weight);
     path->kind = RAY_OF_SURFACE;
-    LitPoint lit = lit_point(&path->surface);
-    return faces(&lit, path->direction);
+    path->left = lit_point(&path->surface);
+    return faces(&path->left, path->direction);
 }
 
 /// Follows the path to where it is scattered next. Returns 0 where it ends.
@@ -183,7 +183,8 @@ static inline int advance(const RenderParams* params, const PathScene* world, co
     return path_survives(path, ROULETTE_MOST, random);
 }
 
-/// Traces the samples of a pixel and adds them to the film's exact sums. Returns the number of rays.
+/// Traces the samples of a pixel and adds them to the film's exact sums. Returns the number of
+/// rays.
 static inline uint add_media_samples(const RenderParams* params, const PathParams* path_params,
                                      const PathScene* world, const Media* media, uint pixel,
                                      GLOBAL uint* film_sums, GLOBAL NonfiniteCounter* nonfinite) {

@@ -55,7 +55,7 @@ INLINES_ALL WEFT_KERNEL(path)
     uint pixel = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
+    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
     uint rays = 0u;
     for (uint i = 0u; i < path_params.samples; ++i) {
         Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);

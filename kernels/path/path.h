@@ -31,14 +31,6 @@ typedef struct {
     uint bounce;         // surfaces so far
 } PathVertex;
 
-typedef struct {
-    Scene scene;
-    Geometry geometry;
-    GLOBAL const LightRecord* lights;
-    GLOBAL const EmissiveTriangle* emissive;
-    uint light_count;  // that next-event estimation chooses from
-} PathScene;
-
 // Light that a path has found.
 typedef struct {
     float3 direct;    // by its first surface
@@ -86,8 +78,7 @@ static inline uint next_event(const RenderParams* params, const PathScene* world
     float v = next_random(random);
     if (world->light_count == 0u) return 0u;
     LightSample light =
-        sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
-                      &vertex->surface, vertex->origin, choice, u, v);
+        sample_lights(params, world, &vertex->surface, vertex->origin, choice, u, v);
     float3 out = vertex->surface.out;
     float3 irradiance = weighted_irradiance(&light, bsdf_pdf(&vertex->surface.bsdf, out, light.in));
     if (!(max_component(irradiance) > 0.0f)) return 0u;
@@ -101,12 +92,16 @@ static inline uint next_event(const RenderParams* params, const PathScene* world
     return 1u;
 }
 
-/// MIS weight of emission that a scattered ray of pdf `pdf` met after `t`.
+/// MIS weight of emission that a ray met after `t`, which was scattered at `from` with pdf `pdf`.
 static inline float emission_weight(const RenderParams* params, const PathScene* world,
-                                    const Surface* surface, float3 direction, float t, float pdf) {
+                                    const LitPoint* from, const Surface* surface, float3 direction,
+                                    float t, float pdf) {
     float other =
         met_light_pdf(params, &world->geometry, world->lights, world->emissive, surface->triangle,
                       surface->instance, surface->normal, direction, t);
+    if (other > 0.0f)
+        other *=
+            probability_at(params, world, from, world->geometry.instances[surface->instance].light);
     return other > 0.0f ? power_heuristic(pdf, other) : 1.0f;
 }
 
@@ -129,10 +124,10 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
     }
     vertex->surface = surface_at(params, &world->geometry, hit, direction, 0.0f);
     if (max_component(vertex->surface.emission) > 0.0f)
-        add_light(
-            params, sum, vertex,
-            throughput * vertex->surface.emission *
-                emission_weight(params, world, &vertex->surface, direction, hit.t, sample.pdf));
+        add_light(params, sum, vertex,
+                  throughput * vertex->surface.emission *
+                      emission_weight(params, world, &lit, &vertex->surface, direction, hit.t,
+                                      sample.pdf));
     return enter_surface(params, vertex, throughput);
 }
 

@@ -14,8 +14,8 @@ WEFT_KERNEL(path_grid)
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
-    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
-    uint rays = add_media_samples(&params, &path_params, &world, &through, pixel, film_sums,
-                                  nonfinite);
+    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    uint rays =
+        add_media_samples(&params, &path_params, &world, &through, pixel, film_sums, nonfinite);
     count_rays(counters + range.counter, rays);
 }

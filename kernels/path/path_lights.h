@@ -11,6 +11,16 @@
 #include "kernels/bvh/visibility.h"
 #include "kernels/light/light.h"
 
+// What paths meet.
+typedef struct {
+    Scene scene;
+    Geometry geometry;
+    GLOBAL const LightRecord* lights;
+    GLOBAL const EmissiveTriangle* emissive;
+    GLOBAL const LightNode* light_nodes;  // of FEATURE_LIGHT_TREE
+    uint light_count;                     // that next-event estimation chooses from
+} PathScene;
+
 /// Weight of a technique of pdf `own` beside one of pdf `other`.
 static inline float power_heuristic(float own, float other) {
     // As a ratio: squares of pdfs overflow.
@@ -37,16 +47,33 @@ static inline float3 weighted_irradiance(const LightSample* light, float scatter
     return light->power * (weight * light->in.z / light->pdf);
 }
 
+/// Chooses a light for next-event estimation at a surface point by the random number `u`.
+/// `*probability` receives that of the choice, which is 0 where no light shines there.
+static inline uint choose_light_for(const RenderParams* params, const PathScene* world,
+                                    const LitPoint* lit, float u, float* probability) {
+    if (HAS(params, FEATURE_LIGHT_TREE))
+        return choose_light_at(params, world->light_nodes, lit, u, probability);
+    *probability = 1.0f;
+    return 0u;
+}
+
+/// Probability with which choose_light_for chooses light number `light`.
+static inline float probability_at(const RenderParams* params, const PathScene* world,
+                                   const LitPoint* lit, uint light) {
+    if (!HAS(params, FEATURE_LIGHT_TREE)) return 1.0f;
+    return light_probability_at(params, world->light_nodes, lit, world->lights[light].node);
+}
+
 /// A sample of the light that falls on a surface point. `origin` is that point, moved off.
-static inline LightSample sample_lights(const RenderParams* params, const Geometry* geometry,
-                                        GLOBAL const LightRecord* lights, uint count,
-                                        GLOBAL const EmissiveTriangle* emissive,
+static inline LightSample sample_lights(const RenderParams* params, const PathScene* world,
                                         const Surface* surface, float3 origin, float choice,
                                         float u, float v) {
-    float probability;
-    LightRecord light = lights[choose_for_next_event(lights, count, choice, &probability)];
     LitPoint lit = lit_point(surface);
-    return light_at_surface(params, geometry, light, emissive, &lit, origin, probability, u, v);
+    float probability;
+    uint chosen = choose_light_for(params, world, &lit, choice, &probability);
+    if (!(probability > 0.0f)) return no_light_sample();
+    return light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive, &lit,
+                            origin, probability, u, v);
 }
 
 #endif

@@ -17,8 +17,8 @@ INLINES_ALL WEFT_KERNEL(path_media)
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
     through.any_grid = 0;
-    PathScene world = {scene, geometry, lights, emissive, params.scene.choice_lights};
-    uint rays = add_media_samples(&params, &path_params, &world, &through, pixel, film_sums,
-                                  nonfinite);
+    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    uint rays =
+        add_media_samples(&params, &path_params, &world, &through, pixel, film_sums, nonfinite);
     count_rays(counters + range.counter, rays);
 }

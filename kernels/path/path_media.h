@@ -57,7 +57,8 @@ typedef struct {
     uint bounce;            // scattered so far
     uint kind;              // RAY_OF_*
     float pdf;              // of the direction
-    Surface surface;        // that it left, of RAY_OF_SURFACE
+    Surface surface;        // that the ray meets, or before that, left
+    LitPoint left;          // point of the surface that it left, of RAY_OF_SURFACE
     MediumSegment segment;  // that it was scattered in, of RAY_OF_MEDIUM
     float along;            // where on it
     float free_pdf;         // and its pdf by free paths, or the stand-in for that
@@ -192,11 +193,12 @@ static inline float met_weight(const RenderParams* params, const PathScene* worl
                                const MediaPath* path, const Surface* surface, float t) {
     if (path->kind == RAY_OF_CAMERA) return 1.0f;
     if (path->kind == RAY_OF_SURFACE)
-        return emission_weight(params, world, surface, path->direction, t, path->pdf);
+        return emission_weight(params, world, &path->left, surface, path->direction, t, path->pdf);
     float pdf =
         met_light_pdf(params, &world->geometry, world->lights, world->emissive, surface->triangle,
                       surface->instance, surface->normal, path->direction, t);
     if (!(pdf > 0.0f)) return 1.0f;
+    pdf *= world->lights[world->geometry.instances[surface->instance].light].choice_probability;
     float angular = angular_pdf(angular_view(path->segment.origin, path->segment.direction,
                                              path->segment.length, surface->position),
                                 path->along) *
@@ -215,8 +217,7 @@ static inline uint surface_light(const RenderParams* params, const PathScene* wo
     float v = next_random(random);
     if (world->light_count == 0u) return 0u;
     LightSample light =
-        sample_lights(params, &world->geometry, world->lights, world->light_count, world->emissive,
-                      &vertex->surface, vertex->origin, choice, u, v);
+        sample_lights(params, world, &vertex->surface, vertex->origin, choice, u, v);
     const Bsdf* bsdf = &vertex->surface.bsdf;
     float3 out = vertex->surface.out;
     float3 irradiance = weighted_irradiance(&light, bsdf_pdf(bsdf, out, light.in));

@@ -291,7 +291,7 @@ TEST(LightKinds, ScatteredRaysMeetLightsAsOftenAsTheyAreSampled) {
     const native::LitPoint surface = floor_at(0.3F, 0.1F);
     const auto sample =
         native::light_at_surface(&params, &geometry, lights[area], square.emissive.data(), &surface,
-                                 surface.position, lights[area].choice_probability, 0.4F, 0.8F);
+                                 surface.position, 1.0F, 0.4F, 0.8F);
     const float length = native::length3(sample.towards);
     const float found =
         native::met_light_pdf(&params, &geometry, lights.data(), square.emissive.data(), 0, 0,
@@ -357,9 +357,9 @@ TEST(LightKinds, ScatteredRaysMeetTexturedLightsAsOftenAsTheyAreSampled) {
     std::vector<native::LightRecord> lights = {square.light};
     const native::LitPoint surface = floor_at(0.3F, 0.1F);
     for (const float u : {0.4F, 0.9F}) {  // of the first triangle, and of the second
-        const auto sample = native::light_at_surface(
-            &params, &square.all, square.light, square.emissive.data(), &surface, surface.position,
-            square.light.choice_probability, u, 0.8F);
+        const auto sample =
+            native::light_at_surface(&params, &square.all, square.light, square.emissive.data(),
+                                     &surface, surface.position, 1.0F, u, 0.8F);
         const float length = native::length3(sample.towards);
         const std::uint32_t triangle = u < 0.75F ? 0 : 1;
         const float found =

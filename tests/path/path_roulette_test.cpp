@@ -167,13 +167,15 @@ class PathRouletteChoice : public testing::Test {
 
 TEST_F(PathRouletteChoice, AnyProbabilitiesGiveTheSameLight) {
     ASSERT_EQ(flat_.lights.size(), 2U);
-    // A light of probability 0 is only ever met by scattered rays.
     for (const float first : {0.0F, 0.05F, 0.5F, 0.95F, 1.0F}) {
-        flat_.lights[0].choice_probability = first;
-        flat_.lights[0].choice_cumulative = first;
-        flat_.lights[1].choice_probability = 1.0F - first;
+        flat_.light_nodes[flat_.lights[0].node].intensity = first;
+        flat_.light_nodes[flat_.lights[1].node].intensity = 1.0F - first;
         expect_the_same("probability " + std::to_string(first));
     }
+    // A light that is never chosen is only ever met by scattered rays.
+    flat_.light_nodes[flat_.lights[0].node].shape = LIGHT_SPOT;
+    flat_.light_nodes[flat_.lights[0].node].axis.w = 2.0F;
+    expect_the_same("never chosen");
 }
 
 TEST_F(PathRouletteChoice, LightsThatAreInNoTableAreMet) {
@@ -184,6 +186,8 @@ TEST_F(PathRouletteChoice, LightsThatAreInNoTableAreMet) {
     flat_.lights[0].choice_probability = 1.0F;
     flat_.lights[0].choice_cumulative = 1.0F;
     flat_.area_lights = 1;
+    flat_.features &= ~static_cast<std::uint32_t>(FEATURE_LIGHT_TREE);
+    flat_.light_nodes.clear();
     expect_the_same("one light in the table");
     flat_.instances[2].light = INVALID_INDEX;
     flat_.lights.clear();

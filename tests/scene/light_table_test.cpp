@@ -75,7 +75,7 @@ TEST(LightTable, PowersOfEveryKind) {
     EXPECT_EQ(flat.lights[2].cos_outer, 0.5F);
     EXPECT_EQ(flat.features & ~std::uint32_t{FEATURE_ONE_SIDED},
               FEATURE_AREA_LIGHTS | FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS |
-                  FEATURE_ENVIRONMENT);
+                  FEATURE_ENVIRONMENT | FEATURE_LIGHT_TREE);
 }
 
 TEST(LightTable, IntensitiesAreInKernelUnits) {
