@@ -42,6 +42,7 @@ FOG = "-fog"  # DIR/NAME/NAME-fog.xml
 EVERY_MEDIUM = ("cornell-box-fog", "office-fog", "sibenik-fog", *media_scenes.SCENES)
 EXIT_OUTPUT = 5  # as Weft's other programs say
 REFERENCE_PASSES = 32
+SHARED_PASSES = 16  # of an algorithm whose pixels share noise
 LEAST_COUNT = 256
 
 
@@ -60,14 +61,17 @@ def layers(path):
     for index, field in enumerate(bitmap.struct_()):
         name, _, _ = field.name.rpartition(".")
         found.setdefault(name, []).append(values[..., index])
-    return {name: np.stack(planes, axis=-1) for name, planes in found.items()}
+    found = {name: np.stack(planes, axis=-1) for name, planes in found.items()}
+    found[""] = found[""][..., :3]  # without alpha
+    return found
 
 
 def render_weft(args, scene, samples, size, seed=0):
     """The layers of an image by Weft."""
     with tempfile.TemporaryDirectory() as folder:
         output = os.path.join(folder, "ours.exr")
-        command = [args.weft, "render", scene, "-o", output, "--algorithm", "path", "--seed", seed,
+        command = [args.weft, "render", scene, "-o", output, "--algorithm", args.algorithm,
+                   "--seed", seed,
                    "--spp", samples, "--size", f"{size}x{size}", "--backend", args.backend,
                    "--progress", "none"]
         if args.threads:
@@ -116,28 +120,44 @@ def z_test(ours, our_variance, theirs, their_variance):
     return float((z <= limit).all(axis=-1).mean()), float(limit), z
 
 
-def mean_test(ours, our_variance, theirs, their_variance):
-    """Bias of our mean against theirs, and its standard error, both relative."""
+def mean_test(ours, our_variance, theirs, their_variance, parts=()):
+    """Bias of our mean against theirs, and its standard error, both relative. `parts` are the
+    independent images that ours is the mean of, where its pixels share noise."""
     scale = theirs.mean()
     bias = ours.mean() / scale - 1.0
     # Channels of a pixel come from the same paths: their errors add up, not their variances.
-    deviation = np.sqrt(our_variance + their_variance).sum(axis=-1)
-    error = math.sqrt((deviation * deviation).sum()) / ours.size / scale
-    return float(bias), float(error)
+    variance = their_variance if len(parts) else our_variance + their_variance
+    deviation = np.sqrt(variance).sum(axis=-1)
+    square = (deviation * deviation).sum() / (ours.size * ours.size)
+    if len(parts):
+        square += np.var([part.mean() for part in parts], ddof=1) / len(parts)
+    return float(bias), float(math.sqrt(square) / scale)
+
+
+def render_parts(args, path):
+    """The layers of an image by Weft, and the independent images that it is the mean of."""
+    if args.algorithm == "path":
+        return render_weft(args, path, args.spp, args.size), ()
+    samples = max(2, args.spp // SHARED_PASSES)
+    parts = [render_weft(args, path, samples, args.size, seed) for seed in range(SHARED_PASSES)]
+    found = {name: np.mean([part[name] for part in parts], axis=0) for name in parts[0]}
+    found["variance"] = found["variance"] / SHARED_PASSES
+    return found, [part[""] for part in parts]
 
 
 def compare(args, name, path):
     theirs, their_variance = Mitsuba(path, args.size).estimate(args.spp // args.passes, args.passes)
-    found = render_weft(args, path, args.spp, args.size)
+    found, parts = render_parts(args, path)
     images = [found[""], found["variance"], theirs, their_variance]
     share, limit, z = z_test(*images)
-    bias, error = mean_test(*images)
-    result = {"scene": name, "size": args.size, "spp": args.spp, "share": share, "z_limit": limit,
+    bias, error = mean_test(*images, parts)
+    result = {"scene": name, "algorithm": args.algorithm, "size": args.size, "spp": args.spp, "share": share, "z_limit": limit,
               "accepted": share >= ACCEPTED_SHARE, "bias": bias, "bias_error": error,
               "z_root_mean_square": float(np.sqrt((z * z).mean()))}
     dark = found["emission"].sum(axis=-1) == 0.0
     if dark.any() and not dark.all():
-        bias, error = mean_test(*[image[dark] for image in images])
+        bias, error = mean_test(*[image[dark] for image in images],
+                                [part[dark] for part in parts])
         result.update({"lampless_share": float(dark.mean()), "lampless_bias": bias,
                        "lampless_bias_error": error})
     return result
@@ -239,6 +259,8 @@ def parse():
     parser.add_argument("--json", help="write machine, versions, all figures and a summary")
     parser.add_argument("--weft", default=str(ROOT / "build" / "release" / "weft"),
                         help="the program")
+    parser.add_argument("--algorithm", default="path", choices=("path", "reference"),
+                        help="of Weft")
     parser.add_argument("--backend", default="opencl", help="of Weft")
     parser.add_argument("--threads", type=int, default=0, help="of both; 0: all")
     parser.add_argument("--variant", default="scalar_rgb", help="of Mitsuba")
