@@ -100,13 +100,13 @@ std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const Componen
 std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
                           std::span<const ComponentKind> kinds) {
     const std::uint32_t of_media = plan.media ? FEATURE_MEDIA | scene.media.features() : 0U;
+    const ComponentRequirements required = requirements_of(plan, kinds);
     // Only paths choose lights by the tree.
-    const bool paths =
-        std::ranges::any_of(requirements_of(plan, kinds).kernels, [](KernelId kernel) {
-            return kernel == KernelId::vpl_residual || kernel == KernelId::hemisphere_rays;
-        });
+    const bool paths = std::ranges::any_of(required.kernels, [](KernelId kernel) {
+        return kernel == KernelId::vpl_residual || kernel == KernelId::hemisphere_rays;
+    });
     const std::uint32_t of_paths = paths ? scene.features & FEATURE_LIGHT_TREE : 0U;
-    return surface_features(scene) | of_media | of_paths | requirements_of(plan, kinds).features;
+    return surface_features(scene) | of_media | of_paths | required.features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,

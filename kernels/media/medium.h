@@ -50,8 +50,10 @@ static inline float lit_length1(float sigma, float length) {
 
 /// transmittance1 of each channel.
 static inline float3 beer_transmittance(float3 sigma, float length) {
-    return f3(transmittance1(sigma.x, length), transmittance1(sigma.y, length),
-              transmittance1(sigma.z, length));
+    float x = transmittance1(sigma.x, length);
+    // Most media are grey.
+    if (sigma.y == sigma.x && sigma.z == sigma.x) return f3(x, x, x);
+    return f3(x, transmittance1(sigma.y, length), transmittance1(sigma.z, length));
 }
 
 /// The least of the channels that are not clear; 0 where all are.

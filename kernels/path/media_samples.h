@@ -40,15 +40,16 @@ static inline void scatter_in_medium(const RenderParams* params, const PathScene
                                      const Media* media, const MediumSegment* segment, float t,
                                      MediaPath* path, Random* random, PathLight* sum, uint* rays) {
     ++path->bounce;
+    float3 transmittance = beer_transmittance(segment->sigma_t, t);
     if (world->light_count != 0u) {
         ChosenPoint chosen = choose_point(params, world, random);
         add_scattered(params, sum, path->bounce,
-                      scattered_light(params, world, media, segment, &chosen, t, random, rays));
+                      scattered_light(params, world, media, segment, &chosen, t, transmittance,
+                                      random, rays));
     }
     float u = next_random(random);
     float v = next_random(random);
-    path->free_pdf =
-        update_ratio(&path->ratio, segment->sigma_t * beer_transmittance(segment->sigma_t, t));
+    path->free_pdf = update_ratio(&path->ratio, segment->sigma_t * transmittance);
     scatter_path(segment, t, u, v, path);
 }
 
@@ -72,10 +73,12 @@ static inline int cross_segment(const RenderParams* params, const PathScene* wor
         float u = next_random(random);
         AngularView view = angular_view(segment->origin, segment->direction, segment->length,
                                         chosen.point.position);
-        if (has_place(chosen.light) != 0 && view.distance > 0.0f)
+        if (has_place(chosen.light) != 0 && view.distance > 0.0f) {
+            float t = angular_sample(view, segment->length, u);
             add_scattered(params, sum, path->bounce + 1u,
-                          scattered_light(params, world, media, segment, &chosen,
-                                          angular_sample(view, segment->length, u), random, rays));
+                          scattered_light(params, world, media, segment, &chosen, t,
+                                          beer_transmittance(segment->sigma_t, t), random, rays));
+        }
     }
     float choice = next_random(random);
     float u = next_random(random);

@@ -173,12 +173,11 @@ static inline float3 light_scattered_at(const RenderParams* params, const PathSc
     return at->value * light.irradiance * arrives * (phase / pdf);
 }
 
-/// The same in a homogeneous medium, where transmittance and pdfs are known.
+/// The same in a homogeneous medium, where pdfs are known, and the transmittance of its first `t`.
 static inline float3 scattered_light(const RenderParams* params, const PathScene* world,
                                      const Media* media, const MediumSegment* segment,
-                                     const ChosenPoint* chosen, float t, Random* random,
-                                     uint* rays) {
-    float3 transmittance = beer_transmittance(segment->sigma_t, t);
+                                     const ChosenPoint* chosen, float t, float3 transmittance,
+                                     Random* random, uint* rays) {
     float3 source = segment->ratio * segment->sigma_t * transmittance;
     ScatterPoint at;
     at.t = t;
