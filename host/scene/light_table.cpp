@@ -197,8 +197,8 @@ struct Collector {
     }
 };
 
-/// Weights with which path tracing chooses one light for a place in a medium, half by power and half
-/// uniformly: a light that is faint beside a sun may be the only one in a room.
+/// Weights with which path tracing chooses one light for a place in a medium, half by power and
+/// half uniformly: a light that is faint beside a sun may be the only one in a room.
 std::vector<double> choice_weights(std::span<const double> powers) {
     double total = 0.0;
     for (const double power : powers) total += power;

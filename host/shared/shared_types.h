@@ -25,6 +25,7 @@ static_assert(sizeof(MaterialRecord) == 64);
 static_assert(sizeof(TextureRecord) == 16);
 static_assert(sizeof(LightRecord) == 112);
 static_assert(sizeof(EmissiveTriangle) == 16);
+static_assert(sizeof(LightNode) == 64);
 static_assert(sizeof(Vpl) == 64);
 static_assert(sizeof(DensityGridRecord) == 96);
 static_assert(sizeof(MediumRecord) == 64);

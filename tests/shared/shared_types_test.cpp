@@ -97,6 +97,7 @@ std::map<std::string, std::size_t> host_sizes() {
             {"TextureRecord", sizeof(TextureRecord)},
             {"LightRecord", sizeof(LightRecord)},
             {"EmissiveTriangle", sizeof(EmissiveTriangle)},
+            {"LightNode", sizeof(LightNode)},
             {"Vpl", sizeof(Vpl)},
             {"DensityGridRecord", sizeof(DensityGridRecord)},
             {"MediumRecord", sizeof(MediumRecord)},
