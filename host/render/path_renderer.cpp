@@ -61,8 +61,7 @@ void add_part(FrameStats& whole, FrameStats part) {
 
 std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings) {
     return surface_features(scene) | (scene.features & FEATURE_LIGHT_TREE) |
-           scene.media.features() |
-           (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
+           scene.media.features() | (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
 
@@ -239,8 +238,12 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                   all);
     };
     switch (kernel()) {
-        case KernelId::path_media: run_media(std::type_identity<kernels::path_media>{}); break;
-        case KernelId::path_grid: run_media(std::type_identity<kernels::path_grid>{}); break;
+        case KernelId::path_media:
+            run_media(std::type_identity<kernels::path_media>{});
+            break;
+        case KernelId::path_grid:
+            run_media(std::type_identity<kernels::path_grid>{});
+            break;
         default:
             frame.run(Stage::paths, "",
                       kernels::path{.scene = *scene_buffers_->traced,
