@@ -93,6 +93,10 @@ int main(int argc, char** argv) {
         weft::print_message("out of memory");
         return exit_status(weft::ExitCode::out_of_memory);
     } catch (const std::exception& error) {
+        if (weft::says_no_thread(error.what())) {
+            weft::print_message("out of memory: no thread can be started");
+            return exit_status(weft::ExitCode::out_of_memory);
+        }
         weft::print_message(error.what());
         return exit_status(weft::ExitCode::device);
     }

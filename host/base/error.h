@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "base/quote.h"
 
@@ -41,6 +42,12 @@ class Error : public std::runtime_error {
 /// Shorthand for the error every reader throws: exit code 2 with a place.
 [[nodiscard]] inline Error input_error(const std::string& place, const std::string& message) {
     return {ExitCode::bad_input, place, message};
+}
+
+/// Whether a library's message says that it could start no thread (oneTBB's, in its own words and
+/// in Embree's). Threads that cannot be started lack memory for their stacks.
+[[nodiscard]] inline bool says_no_thread(std::string_view message) {
+    return message.starts_with("pthread_create has failed");
 }
 
 }  // namespace weft

@@ -18,11 +18,10 @@ void report(void* device, RTCError code, const char* text) noexcept {
 
 /// Whether an error stands for memory that ran out. Nobody cancels Embree's tasks here, so what
 /// cancels them is another task that found no memory, and Embree reports whichever it sees first.
-/// Threads that cannot be started lack memory for their stacks.
 bool is_of_memory(RTCError code, std::string_view text) {
     if (code == RTC_ERROR_OUT_OF_MEMORY) return true;
     return code == RTC_ERROR_UNKNOWN &&
-           (text == "task cancelled" || text.starts_with("pthread_create has failed"));
+           (text == "task cancelled" || says_no_thread(text));
 }
 
 }  // namespace
