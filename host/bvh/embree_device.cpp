@@ -20,8 +20,7 @@ void report(void* device, RTCError code, const char* text) noexcept {
 /// cancels them is another task that found no memory, and Embree reports whichever it sees first.
 bool is_of_memory(RTCError code, std::string_view text) {
     if (code == RTC_ERROR_OUT_OF_MEMORY) return true;
-    return code == RTC_ERROR_UNKNOWN &&
-           (text == "task cancelled" || says_no_thread(text));
+    return code == RTC_ERROR_UNKNOWN && (text == "task cancelled" || says_no_thread(text));
 }
 
 }  // namespace
