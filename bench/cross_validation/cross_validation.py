@@ -151,7 +151,8 @@ def compare(args, name, path):
     images = [found[""], found["variance"], theirs, their_variance]
     share, limit, z = z_test(*images)
     bias, error = mean_test(*images, parts)
-    result = {"scene": name, "algorithm": args.algorithm, "size": args.size, "spp": args.spp, "share": share, "z_limit": limit,
+    result = {"scene": name, "algorithm": args.algorithm, "size": args.size, "spp": args.spp,
+              "share": share, "z_limit": limit,
               "accepted": share >= ACCEPTED_SHARE, "bias": bias, "bias_error": error,
               "z_root_mean_square": float(np.sqrt((z * z).mean()))}
     dark = found["emission"].sum(axis=-1) == 0.0

@@ -61,7 +61,8 @@ LightNode leaf(const LightRecord& light, float intensity) {
     return node;
 }
 
-/// A node that stands for all of these, of which all are distant or none is.
+/// A node that stands for all of these, of which all are distant or none is; but for the root,
+/// whose own bounds are never asked for.
 LightNode enclosing(std::span<const LightNode> nodes) {
     LightNode all{};
     double intensity = 0.0;

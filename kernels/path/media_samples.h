@@ -15,14 +15,8 @@
 static inline MediaPath camera_path(const RenderParams* params, const PathParams* path_params,
                                     const Media* media, uint pixel, Random* random) {
     MediaPath path;
-    float x = next_random(random);
-    float y = next_random(random);
-    if (path_params->through_centres != 0u) {
-        x = 0.5f;
-        y = 0.5f;
-    }
-    x += (float)(pixel % params->camera.width);
-    y += (float)(pixel / params->camera.width);
+    float x, y;
+    sample_film(params, path_params, pixel, random, &x, &y);
     // Media need t to be a distance, but the camera's directions are of any length.
     path.direction = normalize3(camera_direction(params, x, y));
     path.origin = camera_origin(params, x, y);

@@ -14,14 +14,8 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
                                     const PathScene* world, uint pixel, Random* random,
                                     uint* rays) {
     PathSample sample = no_path_sample();
-    float x = next_random(random);
-    float y = next_random(random);
-    if (path_params->through_centres != 0u) {
-        x = 0.5f;
-        y = 0.5f;
-    }
-    x += (float)(pixel % params->camera.width);
-    y += (float)(pixel / params->camera.width);
+    float x, y;
+    sample_film(params, path_params, pixel, random, &x, &y);
     float3 direction = camera_direction(params, x, y);
     Hit hit = trace_closest(world->scene, camera_origin(params, x, y), direction, RAY_INFINITY);
     ++*rays;

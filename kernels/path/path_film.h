@@ -1,7 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Adds samples of path tracing to the exact sums of the film (film_sums.h).
+// Where samples of path tracing go through the film, and how they are added to its exact sums
+// (film_sums.h).
 #ifndef WEFT_KERNELS_PATH_PATH_FILM_H
 #define WEFT_KERNELS_PATH_PATH_FILM_H
 
@@ -30,6 +31,20 @@ static inline PathSample no_path_sample(void) {
     sample.depth = 0.0f;
     sample.alpha = 1.0f;
     return sample;
+}
+
+/// The point of the image, in pixels, that the next sample of a pixel goes through: any of the
+/// pixel, or its centre.
+static inline void sample_film(const RenderParams* params, const PathParams* path_params,
+                               uint pixel, Random* random, float* x, float* y) {
+    float u = next_random(random);
+    float v = next_random(random);
+    if (path_params->through_centres != 0u) {
+        u = 0.5f;
+        v = 0.5f;
+    }
+    *x = u + (float)(pixel % params->camera.width);
+    *y = v + (float)(pixel / params->camera.width);
 }
 
 static inline void add_plane(GLOBAL uint* sums, uint plane, float value) {
