@@ -18,6 +18,9 @@ enum { ALL_LOBES(LOBE_ENUMERATOR) LOBE_COUNT };
 // irradiance records and the albedo of the G-buffer hold only their part.
 #define BSDF_DIFFUSE 1u
 #define BSDF_REFLECTION 2u
+#define BSDF_TRANSMISSION 4u
+// Light of one direction: there is no value, and the pdf of a sample is written as 0.
+#define BSDF_DELTA 8u
 
 // A surface's way to scatter light.
 typedef struct {
