@@ -28,10 +28,16 @@ int albedo_texture(const Material& material) {
 
 void set_diffuse_albedo(Material& material, const glm::vec3& albedo) {
     diffuse_part(material).albedo = albedo;
+    if (!material.description) return;
+    if (ColourParameter* const colour = diffuse_colour(*material.description))
+        colour->factor = albedo;
 }
 
 void set_albedo_texture(Material& material, int texture) {
     diffuse_part(material).albedo_texture = texture;
+    if (!material.description) return;
+    if (ColourParameter* const colour = diffuse_colour(*material.description))
+        colour->map.texture = texture;
 }
 
 }  // namespace weft

@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "kernels/bsdf/lobes.h"
 #include "scene/surface/diffuse_surface.h"
+#include "scene/surface/surface_description.h"
 
 namespace weft {
 
@@ -25,6 +27,10 @@ struct VariantOfOthers {
 using SurfaceParameters = VariantOfOthers<void ALL_LOBES(WEFT_SURFACE_ENTRY)>::type;
 #undef WEFT_SURFACE_ENTRY
 
+/// How much of what a file says of materials is kept: all of it, or no more than the Lambertian
+/// surface that stands for it.
+enum class MaterialDetail : std::uint8_t { full, diffuse };
+
 /// The light that a surface emits.
 struct Emission {
     glm::vec3 radiance{0.0F};  ///< W/(m^2 sr)
@@ -38,6 +44,9 @@ struct Material {
     SurfaceParameters surface;
     Emission emission;
     bool two_sided = true;  ///< scatters on both sides; false: its back is black
+    /// What the file says of the surface, where that is more than `surface`, which is rendered in
+    /// its place.
+    std::optional<SurfaceDescription> description{};
 };
 
 /// The number of a material's lobe: LOBE_* of kernels/bsdf/lobe.h.
@@ -56,9 +65,9 @@ struct Material {
 /// Index into Scene::textures of the texture that diffuse_albedo is multiplied with, or -1.
 [[nodiscard]] int albedo_texture(const Material& material);
 
-/// Replaces diffuse_albedo, [0,1].
+/// Replaces diffuse_albedo, [0,1], and the colour of the description that it stands for.
 void set_diffuse_albedo(Material& material, const glm::vec3& albedo);
-/// Replaces albedo_texture; -1 for none.
+/// Replaces albedo_texture, likewise; -1 for none.
 void set_albedo_texture(Material& material, int texture);
 
 }  // namespace weft

@@ -85,6 +85,7 @@ bool add_barycentric_uvs(Mesh& mesh) {
     mesh.positions = unweld(mesh.positions, mesh);
     mesh.normals = unweld(mesh.normals, mesh);
     mesh.colours = unweld(mesh.colours, mesh);
+    mesh.alphas = unweld(mesh.alphas, mesh);
     mesh.uvs.clear();
     mesh.uvs.reserve(count);
     std::uint32_t vertex = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "base/srgb.h"
 
@@ -54,6 +55,41 @@ LinearLevel halved(const LinearLevel& level) {
     return half;
 }
 
+/// Alpha of a texture and of its ever smaller averages, level by level, or nothing where no
+/// surface uses it.
+std::vector<std::uint8_t> alpha_levels(const Texture& texture) {
+    std::vector<std::uint8_t> all;
+    if (!texture.has_alpha) return all;
+    std::vector<float> level;
+    for (std::size_t i = 3; i < texture.rgba.size(); i += 4)
+        level.push_back(static_cast<float>(texture.rgba[i]));
+    std::uint32_t width = texture.width;
+    std::uint32_t height = texture.height;
+    while (true) {
+        for (const float alpha : level)
+            all.push_back(static_cast<std::uint8_t>(std::lround(alpha)));
+        if (width == 1 && height == 1) return all;
+        std::vector<float> half;
+        const std::uint32_t next_width = std::max(1U, width / 2);
+        const std::uint32_t next_height = std::max(1U, height / 2);
+        for (std::uint32_t y = 0; y < next_height; ++y) {
+            const Span rows = covered(y, next_height, height);
+            for (std::uint32_t x = 0; x < next_width; ++x) {
+                const Span columns = covered(x, next_width, width);
+                float sum = 0.0F;
+                for (std::uint32_t row = rows.from; row < rows.to; ++row)
+                    for (std::uint32_t column = columns.from; column < columns.to; ++column)
+                        sum += level[std::size_t{row} * width + column];
+                half.push_back(
+                    sum / static_cast<float>((rows.to - rows.from) * (columns.to - columns.from)));
+            }
+        }
+        level = std::move(half);
+        width = next_width;
+        height = next_height;
+    }
+}
+
 std::uint32_t pack(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
     return static_cast<std::uint32_t>(r) | static_cast<std::uint32_t>(g) << 8 |
            static_cast<std::uint32_t>(b) << 16;
@@ -75,6 +111,7 @@ std::vector<LinearLevel> linear_mip_levels(const Texture& texture) {
 }
 
 void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels) {
+    const std::size_t first = texels.size();
     for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
         texels.push_back(pack(texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]));
     const std::vector<LinearLevel> levels = linear_mip_levels(texture);
@@ -83,6 +120,9 @@ void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texel
             texels.push_back(pack(encode(level.values[i], texture.srgb),
                                   encode(level.values[i + 1], texture.srgb),
                                   encode(level.values[i + 2], texture.srgb)));
+    const std::vector<std::uint8_t> alphas = alpha_levels(texture);
+    for (std::size_t i = 0; i < alphas.size(); ++i)
+        texels[first + i] |= static_cast<std::uint32_t>(alphas[i]) << 24;
 }
 
 float srgb_to_linear(std::uint8_t value) {

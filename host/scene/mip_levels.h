@@ -21,7 +21,8 @@ struct LinearLevel {
 [[nodiscard]] std::vector<LinearLevel> linear_mip_levels(const Texture& texture);
 
 /// Appends a texture and its ever smaller averages, down to one texel, as kernels read them: red in
-/// the lowest byte. The levels are those of linear_mip_levels.
+/// the lowest byte, alpha in the highest where Texture::has_alpha, else 0. The levels are those of
+/// linear_mip_levels; alpha has its own averages.
 void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels);
 
 /// Linear value of an sRGB byte (IEC 61966-2-1).

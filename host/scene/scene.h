@@ -29,7 +29,8 @@ struct Texture {
     bool srgb = true;  ///< colour bytes are sRGB encoded; false: linear
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
-    bool nearest = false;  ///< nearest texel instead of bilinear interpolation
+    bool nearest = false;    ///< nearest texel instead of bilinear interpolation
+    bool has_alpha = false;  ///< some surface uses the fourth byte, which is linear
 };
 
 /// Triangles in object space. Attribute arrays are empty or as long as `positions`.
@@ -40,6 +41,9 @@ struct Mesh {
     std::vector<glm::vec2> uvs;
     std::vector<glm::vec2> emission_uvs;  ///< for the texture of emission; empty: `uvs`
     std::vector<glm::vec3> colours;       ///< linear, multiplied with the albedo
+    std::vector<float> alphas;            ///< in [0, 1], multiplied with Opacity::alpha
+    /// Sets of texture coordinates as the file has them, for the textures of a description.
+    std::vector<std::vector<glm::vec2>> uv_sets;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 

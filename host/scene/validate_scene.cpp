@@ -100,12 +100,27 @@ class Validator {
                 "has the wrong number of bytes");
     }
 
+    void check(const SurfaceDescription& surface, const std::string& object) const {
+        const std::string problem = surface_problem(surface);
+        require(problem.empty(), object, problem.c_str());
+        for (const TextureMap* map : texture_maps(surface)) {
+            require(static_cast<std::size_t>(map->texture) < scene_.textures.size(), object,
+                    "refers to a texture that does not exist");
+            require(map->uv_set < limits::max_uv_sets, object,
+                    "refers to a set of texture coordinates that does not exist");
+            for (int column = 0; column < 3; ++column)
+                require(is_finite(glm::vec3(map->to_uv[column])), object,
+                        "has a texture transform that is not finite");
+        }
+    }
+
     void check(const Material& material) const {
         const std::string object = "material " + quote(material.name);
         require(in_unit_cube(diffuse_albedo(material)), object, "has an albedo outside [0, 1]");
         if (const char* const problem = std::visit(
                 [](const auto& surface) { return lobe_problem(surface); }, material.surface))
             throw input_error(scene_.source, object + " " + problem);
+        if (material.description) check(*material.description, object);
         require(not_negative(material.emission.radiance), object,
                 "has an emission that is negative or not finite");
         for (const int texture : {albedo_texture(material), material.emission.texture})
@@ -127,6 +142,17 @@ class Validator {
         }
         require(mesh.colours.empty() || mesh.colours.size() == count, object,
                 "has vertex colours of the wrong number");
+        require(mesh.alphas.empty() || mesh.alphas.size() == count, object,
+                "has vertex alphas of the wrong number");
+        require(std::all_of(mesh.alphas.begin(), mesh.alphas.end(),
+                            [](float alpha) { return alpha >= 0.0F && alpha <= 1.0F; }),
+                object, "has a vertex alpha outside [0, 1]");
+        require(mesh.uv_sets.size() <= limits::max_uv_sets, object,
+                "has more sets of texture coordinates than the limit");
+        for (const std::vector<glm::vec2>& uvs : mesh.uv_sets) {
+            require(uvs.size() == count, object, "has texture coordinates of the wrong number");
+            require(all_finite(uvs), object, "has a texture coordinate that is not finite");
+        }
         require(all_finite(mesh.positions), object, "has a vertex that is not finite");
         require(all_finite(mesh.normals), object, "has a normal that is not finite");
         require(std::all_of(mesh.colours.begin(), mesh.colours.end(), in_unit_cube), object,
@@ -182,11 +208,21 @@ class Validator {
         if (!scene_.meshes[mesh].positions.empty()) check_extent(boxes_[mesh], to_world, object);
     }
 
+    /// A mesh has the sets of texture coordinates that its material's textures lie by.
+    void check_uv_sets(const Material& material, const Mesh& mesh,
+                       const std::string& object) const {
+        if (!material.description || mesh.triangles.empty()) return;
+        for (const TextureMap* map : texture_maps(*material.description))
+            require(map->uv_set < mesh.uv_sets.size(), object,
+                    "lacks the texture coordinates that its material asks for");
+    }
+
     void check(const Instance& instance) {
         const std::string object = "instance " + quote(instance.name);
         check_placed_mesh(instance.mesh, instance.to_world, object);
         require(instance.material < scene_.materials.size(), object,
                 "refers to a material that does not exist");
+        check_uv_sets(scene_.materials[instance.material], scene_.meshes[instance.mesh], object);
         const std::size_t triangles = scene_.meshes[instance.mesh].triangles.size();
         if (triangles > limits::max_triangles - triangles_)
             throw input_error(scene_.source, object + " brings the scene above the limit of " +

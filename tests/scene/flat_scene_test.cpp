@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
@@ -278,6 +279,26 @@ TEST(FlatScene, MeanReflectanceSeesTextures) {
     builder.scene.textures[0].srgb = true;
     // sRGB 0.2 is 0.0331 linear, 0.6 is 0.3185.
     EXPECT_NEAR(flatten(builder.scene).mean_reflectance, 0.5 * (0.033105 + 0.318547) / 4.0, 1e-5);
+}
+
+// 3 x 1 texels, then one: their mean.
+TEST(FlatScene, TexelsHoldAlphaWhereItIsUsed) {
+    SceneBuilder builder = reflecting(glm::vec3(1.0F));
+    Texture texture;
+    texture.width = 3;
+    texture.height = 1;
+    texture.rgba = {1, 2, 3, 0, 1, 2, 3, 30, 1, 2, 3, 90};
+    texture.srgb = false;
+    builder.scene.textures.push_back(texture);
+    set_albedo_texture(builder.scene.materials[0], 0);
+    const std::vector<std::uint32_t> opaque = flatten(builder.scene).texels;
+    const std::uint32_t colour = 0x030201;
+    EXPECT_EQ(opaque, std::vector<std::uint32_t>(4, colour));
+    builder.scene.textures[0].has_alpha = true;
+    const std::vector<std::uint32_t> texels = flatten(builder.scene).texels;
+    ASSERT_EQ(texels.size(), 4U);
+    const std::array<std::uint32_t, 4> alphas{0, 30, 90, 40};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(texels[i], colour | alphas[i] << 24) << i;
 }
 
 TEST(FlatScene, UnusedTexturesCallForNothing) {

@@ -90,6 +90,48 @@ TEST(ValidateScene, ChecksTexturesAndMaterials) {
                   "a.gltf: material 'm' has an emission that is negative or not finite");
 }
 
+/// The good scene with a description whose normal map needs one set of texture coordinates.
+void describe(Scene& scene) {
+    SurfaceDescription surface;
+    surface.normal_map.map.texture = 0;
+    scene.materials[0].description = surface;
+    scene.meshes[0].uv_sets.emplace_back(3, glm::vec2(0.0F));
+}
+
+TEST(ValidateScene, ChecksDescriptionsOfSurfaces) {
+    const auto error_of = [](const std::function<void(Scene&, SurfaceDescription&)>& change) {
+        return error_after([&](Scene& s) {
+            describe(s);
+            change(s, *s.materials[0].description);
+        });
+    };
+    using Surface = SurfaceDescription;
+    EXPECT_EQ(error_of([](Scene&, Surface&) {}), "no error");
+    EXPECT_EQ(error_of([](Scene&, Surface& d) { d.normal_map.map.texture = 1; }),
+              "a.gltf: material 'm' refers to a texture that does not exist");
+    EXPECT_EQ(error_of([](Scene&, Surface& d) { d.normal_map.map.uv_set = 4; }),
+              "a.gltf: material 'm' refers to a set of texture coordinates that does not exist");
+    EXPECT_EQ(error_of([](Scene&, Surface& d) { d.normal_map.map.uv_set = 1; }),
+              "a.gltf: instance 'i' lacks the texture coordinates that its material asks for");
+    EXPECT_EQ(error_of([](Scene&, Surface& d) { d.normal_map.map.to_uv[2].x = 1e300; }),
+              "a.gltf: material 'm' has a texture transform that is not finite");
+    EXPECT_EQ(error_of([](Scene&, Surface& d) { d.normal_map.scale = nan; }),
+              "a.gltf: material 'm' has normals scaled beyond 1000");
+    EXPECT_EQ(error_of([](Scene& s, Surface&) { s.meshes[0].uv_sets[0].pop_back(); }),
+              "a.gltf: mesh 'g' has texture coordinates of the wrong number");
+    EXPECT_EQ(error_of([](Scene& s, Surface&) { s.meshes[0].uv_sets[0][1].y = nan; }),
+              "a.gltf: mesh 'g' has a texture coordinate that is not finite");
+    EXPECT_EQ(
+        error_of([](Scene& s, Surface&) { s.meshes[0].uv_sets.resize(5, s.meshes[0].uv_sets[0]); }),
+        "a.gltf: mesh 'g' has more sets of texture coordinates than the limit");
+    EXPECT_EQ(error_of([](Scene& s, Surface&) { s.meshes[0].alphas = {1.0F}; }),
+              "a.gltf: mesh 'g' has vertex alphas of the wrong number");
+    EXPECT_EQ(error_of([](Scene& s, Surface&) {
+                  s.meshes[0].alphas = {1.0F, nan, 0.0F};
+              }),
+              "a.gltf: mesh 'g' has a vertex alpha outside [0, 1]");
+}
+
 TEST(ValidateScene, ChecksMeshes) {
     EXPECT_EQ(error_after([](Scene& s) { s.meshes[0].normals.pop_back(); }),
               "a.gltf: mesh 'g' has normals of the wrong number");

@@ -3,13 +3,14 @@
 #include "scene/gltf/gltf_materials.h"
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/quote.h"
 #include "scene/gltf/gltf_medium.h"
+#include "scene/gltf/gltf_surface.h"
 
 namespace weft {
 namespace {
@@ -49,34 +50,23 @@ constexpr std::array unsimulated_extensions = {
                 "colour is rendered instead"},
 };
 
-/// Reads the set of texture coordinates and the transform of a textureInfo. Positive rotation turns
-/// the coordinates counter-clockwise as seen with v pointing down.
-GltfUvs read_uvs_of(const JsonValue& info) {
-    GltfUvs uvs;
-    uvs.set = info.integer_or("texCoord", 0);
-    const std::optional<JsonValue> transform = info.extension("KHR_texture_transform");
-    if (!transform) return uvs;
-    uvs.set = transform->integer_or("texCoord", uvs.set);
-    const std::array<double, 2> offset = transform->numbers_or<2>("offset", {0.0, 0.0});
-    const std::array<double, 2> scale = transform->numbers_or<2>("scale", {1.0, 1.0});
-    const double rotation = transform->number_or("rotation", 0.0);
-    const double c = std::cos(rotation);
-    const double s = std::sin(rotation);
-    uvs.transform = glm::dmat3(glm::dvec3(c * scale[0], -s * scale[0], 0.0),
-                               glm::dvec3(s * scale[1], c * scale[1], 0.0),
-                               glm::dvec3(offset[0], offset[1], 1.0));
-    return uvs;
+/// Whether the extension only says that a dielectric has no reflection but its diffuse one.
+bool is_lambert(const JsonValue& value, std::string_view key) {
+    return key == "KHR_materials_specular" &&
+           value.extension("KHR_materials_specular")->number_or("specularFactor", 1.0) == 0.0;
 }
 
 }  // namespace
 
 GltfMaterials::GltfMaterials(const GltfDocument& document, GltfTextures& textures,
                              WarningCollector& report, GltfDensities& densities,
-                             std::vector<Material>& materials, std::vector<Medium>& media)
+                             MaterialDetail detail, std::vector<Material>& materials,
+                             std::vector<Medium>& media)
     : root_(document.root()),
       textures_(textures),
       report_(report),
       densities_(densities),
+      detail_(detail),
       materials_(materials),
       media_(media) {}
 
@@ -92,6 +82,7 @@ const GltfSurface& GltfMaterials::surface(const std::optional<JsonValue>& refere
         Material material;
         material.name = "default";
         material.surface = DiffuseSurface{glm::vec3{1.0F}};
+        if (detail_ == MaterialDetail::full) material.description = default_gltf_surface();
         surface.material = static_cast<std::uint32_t>(materials_.size());
         materials_.push_back(std::move(material));
     }
@@ -112,9 +103,33 @@ GltfSurface GltfMaterials::convert(const JsonValue& value, std::size_t index) {
     material.emission.both_sides = value.bool_or("doubleSided", false);
     material.two_sided = true;
     report_unsimulated(value);
+    if (detail_ == MaterialDetail::full) describe(value, material, surface);
     surface.material = static_cast<std::uint32_t>(materials_.size());
     materials_.push_back(std::move(material));
     return surface;
+}
+
+void GltfMaterials::describe(const JsonValue& value, Material& material, GltfSurface& surface) {
+    GltfDescription found = read_gltf_surface(value, textures_, report_);
+    surface.uv_sets = std::move(found.uv_sets);
+    if (found.surface) {
+        surface.has_alpha = found.surface->opacity.mode != OpacityMode::opaque;
+        const auto* const metallic = std::get_if<MetallicSurface>(&found.surface->model);
+        surface.is_solid = metallic != nullptr && metallic->solid;
+    }
+    material.description = std::move(found.surface);
+}
+
+std::uint32_t GltfMaterials::thin(std::uint32_t material) {
+    const auto [known, added] =
+        thin_.try_emplace(material, static_cast<std::uint32_t>(materials_.size()));
+    if (!added) return known->second;
+    Material wall = materials_[material];
+    auto& surface = std::get<MetallicSurface>(wall.description->model);
+    surface.solid = false;
+    surface.absorption = {};
+    materials_.push_back(std::move(wall));
+    return known->second;
 }
 
 DiffuseSurface GltfMaterials::base_colour(const JsonValue& value, GltfSurface& surface) {
@@ -137,7 +152,7 @@ DiffuseSurface GltfMaterials::base_colour(const JsonValue& value, GltfSurface& s
     const std::optional<int> texture = textures_.add(info->at("index"));
     if (!texture) return diffuse;
     diffuse.albedo_texture = *texture;
-    surface.base_colour_uvs = read_uvs_of(*info);
+    surface.base_colour_uvs = read_gltf_uvs(*info);
     return diffuse;
 }
 
@@ -160,7 +175,7 @@ Emission GltfMaterials::emission(const JsonValue& value, GltfSurface& surface) {
     const std::optional<int> texture = textures_.add(info->at("index"));
     if (!texture) return emission;
     emission.texture = *texture;
-    surface.emission_uvs = read_uvs_of(*info);
+    surface.emission_uvs = read_gltf_uvs(*info);
     return emission;
 }
 
@@ -174,7 +189,7 @@ glm::vec3 GltfMaterials::colour(const JsonValue& place, const glm::dvec3& value,
 
 void GltfMaterials::report_unsimulated(const JsonValue& value) {
     for (const Unsimulated& extension : unsimulated_extensions)
-        if (value.extension(extension.key))
+        if (value.extension(extension.key) && !is_lambert(value, extension.key))
             report_.count(value.place(), material_unit, extension.message);
     if (value.find("normalTexture"))
         report_.count(value.place(), material_unit,

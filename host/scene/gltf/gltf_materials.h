@@ -11,17 +11,10 @@
 #include <vector>
 
 #include "scene/gltf/gltf_density.h"
+#include "scene/gltf/gltf_texture_maps.h"
 #include "scene/gltf/gltf_textures.h"
 
 namespace weft {
-
-/// Which texture coordinates a texture is looked up by.
-struct GltfUvs {
-    std::uint64_t set = 0;      ///< n of TEXCOORD_n
-    glm::dmat3 transform{1.0};  ///< KHR_texture_transform, applied to (u, v, 1)
-
-    bool operator==(const GltfUvs&) const = default;
-};
 
 /// What a primitive needs of its material.
 struct GltfSurface {
@@ -29,20 +22,29 @@ struct GltfSurface {
     int medium = -1;  ///< index into Scene::media: an invisible boundary of it; -1: a surface
     std::optional<GltfUvs> base_colour_uvs{};  ///< empty without texture
     std::optional<GltfUvs> emission_uvs{};     ///< empty without texture
+    std::vector<std::uint64_t> uv_sets{};      ///< by index into Mesh::uv_sets, the n of TEXCOORD_n
+    bool has_alpha = false;                    ///< alpha of the vertices counts
+    bool is_solid = false;                     ///< encloses a volume of glass
 };
 
-/// Turns the materials that primitives refer to into diffuse ones, each once.
+/// Reads the materials that primitives refer to, each once: a diffuse surface, and by `detail` what
+/// the file says beyond that.
 class GltfMaterials {
   public:
     GltfMaterials(const GltfDocument& document, GltfTextures& textures, WarningCollector& report,
-                  GltfDensities& densities, std::vector<Material>& materials,
+                  GltfDensities& densities, MaterialDetail detail, std::vector<Material>& materials,
                   std::vector<Medium>& media);
 
     /// The material whose index `reference` holds, or glTF's default material. Throws Error (exit
     /// code 2).
     [[nodiscard]] const GltfSurface& surface(const std::optional<JsonValue>& reference);
 
+    /// The index of a material that is as this one, which is solid glass, but thin: for meshes that
+    /// enclose no volume.
+    [[nodiscard]] std::uint32_t thin(std::uint32_t material);
+
   private:
+    void describe(const JsonValue& value, Material& material, GltfSurface& surface);
     [[nodiscard]] GltfSurface convert(const JsonValue& value, std::size_t index);
     DiffuseSurface base_colour(const JsonValue& value, GltfSurface& surface);
     Emission emission(const JsonValue& value, GltfSurface& surface);
@@ -54,9 +56,11 @@ class GltfMaterials {
     GltfTextures& textures_;
     WarningCollector& report_;
     GltfDensities& densities_;
+    MaterialDetail detail_;
     std::vector<Material>& materials_;
     std::vector<Medium>& media_;
     std::map<std::size_t, GltfSurface> surfaces_;
+    std::map<std::uint32_t, std::uint32_t> thin_;  ///< by solid material
 };
 
 }  // namespace weft

@@ -68,18 +68,20 @@ void read_normals(const GltfAccessor& accessor, const std::vector<std::uint32_t>
                  broken.size());
 }
 
-/// Texture coordinates of these vertices by the mapping of a texture; none without one.
+/// Texture coordinates of these vertices by the mapping of a texture; none without one. Warns where
+/// there is a `report`.
 std::vector<glm::vec2> read_uvs(GltfData& data, const JsonValue& attributes,
                                 const std::optional<GltfUvs>& mapping, std::size_t vertex_count,
                                 const std::vector<std::uint32_t>& vertices,
-                                WarningCollector& report) {
+                                WarningCollector* report) {
     if (!mapping) return {};
     std::vector<glm::vec2> uvs(vertices.size(), glm::vec2{0.0F});
     const GltfAccessor* const accessor = find_gltf_attribute(
         data, attributes, "TEXCOORD_" + std::to_string(mapping->set), vertex_count, 2, 2);
     if (accessor == nullptr) {
-        report.count(attributes.place(), {"primitive", "primitives"},
-                     "texture coordinates are missing, the first texel is used everywhere");
+        if (report != nullptr)
+            report->count(attributes.place(), {"primitive", "primitives"},
+                          "texture coordinates are missing, the first texel is used everywhere");
         return uvs;
     }
     std::size_t broken = 0;
@@ -90,9 +92,25 @@ std::vector<glm::vec2> read_uvs(GltfData& data, const JsonValue& attributes,
         if (good) uvs[i] = uv;
         broken += good ? 0 : 1;
     }
-    report.count(attributes.place(), {"texture coordinate", "texture coordinates"},
-                 "not finite, zero is used instead", broken);
+    if (report != nullptr)
+        report->count(attributes.place(), {"texture coordinate", "texture coordinates"},
+                      "not finite, zero is used instead", broken);
     return uvs;
+}
+
+/// Alpha of the vertices' colours; none where those have none.
+std::vector<float> read_alphas(const GltfAccessor& accessor,
+                               const std::vector<std::uint32_t>& vertices) {
+    std::vector<float> alphas;
+    if (accessor.width() < 4) return alphas;
+    alphas.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+        std::array<float, 4> values{};
+        accessor.read(vertex, values);
+        // fmax and fmin also turn NaN into a number.
+        alphas.push_back(std::fmin(std::fmax(values[3], 0.0F), 1.0F));
+    }
+    return alphas;
 }
 
 void read_colours(const GltfAccessor& accessor, const std::vector<std::uint32_t>& vertices,
@@ -116,14 +134,23 @@ void read_attributes(GltfData& data, const JsonValue& attributes, const GltfSurf
             find_gltf_attribute(data, attributes, "NORMAL", vertex_count, 3, 3))
         read_normals(*normals, vertices, report, place, mesh);
     if (const GltfAccessor* colours =
-            find_gltf_attribute(data, attributes, "COLOR_0", vertex_count, 3, 4))
+            find_gltf_attribute(data, attributes, "COLOR_0", vertex_count, 3, 4)) {
         read_colours(*colours, vertices, report, place, mesh);
-    const auto uvs_by = [&](const std::optional<GltfUvs>& mapping) {
-        return read_uvs(data, attributes, mapping, vertex_count, vertices, report);
+        if (surface.has_alpha) mesh.alphas = read_alphas(*colours, vertices);
+    }
+    const auto uvs_by = [&](const std::optional<GltfUvs>& mapping, WarningCollector* to) {
+        return read_uvs(data, attributes, mapping, vertex_count, vertices, to);
     };
-    mesh.uvs = uvs_by(surface.base_colour_uvs);
+    mesh.uvs = uvs_by(surface.base_colour_uvs, &report);
     if (surface.emission_uvs != surface.base_colour_uvs)
-        mesh.emission_uvs = uvs_by(surface.emission_uvs);
+        mesh.emission_uvs = uvs_by(surface.emission_uvs, &report);
+    for (const std::uint64_t set : surface.uv_sets) {
+        const auto is_told = [&](const std::optional<GltfUvs>& mapping) {
+            return mapping && mapping->set == set;
+        };
+        const bool told = is_told(surface.base_colour_uvs) || is_told(surface.emission_uvs);
+        mesh.uv_sets.push_back(uvs_by(GltfUvs{set}, told ? nullptr : &report));
+    }
 }
 
 /// Reads the shape that a mesh of these vertices is deformed from.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "scene/closed_mesh.h"
 #include "scene/gltf/gltf_morph.h"
 
 namespace weft {
@@ -80,6 +81,11 @@ std::vector<GltfParts::Primitive> GltfParts::read(const JsonValue& mesh, std::si
         primitive.mesh.name = listed.size() == 1 ? name : name + " part " + std::to_string(i);
         primitive.part.material = surface.material;
         primitive.part.medium = surface.medium;
+        if (surface.is_solid && !is_closed(primitive.mesh)) {
+            report_.count(value.place(), {"primitive", "primitives"},
+                          "glass with a volume on a mesh that is not closed, it is taken as thin");
+            primitive.part.material = materials_.thin(surface.material);
+        }
         if (found->shape) {
             for (const std::uint16_t joint : found->shape->influences.joints)
                 primitive.joint = std::max(primitive.joint, joint);

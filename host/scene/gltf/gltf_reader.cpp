@@ -33,14 +33,15 @@ constexpr WarningUnit node_unit{"node", "nodes"};
 /// Fills a Scene from the nodes of a document.
 class GltfReader {
   public:
-    GltfReader(const GltfDocument& document, Diagnostics& diagnostics)
+    GltfReader(const GltfDocument& document, Diagnostics& diagnostics, MaterialDetail detail)
         : document_(document),
           root_(document.root()),
           report_(diagnostics),
           data_(document),
           textures_(document, data_, report_, scene_.textures),
           densities_(document.path, scene_.grids, diagnostics),
-          materials_(document, textures_, report_, densities_, scene_.materials, scene_.media),
+          materials_(document, textures_, report_, densities_, detail, scene_.materials,
+                     scene_.media),
           skins_(document, data_, nodes_),
           parts_(document, data_, materials_, report_, scene_) {}
 
@@ -151,9 +152,10 @@ class GltfReader {
 
 }  // namespace
 
-Scene read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Scene read_gltf(const std::filesystem::path& path, Diagnostics& diagnostics,
+                MaterialDetail detail) {
     const GltfDocument document = read_gltf_document(path);
-    return GltfReader(document, diagnostics).read();
+    return GltfReader(document, diagnostics, detail).read();
 }
 
 }  // namespace weft

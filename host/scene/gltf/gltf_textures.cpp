@@ -51,11 +51,12 @@ GltfTextures::GltfTextures(const GltfDocument& document, GltfData& data, Warning
                            std::vector<Texture>& textures)
     : root_(document.root()), data_(data), report_(report), textures_(textures) {}
 
-std::optional<std::size_t> GltfTextures::image_of(const JsonValue& texture) {
+std::optional<std::size_t> GltfTextures::image_of(const JsonValue& texture, std::size_t index) {
     const std::optional<JsonValue> source = texture.find("source");
     if (source) return source->as_index(root_.size_of("images"), "images");
-    report_.count(texture.place(), {"texture", "textures"},
-                  "no PNG or JPEG image is given, plain white is rendered instead");
+    if (without_image_.insert(index).second)
+        report_.count(texture.place(), {"texture", "textures"},
+                      "no PNG or JPEG image is given, plain white is rendered instead");
     return std::nullopt;
 }
 
@@ -79,16 +80,21 @@ Texture GltfTextures::decode(std::size_t image) {
     return texture;
 }
 
-std::optional<int> GltfTextures::add(const JsonValue& reference) {
+std::optional<int> GltfTextures::add(const JsonValue& reference, const GltfTextureUse& use) {
     const std::size_t index = reference.as_index(root_.size_of("textures"), "textures");
     const JsonValue value = root_.at("textures").element(index);
     const Sampler sampler = read_sampler(root_, value);
-    const std::optional<std::size_t> image = image_of(value);
+    const std::optional<std::size_t> image = image_of(value, index);
     if (!image) return std::nullopt;
-    const auto key = std::make_tuple(*image, sampler.wrap_u, sampler.wrap_v, sampler.nearest);
-    if (const auto known = added_.find(key); known != added_.end()) return known->second;
+    const auto key =
+        std::make_tuple(*image, sampler.wrap_u, sampler.wrap_v, sampler.nearest, use.srgb);
+    if (const auto known = added_.find(key); known != added_.end()) {
+        textures_[static_cast<std::size_t>(known->second)].has_alpha |= use.alpha;
+        return known->second;
+    }
     Texture texture = decode(*image);
-    texture.srgb = true;
+    texture.srgb = use.srgb;
+    texture.has_alpha = use.alpha;
     texture.wrap_u = sampler.wrap_u;
     texture.wrap_v = sampler.wrap_v;
     texture.nearest = sampler.nearest;

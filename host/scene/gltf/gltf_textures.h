@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -15,8 +16,14 @@
 
 namespace weft {
 
-/// Decodes the images that materials refer to, each once, within `limits::max_texture_bytes`
-/// for the whole file.
+/// How a texture is used.
+struct GltfTextureUse {
+    bool srgb = true;    ///< its colours are sRGB encoded; false: data
+    bool alpha = false;  ///< its alpha is used, which is linear in either case
+};
+
+/// Decodes the images that materials refer to, each once for each use, within
+/// `limits::max_texture_bytes` for the whole file.
 class GltfTextures {
   public:
     GltfTextures(const GltfDocument& document, GltfData& data, WarningCollector& report,
@@ -24,10 +31,11 @@ class GltfTextures {
 
     /// Index into the scene's textures for the glTF texture whose index `reference` holds; nothing
     /// where the texture has no image that Weft can read. Throws Error (exit code 2).
-    [[nodiscard]] std::optional<int> add(const JsonValue& reference);
+    [[nodiscard]] std::optional<int> add(const JsonValue& reference,
+                                         const GltfTextureUse& use = {});
 
   private:
-    [[nodiscard]] std::optional<std::size_t> image_of(const JsonValue& texture);
+    [[nodiscard]] std::optional<std::size_t> image_of(const JsonValue& texture, std::size_t index);
     [[nodiscard]] Texture decode(std::size_t image);
 
     JsonValue root_;
@@ -35,7 +43,8 @@ class GltfTextures {
     WarningCollector& report_;
     std::vector<Texture>& textures_;
     std::size_t decoded_bytes_ = 0;
-    std::map<std::tuple<std::size_t, Wrap, Wrap, bool>, int> added_;
+    std::set<std::size_t> without_image_;  ///< numbers of textures
+    std::map<std::tuple<std::size_t, Wrap, Wrap, bool, bool>, int> added_;
 };
 
 }  // namespace weft

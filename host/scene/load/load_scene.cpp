@@ -23,9 +23,10 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
+                 MaterialDetail detail) {
     const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics);
+    if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics, detail);
     if (extension == ".xml") return read_mitsuba(path, diagnostics);
     if (extension == ".obj") return read_obj(path, diagnostics);
     if (extension == ".ply") return read_ply_scene(path, diagnostics);
@@ -39,8 +40,9 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics, DefaultLight light) {
-    Scene scene = read_scene(path, diagnostics);
+Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics, DefaultLight light,
+                 MaterialDetail detail) {
+    Scene scene = read_scene(path, diagnostics, detail);
     validate_scene(scene);
     add_default_light(scene, light, diagnostics);
     return scene;

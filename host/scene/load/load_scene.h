@@ -12,11 +12,12 @@
 namespace weft {
 
 /// Reads `.gltf`, `.glb` (glTF 2.0), `.xml` (Mitsuba 3 subset), `.obj` (Wavefront OBJ with MTL) or
-/// `.ply` (one mesh), and adds the default light by `light`. What the file asks for and
-/// Weft does not simulate is named once in `diagnostics`. Throws Error (exit code 2) with file and
-/// place for anything broken.
+/// `.ply` (one mesh), of materials as much as `detail` says, and adds the default light by `light`.
+/// What the file asks for and Weft does not simulate is named once in `diagnostics`. Throws Error
+/// (exit code 2) with file and place for anything broken.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
-                               DefaultLight light = DefaultLight::as_needed);
+                               DefaultLight light = DefaultLight::as_needed,
+                               MaterialDetail detail = MaterialDetail::full);
 
 }  // namespace weft
 
