@@ -132,20 +132,23 @@ class Document:
         return self._add("animations", animation)
 
     def add_material(self, name, albedo, texture=None, double_sided=False, radiance=None):
-        """A Lambertian material; `radiance` (W/(m^2 sr), linear Rec.709) makes it a light."""
+        """A Lambertian material; `radiance` (W/(m^2 sr), linear Rec.709) makes it a light. Without
+        the extension that switches the specular reflection off, glTF's dielectrics have one."""
         surface = {"baseColorFactor": [*(round(c, 6) for c in albedo), 1],
                    "metallicFactor": 0, "roughnessFactor": 1}
         if texture is not None:
             surface["baseColorTexture"] = {"index": texture}
-        material = {"name": name, "pbrMetallicRoughness": surface}
+        self._extensions.add("KHR_materials_specular")
+        material = {"name": name, "pbrMetallicRoughness": surface,
+                    "extensions": {"KHR_materials_specular": {"specularFactor": 0}}}
         if double_sided:
             material["doubleSided"] = True
         if radiance:
             peak = max(radiance)
             self._extensions.add("KHR_materials_emissive_strength")
             material["emissiveFactor"] = [round(c / peak, 6) for c in radiance]
-            material["extensions"] = {
-                "KHR_materials_emissive_strength": {"emissiveStrength": round(peak, 6)}}
+            material["extensions"]["KHR_materials_emissive_strength"] = {
+                "emissiveStrength": round(peak, 6)}
         return self._add("materials", material)
 
     def _medium(self, scattering, absorption, anisotropy, density):
