@@ -109,8 +109,7 @@ std::filesystem::path Object::file() {
     if (found == nullptr)
         throw input_error(place(), fmt::format("{} {} without 'filename', expected one",
                                                element_.tag, quote(type())));
-    return resolve_reference(context_.document.path, found->required("value"), found->place(),
-                             false);
+    return context_.document.find_file(found->required("value"), found->place());
 }
 
 std::vector<const Element*> Object::nested(std::string_view tag) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <pugixml.hpp>
 #include <string_view>
@@ -122,7 +123,8 @@ class Loader {
             throw input_error(fmt::format("{}:{}", *file.name, file.line(result.offset)),
                               std::string("broken XML: ") + result.description());
         const pugi::xml_node scene = xml.document_element();
-        if (std::strcmp(scene.name(), "scene") != 0)
+        const bool is_scene = std::strcmp(scene.name(), "scene") == 0;
+        if (depth == 0 && !is_scene)
             throw input_error(
                 fmt::format("{}:{}", *file.name, file.line(scene.offset_debug())),
                 "root element " + quote(scene.name()) + ", expected the <scene> of a Mitsuba file");
@@ -130,13 +132,16 @@ class Loader {
             throw input_error(
                 fmt::format("{}:{}", *file.name, file.line(scene.next_sibling().offset_debug())),
                 "a second root element, expected one <scene>");
-        Element element = make_element(scene, file);
         if (depth == 0) {
-            check_version(element);
-            root = std::move(element);
+            root = make_element(scene, file);
+            check_version(root);
         }
         open_files_.push_back(canonical(path));
-        convert_children(scene, file, root, depth + 1);
+        // What is included may be one object, without a scene around it.
+        if (is_scene)
+            convert_children(scene, file, root, depth + 1);
+        else
+            convert(scene, file, root, depth + 1);
         open_files_.pop_back();
     }
 
@@ -180,6 +185,9 @@ class Loader {
             if (element.attribute(attribute.name()) != nullptr)
                 throw input_error(element.place(), "attribute " + quote(attribute.name()) +
                                                        " is given twice, expected it once");
+            if (is_root(node) && std::strcmp(attribute.name(), "version") == 0 &&
+                !allows(*rule, attribute.name()))
+                continue;
             if (!allows(*rule, attribute.name())) {
                 warnings_.once(element, fmt::format("attribute {} of <{}> is not known, ignored",
                                                     quote(attribute.name()), element.tag));
@@ -194,32 +202,69 @@ class Loader {
     void convert_children(const pugi::xml_node& node, const SourceFile& file, Element& parent,
                           int depth) {
         for (const pugi::xml_node& child : node.children()) {
-            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
                 warnings_.once(parent, "text between elements is ignored");
-                continue;
-            }
-            if (child.type() != pugi::node_element) continue;
-            Element element = make_element(child, file);
-            if (depth > limits::max_nesting)
-                throw input_error(
-                    element.place(),
-                    fmt::format("elements nested deeper than {} levels", limits::max_nesting));
-            if (find_rule(element.tag) == nullptr) {
-                warnings_.once(element, "element " + quote(element.tag) + " is not known, ignored");
-            } else if (element.tag == "default") {
-                parameters_.emplace(element.required("name"), element.required("value"));
-            } else if (element.tag == "include") {
-                include(element, parent, depth);
-            } else {
-                convert_children(child, file, element, depth + 1);
-                parent.children.push_back(std::move(element));
-            }
+            else if (child.type() == pugi::node_element)
+                convert(child, file, parent, depth);
         }
     }
 
+    /// Whether a node is the outermost one of its file.
+    static bool is_root(const pugi::xml_node& node) {
+        return node.parent().type() == pugi::node_document;
+    }
+
+    void convert(const pugi::xml_node& node, const SourceFile& file, Element& parent, int depth) {
+        Element element = make_element(node, file);
+        if (depth > limits::max_nesting)
+            throw input_error(element.place(), fmt::format("elements nested deeper than {} levels",
+                                                           limits::max_nesting));
+        if (find_rule(element.tag) == nullptr) {
+            warnings_.once(element, "element " + quote(element.tag) + " is not known, ignored");
+        } else if (element.tag == "default") {
+            add_parameter(element);
+        } else if (element.tag == "include") {
+            include(element, parent, depth);
+        } else if (element.tag == "path") {
+            if (!is_root(node.parent()))
+                throw input_error(element.place(),
+                                  "<path> inside of an object, expected it in the <scene>");
+            add_folder(element, file);
+        } else {
+            convert_children(node, file, element, depth + 1);
+            parent.children.push_back(std::move(element));
+        }
+    }
+
+    /// The first value of a name counts.
+    void add_parameter(const Element& element) {
+        const std::string& name = element.required("name");
+        if (name.empty() || name.size() > limits::max_name_bytes)
+            throw input_error(element.place(), fmt::format("a parameter's name of {} bytes, "
+                                                           "expected 1 to {}",
+                                                           name.size(), limits::max_name_bytes));
+        longest_parameter_ = std::max(longest_parameter_, name.size());
+        parameters_.emplace(name, element.required("value"));
+    }
+
+    /// Adds the folder of a `<path>`, which is relative to the file that names it, or to a folder
+    /// that is searched.
+    void add_folder(const Element& element, const SourceFile& file) {
+        if (document_.folders.size() == limits::max_xml_includes)
+            throw input_error(element.place(),
+                              fmt::format("more than {} <path>s", limits::max_xml_includes));
+        const std::string& value = element.required("value");
+        std::error_code error;
+        fs::path folder = resolve_reference(file.path, value, element.place(), false);
+        if (!fs::is_directory(folder, error)) folder = document_.find_file(value, element.place());
+        if (!fs::is_directory(folder, error))
+            throw input_error(element.place(), "folder " + quote(folder.string()) +
+                                                   " is missing, expected a folder of files");
+        document_.folders.push_back(folder);
+    }
+
     void include(const Element& element, Element& parent, int depth) {
-        const fs::path path =
-            resolve_reference(document_.path, element.required("filename"), element.place(), false);
+        const fs::path path = document_.find_file(element.required("filename"), element.place());
         const fs::path key = canonical(path);
         if (std::find(open_files_.begin(), open_files_.end(), key) != open_files_.end())
             throw input_error(element.place(), "file " + quote(path.string()) +
@@ -228,6 +273,18 @@ class Loader {
             throw input_error(element.place(),
                               fmt::format("more than {} includes", limits::max_xml_includes));
         load_file(path, element.place(), parent, depth);
+    }
+
+    /// The parameter whose name a text begins with, the longest of several; null where there is
+    /// none.
+    [[nodiscard]] const std::pair<const std::string, std::string>* parameter_at(
+        std::string_view text) const {
+        std::size_t length = std::min(text.size(), longest_parameter_);
+        for (; length > 0; --length) {
+            const auto found = parameters_.find(text.substr(0, length));
+            if (found != parameters_.end()) return &*found;
+        }
+        return nullptr;
     }
 
     /// Replaces every `$name`. The total length is limited, since parameters may be built from
@@ -239,15 +296,10 @@ class Loader {
             result += text.substr(0, dollar);
             if (dollar == std::string_view::npos) return result;
             text.remove_prefix(dollar + 1);
-            std::size_t length = 0;
-            while (length < text.size() &&
-                   (std::isalnum(static_cast<unsigned char>(text[length])) != 0 ||
-                    text[length] == '_'))
-                ++length;
-            const auto found = parameters_.find(std::string(text.substr(0, length)));
-            if (found == parameters_.end())
+            const auto* const found = parameter_at(text);
+            if (found == nullptr)
                 throw input_error(element.place(),
-                                  "parameter " + quote("$" + std::string(text.substr(0, length))) +
+                                  "parameter " + quote("$" + std::string(word_at(text))) +
                                       " is not defined, expected a <default> before it");
             expanded_bytes_ += found->second.size();
             if (expanded_bytes_ > limits::max_xml_expanded_bytes)
@@ -255,8 +307,17 @@ class Loader {
                                   fmt::format("parameters expand to more than {} bytes",
                                               limits::max_xml_expanded_bytes));
             result += found->second;
-            text.remove_prefix(length);
+            text.remove_prefix(found->first.size());
         }
+    }
+
+    /// The letters, digits and underscores that a text begins with.
+    static std::string_view word_at(std::string_view text) {
+        std::size_t length = 0;
+        while (length < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[length])) != 0 || text[length] == '_'))
+            ++length;
+        return text.substr(0, length);
     }
 
     void index_ids(const Element& parent) {
@@ -285,7 +346,8 @@ class Loader {
 
     Warnings& warnings_;
     Document& document_;
-    std::map<std::string, std::string> parameters_;
+    std::map<std::string, std::string, std::less<>> parameters_;
+    std::size_t longest_parameter_ = 0;  ///< bytes of the longest name
     std::vector<fs::path> open_files_;
     std::size_t items_ = 0;
     std::size_t includes_ = 0;
@@ -320,6 +382,17 @@ const Element& Document::resolve(const Element& element) const {
         throw input_error(element.place(), "reference to unknown id " + quote(id) +
                                                ", expected the id of an object");
     return *found->second;
+}
+
+fs::path Document::find_file(const std::string& reference, const std::string& place) const {
+    // Checks the reference, whichever folder has it.
+    const fs::path beside = resolve_reference(path, reference, place, false);
+    std::error_code error;
+    for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
+        const fs::path candidate = *folder / reference;
+        if (fs::exists(candidate, error)) return candidate;
+    }
+    return beside;
 }
 
 void Warnings::count(const Element& element, WarningUnit unit, const std::string& message) {

@@ -60,10 +60,18 @@ struct Document {
     std::deque<std::string> files;  ///< names that Element::file points to
     Element root;                   ///< `<scene>`; includes are spliced into its children
     std::unordered_map<std::string, const Element*> ids;
+    std::vector<std::filesystem::path>
+        folders;  ///< of `<path>`, those that are searched last first
 
     /// The element that a `<ref>` leads to, or the element itself. Throws Error (exit code 2) when
     /// the id does not exist.
     [[nodiscard]] const Element& resolve(const Element& element) const;
+
+    /// The file that `reference` at `place` leads to: in the last folder of `folders` that has it,
+    /// else in that of the scene, whether it is there or not. Throws Error (exit code 2) for a
+    /// reference that leaves its folder.
+    [[nodiscard]] std::filesystem::path find_file(const std::string& reference,
+                                                  const std::string& place) const;
 };
 
 /// Reads a Mitsuba 2 or 3 XML file: `default`, `$name`, `include` and `alias` are resolved here.
