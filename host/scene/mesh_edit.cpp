@@ -97,8 +97,8 @@ bool add_barycentric_uvs(Mesh& mesh) {
     return true;
 }
 
-void transform_uvs(Mesh& mesh, const glm::dmat4& to_uv) {
-    for (glm::vec2& uv : mesh.uvs) uv = glm::vec2(to_uv * glm::dvec4(glm::dvec2(uv), 0.0, 1.0));
+void transform_uvs(Mesh& mesh, const glm::dmat3& to_uv) {
+    for (glm::vec2& uv : mesh.uvs) uv = glm::vec2(to_uv * glm::dvec3(glm::dvec2(uv), 1.0));
 }
 
 bool is_within_limits(const Mesh& mesh, const glm::dmat4& to_world) {

@@ -27,8 +27,8 @@ void add_smooth_normals(Mesh& mesh, const glm::dmat3& to_world);
 /// it was, when that makes more vertices than a mesh may have.
 [[nodiscard]] bool add_barycentric_uvs(Mesh& mesh);
 
-/// Applies the affine map of the first two rows of `to_uv` to all texture coordinates.
-void transform_uvs(Mesh& mesh, const glm::dmat4& to_uv);
+/// Applies an affine map to (u, v, 1) of the texture coordinates of the diffuse surface.
+void transform_uvs(Mesh& mesh, const glm::dmat3& to_uv);
 
 /// Whether all vertices stay within `limits::max_coordinate` after the transform.
 [[nodiscard]] bool is_within_limits(const Mesh& mesh, const glm::dmat4& to_world);

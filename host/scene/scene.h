@@ -71,6 +71,8 @@ struct PunctualLight {
     glm::vec3 intensity{1.0F};  ///< W/sr; for `directional` irradiance W/m^2 on a facing surface
     float cos_inner = 1.0F;     ///< spot: full intensity inside this cone
     float cos_outer = 0.0F;     ///< spot: dark outside this cone
+    bool linear_edge = false;   ///< spot: falls off linearly with the angle between the cones, as
+                                ///< in Mitsuba; false: as in glTF, which is rendered for both
     Attachment motion{};  ///< the node that carries it, if any; the light travels along its -z
 };
 

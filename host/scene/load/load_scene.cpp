@@ -27,8 +27,8 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                  MaterialDetail detail) {
     const std::string extension = lower_extension(path);
     if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics, detail);
-    if (extension == ".xml") return read_mitsuba(path, diagnostics);
-    if (extension == ".obj") return read_obj(path, diagnostics);
+    if (extension == ".xml") return read_mitsuba(path, diagnostics, detail);
+    if (extension == ".obj") return read_obj(path, diagnostics, detail);
     if (extension == ".ply") return read_ply_scene(path, diagnostics);
     std::error_code error;
     if (std::filesystem::is_directory(path, error))

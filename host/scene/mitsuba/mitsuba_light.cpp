@@ -57,6 +57,7 @@ PunctualLight read_spot(Object& object, Context& context) {
                           "cutoff_angle <= 180");
     light.cos_inner = static_cast<float>(std::cos(glm::radians(beam)));
     light.cos_outer = static_cast<float>(std::cos(glm::radians(cutoff)));
+    light.linear_edge = true;
     if (beam < cutoff)
         context.warnings.count(object.element(), {"spot light", "spot lights"},
                                "the edge falls off in its own way, not linearly with the angle");

@@ -6,35 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
-#include "scene/texture/image_file.h"
+#include "scene/mitsuba/mitsuba_bsdf.h"
 
 namespace weft::mitsuba {
 
 namespace {
-
-Wrap read_wrap(Object& object) {
-    const std::string mode = object.text("wrap_mode").value_or("repeat");
-    if (mode == "repeat") return Wrap::repeat;
-    if (mode == "mirror") return Wrap::mirror;
-    if (mode == "clamp") return Wrap::clamp;
-    throw input_error(object.place(),
-                      "wrap_mode " + quote(mode) + ", expected repeat, mirror or clamp");
-}
-
-bool read_nearest(Object& object) {
-    const std::string filter = object.text("filter_type").value_or("bilinear");
-    if (filter != "bilinear" && filter != "nearest")
-        throw input_error(object.place(),
-                          "filter_type " + quote(filter) + ", expected bilinear or nearest");
-    return filter == "nearest";
-}
 
 /// Bsdfs that scatter light arriving from either side without a `twosided` around them.
 bool is_two_sided_type(std::string_view type) {
@@ -73,7 +55,7 @@ MitsubaSurface MaterialReader::read_bsdf(const Element& element) {
     } else if (object.type() == "null") {
         surface.invisible = true;
     } else {
-        read_unsupported(object, surface);
+        read_replaced(object, surface);
         surface.name = object.id_or(object.type());
         return surface;
     }
@@ -95,68 +77,66 @@ void MaterialReader::read_twosided(Object& object, MitsubaSurface& surface) {
                                 "twosided holds two, the first is used on both sides");
 }
 
-void MaterialReader::read_unsupported(Object& object, MitsubaSurface& surface) {
+void MaterialReader::read_replaced(Object& object, MitsubaSurface& surface) {
     context_.warnings.count(
         object.element(), {"bsdf", "bsdfs"},
         "type " + quote(object.type()) + " is not supported, rendered as diffuse");
     surface.two_sided = is_two_sided_type(object.type());
+    bool coloured = false;
     for (const char* name :
          {"diffuse_reflectance", "base_color", "reflectance", "specular_reflectance"}) {
         const Element* const colour = object.find(name);
         if (colour == nullptr) continue;
         read_reflectance(*colour, surface);
-        return;
+        coloured = true;
+        break;
     }
     const std::vector<const Element*> inner = object.nested("bsdf");
-    if (!inner.empty()) surface = this->surface(inner.front());
+    if (!coloured && !inner.empty()) surface = this->surface(inner.front());
+    if (detail_ == MaterialDetail::full) describe(object, inner, surface);
+}
+
+void MaterialReader::describe(Object& object, const std::vector<const Element*>& inner,
+                              MitsubaSurface& surface) {
+    const bool adapts = object.type() == "mask" || object.type() == "normalmap";
+    if (std::optional<SurfaceModel> model = read_bsdf_model(object, textures_, context_)) {
+        surface.description = SurfaceDescription{*std::move(model), {}, {}};
+    } else if (adapts) {
+        if (inner.size() != 1)
+            throw input_error(object.place(), fmt::format("{} with {} nested bsdfs, expected 1",
+                                                          object.type(), inner.size()));
+        if (surface.invisible) return;
+        if (!surface.description)
+            surface.description =
+                SurfaceDescription{LambertSurface{{surface.albedo, surface.map()}}, {}, {}};
+        if (object.type() == "mask")
+            surface.description->opacity =
+                combine(object, surface.description->opacity, read_opacity(object, textures_));
+        else
+            surface.description->normal_map = read_normal_map(object, textures_);
+    } else {
+        return;
+    }
+    object.report_unused();
+}
+
+Opacity MaterialReader::combine(Object& object, const Opacity& inner, Opacity outer) {
+    if (inner.mode == OpacityMode::opaque) return outer;
+    if (inner.alpha.map.present() && outer.alpha.map.present()) {
+        context_.warnings.count(object.element(), {"bsdf", "bsdfs"},
+                                "a mask with a texture holds another one, the outer is used");
+        return outer;
+    }
+    if (inner.alpha.map.present()) outer.alpha.map = inner.alpha.map;
+    outer.alpha.factor *= inner.alpha.factor;
+    return outer;
 }
 
 void MaterialReader::read_reflectance(const Element& element, MitsubaSurface& surface) {
-    if (is_colour(element)) {
-        surface.albedo = parse_colour(element, ColourUse::reflectance, context_.warnings);
-        return;
-    }
-    if (element.tag != "texture")
-        throw input_error(element.place(), "reflectance is a " + quote(element.tag) +
-                                               ", expected rgb, spectrum, float or texture");
-    Object texture(element, context_);
-    if (texture.type() == "bitmap") {
-        read_bitmap(texture, surface);
-        texture.report_unused();
-        return;
-    }
-    context_.warnings.count(
-        element, {"texture", "textures"},
-        "type " + quote(texture.type()) + " is not supported, its mean colour is used");
-    if (texture.type() != "checkerboard") return;
-    const ColourUse use = ColourUse::reflectance;
-    surface.albedo = 0.5F * (texture.colour("color0", use, glm::vec3(0.4F)) +
-                             texture.colour("color1", use, glm::vec3(0.2F)));
-}
-
-void MaterialReader::read_bitmap(Object& object, MitsubaSurface& surface) {
-    const std::filesystem::path path = object.file();
-    const bool raw = object.boolean("raw", false);
-    const bool nearest = read_nearest(object);
-    const Wrap wrap = read_wrap(object);
-    surface.to_uv = object.transform("to_uv");
-    surface.albedo = glm::vec3(1.0F);
-    object.ignore({"format", "accel"});
-    const std::string key =
-        fmt::format("{}|{}|{}|{}", path.string(), raw, nearest, static_cast<unsigned>(wrap));
-    const auto [entry, added] = textures_.emplace(key, static_cast<int>(scene_.textures.size()));
-    surface.texture = entry->second;
-    if (!added) return;
-    Texture texture = read_image(path, object.place());
-    texture_bytes_ += texture.rgba.size();
-    if (texture_bytes_ > limits::max_texture_bytes)
-        throw input_error(object.place(), fmt::format("textures of more than {} bytes in the scene",
-                                                      limits::max_texture_bytes));
-    texture.name = path.filename().string();
-    texture.srgb = !raw;
-    texture.nearest = nearest;
-    texture.wrap_u = texture.wrap_v = wrap;
-    scene_.textures.push_back(std::move(texture));
+    const ColourParameter& colour = textures_.reflectance(element);
+    surface.albedo = colour.factor;
+    surface.texture = colour.map.texture;
+    surface.to_uv = colour.map.to_uv;
 }
 
 glm::vec3 MaterialReader::read_radiance(const Element& emitter) {
@@ -179,6 +159,7 @@ std::uint32_t MaterialReader::material(const Element* bsdf, const Element* emitt
     material.surface =
         DiffuseSurface{parsed.invisible ? glm::vec3(0.0F) : parsed.albedo, parsed.texture};
     material.two_sided = parsed.two_sided;
+    material.description = parsed.description;
     if (emitter != nullptr) material.emission.radiance = read_radiance(*emitter);
     const auto index = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));

@@ -29,14 +29,15 @@ bool is_passive(std::string_view tag) {
 
 }  // namespace
 
-Scene read_mitsuba(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Scene read_mitsuba(const std::filesystem::path& path, Diagnostics& diagnostics,
+                   MaterialDetail detail) {
     mitsuba::Warnings warnings(diagnostics);
     mitsuba::Document document;
     mitsuba::load_document(path, warnings, document);
     mitsuba::Context context{document, warnings};
     Scene scene;
     scene.source = path.string();
-    mitsuba::MaterialReader materials(context, scene);
+    mitsuba::MaterialReader materials(context, scene, detail);
     mitsuba::MediumReader media(context, scene);
     mitsuba::ShapeReader shapes(context, materials, media, scene);
     for (const mitsuba::Element& element : document.root.children) {

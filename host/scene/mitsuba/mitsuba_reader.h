@@ -14,7 +14,8 @@ namespace weft {
 /// bitmaps, area, point, spot, directional and constant emitters, PLY files and simple shapes,
 /// media. Everything else is named once in `diagnostics`. Throws Error with `file:line` (exit
 /// code 2) for broken XML, wrong values, missing references and files, and cycles.
-[[nodiscard]] Scene read_mitsuba(const std::filesystem::path& path, Diagnostics& diagnostics);
+[[nodiscard]] Scene read_mitsuba(const std::filesystem::path& path, Diagnostics& diagnostics,
+                                 MaterialDetail detail = MaterialDetail::full);
 
 }  // namespace weft
 

@@ -143,10 +143,10 @@ void ShapeReader::count_triangles(Object& object, std::uint32_t mesh) {
 std::uint32_t ShapeReader::add_mesh(Object& object, const Source& source,
                                     const MitsubaSurface& surface) {
     const std::string key =
-        fmt::format("{}|{}|{}|{}|{}|{}", source.type, source.path, source.face_normals,
-                    source.flip_v, source.mirrored, surface.texture >= 0);
+        fmt::format("{}|{}|{}|{}|{}|{}|{}", source.type, source.path, source.face_normals,
+                    source.flip_v, source.mirrored, surface.texture >= 0, surface.has_maps());
     const auto shared = shared_meshes_.find(key);
-    const bool plain_uvs = surface.to_uv == glm::dmat4(1.0);
+    const bool plain_uvs = surface.to_uv == glm::dmat3(1.0);
     if (shared != shared_meshes_.end() && plain_uvs) return shared->second;
     Mesh mesh = make_mesh(object, source);
     const bool smooth = is_mesh_file(source.type) && !source.face_normals && mesh.normals.empty();
@@ -204,12 +204,18 @@ Mesh ShapeReader::make_mesh(Object& object, const Source& source) {
 }
 
 void ShapeReader::fit_texture(Object& object, const MitsubaSurface& surface, Mesh& mesh) {
-    if (surface.texture < 0) return;
-    if (mesh.uvs.empty() && !add_barycentric_uvs(mesh))
+    const bool described = surface.has_maps();
+    if (surface.texture < 0 && !described) return;
+    const bool bare = mesh.uvs.empty();
+    if (bare && !add_barycentric_uvs(mesh))
         throw input_error(object.place(),
                           "too many triangles for a texture without texture "
                           "coordinates, expected a smaller mesh");
-    transform_uvs(mesh, surface.to_uv);
+    if (described) mesh.uv_sets = {mesh.uvs};
+    if (surface.texture >= 0)
+        transform_uvs(mesh, surface.to_uv);
+    else if (bare)
+        mesh.uvs.clear();
 }
 
 }  // namespace weft::mitsuba

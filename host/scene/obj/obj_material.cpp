@@ -47,10 +47,40 @@ ObjUvs uvs_of(const MtlMap& map) {
     return {map.scale, map.offset};
 }
 
+/// The same for coordinates whose v runs downwards.
+glm::dmat3 to_uv_of(const MtlMap& map) {
+    return {glm::dvec3(map.scale.x, 0.0, 0.0), glm::dvec3(0.0, map.scale.y, 0.0),
+            glm::dvec3(map.offset.x, 1.0 - map.scale.y - map.offset.y, 1.0)};
+}
+
+/// Whether an image is anywhere not opaque.
+bool has_transparency(const Texture& texture) {
+    for (std::size_t i = 3; i < texture.rgba.size(); i += 4)
+        if (texture.rgba[i] != 255) return true;
+    return false;
+}
+
+/// The channel that a map names, else the luminance.
+Channel channel_of(const MtlMap& map) {
+    switch (map.channel) {
+        case 'r':
+            return Channel::red;
+        case 'g':
+            return Channel::green;
+        case 'b':
+            return Channel::blue;
+        case 'm':
+            return Channel::alpha;
+        default:
+            return Channel::luminance;
+    }
+}
+
 }  // namespace
 
-ObjMaterials::ObjMaterials(fs::path obj_file, WarningCollector& report, Scene& scene)
-    : obj_file_(std::move(obj_file)), report_(report), scene_(scene) {}
+ObjMaterials::ObjMaterials(fs::path obj_file, WarningCollector& report, MaterialDetail detail,
+                           Scene& scene)
+    : obj_file_(std::move(obj_file)), report_(report), detail_(detail), scene_(scene) {}
 
 /// Finds the file of a reference. Writers on Windows separate folders by backslashes, and often
 /// give absolute paths, which are never followed: returns nothing then, with the reason in `why`.
@@ -81,7 +111,7 @@ bool ObjMaterials::read_file_named(std::string_view reference, const std::string
                                              limits::max_mtl_files));
     const std::vector<std::byte> bytes = read_file(*path, limits::max_mtl_file_bytes, place);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    parse_mtl(text, path->string(), report_, sources_);
+    parse_mtl(text, path->string(), report_, detail_, sources_);
     return true;
 }
 
@@ -157,9 +187,33 @@ ObjSurface ObjMaterials::make_surface(const std::string& name, const MtlMaterial
         report_.count(source.emission_map->place, obj_material_unit,
                       "map_Ke without Ke is ignored");
     }
+    if (detail_ == MaterialDetail::full) {
+        ColourParameter colour{diffuse.albedo};
+        if (textured)
+            colour.map = {diffuse.albedo_texture, 0, to_uv_of(*source.diffuse_map), Channel::rgb};
+        material.description = describe_mtl(
+            source, colour, [&](const MtlMap& map, MtlMapUse use) { return add_map(map, use); },
+            report_);
+        surface.has_maps = material.description && !texture_maps(*material.description).empty();
+    }
     surface.material = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
     return surface;
+}
+
+TextureMap ObjMaterials::add_map(const MtlMap& map, MtlMapUse use) {
+    TextureMap found;
+    found.texture = add_texture(map, use == MtlMapUse::colour);
+    if (!found.present()) return found;
+    found.to_uv = to_uv_of(map);
+    if (use == MtlMapUse::colour || use == MtlMapUse::normals) return found;
+    Texture& texture = scene_.textures[static_cast<std::size_t>(found.texture)];
+    found.channel = channel_of(map);
+    // Images of transparency have it as alpha, or as grey.
+    if (use == MtlMapUse::alpha && map.channel == 0 && has_transparency(texture))
+        found.channel = Channel::alpha;
+    texture.has_alpha |= found.channel == Channel::alpha;
+    return found;
 }
 
 /// Reads an image. One that is missing, or of a kind that is not read, leaves the material its
@@ -189,11 +243,12 @@ std::optional<Texture> ObjMaterials::read_map(const MtlMap& map) {
     return texture;
 }
 
-int ObjMaterials::add_texture(const MtlMap& map) {
-    const auto [known, added] = textures_.try_emplace({map.file, map.clamp}, -1);
+int ObjMaterials::add_texture(const MtlMap& map, bool srgb) {
+    const auto [known, added] = textures_.try_emplace({map.file, map.clamp, srgb}, -1);
     if (!added) return known->second;
     std::optional<Texture> texture = read_map(map);
     if (!texture) return -1;
+    texture->srgb = srgb;
     texture->wrap_u = texture->wrap_v = map.clamp ? Wrap::clamp : Wrap::repeat;
     known->second = static_cast<int>(scene_.textures.size());
     scene_.textures.push_back(*std::move(texture));

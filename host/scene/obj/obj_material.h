@@ -10,11 +10,12 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "base/warning_collector.h"
 #include "scene/obj/obj_data.h"
 #include "scene/obj/obj_mtl.h"
+#include "scene/obj/obj_surface.h"
 #include "scene/scene.h"
 
 namespace weft {
@@ -32,13 +33,15 @@ struct ObjSurface {
     std::uint32_t material = 0;
     std::optional<ObjUvs> diffuse_uvs{};   ///< empty without texture
     std::optional<ObjUvs> emission_uvs{};  ///< empty without texture
+    bool has_maps = false;                 ///< of the description
 };
 
 /// Makes materials of a scene from the MTL files of an OBJ file. Missing files and images are
 /// named in the report and replaced by a default. Surfaces reflect and emit on both sides.
 class ObjMaterials {
   public:
-    ObjMaterials(std::filesystem::path obj_file, WarningCollector& report, Scene& scene);
+    ObjMaterials(std::filesystem::path obj_file, WarningCollector& report, MaterialDetail detail,
+                 Scene& scene);
 
     /// Reads the files that an `mtllib` names: one name with blanks, or several words. Throws Error
     /// (exit code 2) for a file that is there, but broken.
@@ -63,16 +66,18 @@ class ObjMaterials {
     bool read_file_named(std::string_view reference, const std::string& place, std::string& why);
     [[nodiscard]] ObjSurface make_surface(const std::string& name, const MtlMaterial& source);
     [[nodiscard]] std::optional<Texture> read_map(const MtlMap& map);
-    [[nodiscard]] int add_texture(const MtlMap& map);
+    [[nodiscard]] int add_texture(const MtlMap& map, bool srgb = true);
+    [[nodiscard]] TextureMap add_map(const MtlMap& map, MtlMapUse use);
 
     std::filesystem::path obj_file_;
     WarningCollector& report_;
+    MaterialDetail detail_;
     Scene& scene_;
     std::map<std::string, MtlMaterial, std::less<>> sources_;
     std::map<std::string, ObjSurface, std::less<>> surfaces_;
     std::optional<ObjSurface> default_;
     std::set<std::filesystem::path> libraries_;
-    std::map<std::pair<std::string, bool>, int> textures_;
+    std::map<std::tuple<std::string, bool, bool>, int> textures_;
     std::size_t decoded_bytes_ = 0;
     bool library_lost_ = false;  ///< an MTL file could not be read
 };

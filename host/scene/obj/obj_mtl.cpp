@@ -70,6 +70,49 @@ constexpr std::array<std::string_view, 21> passive = {
     "illum",     "tf",     "map_tf",     "pr",      "map_pr", "pcr",    "aniso",
     "map_aniso", "anisor", "map_anisor", "map_aat", "pbr",    "map_ao", "map_illum"};
 
+using MtlNumber = std::optional<double> MtlMaterial::*;
+using MtlColour = std::optional<glm::vec3> MtlMaterial::*;
+using MtlImage = std::optional<MtlMap> MtlMaterial::*;
+
+constexpr std::array<std::pair<std::string_view, MtlNumber>, 9> number_statements = {{
+    {"ns", &MtlMaterial::exponent},
+    {"ni", &MtlMaterial::ior},
+    {"d", &MtlMaterial::dissolve},
+    {"tr", &MtlMaterial::transparency},
+    {"illum", &MtlMaterial::illumination},
+    {"pr", &MtlMaterial::roughness},
+    {"pm", &MtlMaterial::metallic},
+    {"pc", &MtlMaterial::coat},
+    {"pcr", &MtlMaterial::coat_roughness},
+}};
+
+constexpr std::array<std::pair<std::string_view, MtlColour>, 2> colour_statements = {{
+    {"ks", &MtlMaterial::specular},
+    {"tf", &MtlMaterial::filter},
+}};
+
+/// Images of numbers and normals, and that of Ks.
+constexpr std::array<std::pair<std::string_view, MtlImage>, 9> map_statements = {{
+    {"map_ks", &MtlMaterial::specular_map},
+    {"map_ns", &MtlMaterial::exponent_map},
+    {"map_d", &MtlMaterial::dissolve_map},
+    {"map_opacity", &MtlMaterial::dissolve_map},
+    {"map_pr", &MtlMaterial::roughness_map},
+    {"map_pm", &MtlMaterial::metallic_map},
+    {"norm", &MtlMaterial::normal_map},
+    {"map_norm", &MtlMaterial::normal_map},
+    {"map_kn", &MtlMaterial::normal_map},
+}};
+
+/// The member that a statement fills in, or null.
+template <class Statements>
+auto member_of(const Statements& statements, std::string_view keyword) {
+    const auto* const found =
+        std::find_if(statements.begin(), statements.end(),
+                     [&](const auto& statement) { return statement.first == keyword; });
+    return found == statements.end() ? nullptr : found->second;
+}
+
 /// Options of an image by the number of words that follow.
 struct MapOption {
     std::string_view name;
@@ -78,9 +121,10 @@ struct MapOption {
 };
 
 constexpr std::array map_options = {
-    MapOption{"-blendu", 1, true},      MapOption{"-blendv", 1, true}, MapOption{"-boost", 1, true},
-    MapOption{"-texres", 1, true},      MapOption{"-mm", 2, false},    MapOption{"-bm", 1, true},
-    MapOption{"-imfchan", 1, false},    MapOption{"-type", 1, false},  MapOption{"-cc", 1, true},
+    MapOption{"-blendu", 1, true},      MapOption{"-blendv", 1, true},
+    MapOption{"-boost", 1, true},       MapOption{"-texres", 1, true},
+    MapOption{"-mm", 2, false},         MapOption{"-imfchan", 1, false},
+    MapOption{"-type", 1, false},       MapOption{"-cc", 1, true},
     MapOption{"-colorspace", 1, false},
 };
 
@@ -96,8 +140,8 @@ class MtlParser {
     using Materials = std::map<std::string, MtlMaterial, std::less<>>;
 
     MtlParser(std::string_view text, const std::string& file, WarningCollector& report,
-              Materials& materials)
-        : lines_(text, file), report_(report), materials_(materials) {}
+              MaterialDetail detail, Materials& materials)
+        : lines_(text, file), report_(report), detail_(detail), materials_(materials) {}
 
     void parse() {
         ObjStatement statement;
@@ -123,8 +167,33 @@ class MtlParser {
         } else if (keyword == "map_ke") {
             current_->emission_map = read_map(statement.rest, place);
         } else {
+            if (detail_ == MaterialDetail::full) read_surface(keyword, statement.rest, place);
             report_unsimulated(keyword, statement.rest, place);
         }
+    }
+
+    /// What is not part of a diffuse surface.
+    void read_surface(const std::string& keyword, std::string_view rest, const std::string& place) {
+        if (const MtlNumber number = member_of(number_statements, keyword)) {
+            current_->*number = read_number(rest, place);
+        } else if (const MtlColour colour = member_of(colour_statements, keyword)) {
+            if (const auto given = read_colour(rest, place))
+                current_->*colour = clamped(*given, 1.0F, place);
+        } else if (const MtlImage image = member_of(map_statements, keyword)) {
+            current_->*image = read_map(rest, place, keyword != "map_ks");
+        }
+    }
+
+    /// The number of a statement; nothing, with a warning, where it is none. `d` may have the
+    /// option `-halo`.
+    [[nodiscard]] std::optional<double> read_number(std::string_view rest,
+                                                    const std::string& place) {
+        std::string_view word = take_word(rest);
+        if (lower(word) == "-halo") word = take_word(rest);
+        double value = 0.0;
+        if (read_obj_number(word, value) && std::isfinite(value)) return value;
+        report_.count(place, {"number", "numbers"}, "not a finite number, ignored");
+        return std::nullopt;
     }
 
     void begin_material(const ObjStatement& statement, const std::string& place) {
@@ -170,10 +239,11 @@ class MtlParser {
         return inside;
     }
 
-    /// One to three numbers, but never the last word, which is the name of the file.
-    [[nodiscard]] static std::vector<double> take_numbers(std::string_view& rest) {
+    /// One number to `most`, but never the last word, which is the name of the file.
+    [[nodiscard]] static std::vector<double> take_numbers(std::string_view& rest,
+                                                          std::size_t most = 3) {
         std::vector<double> values;
-        while (values.size() < 3) {
+        while (values.size() < most) {
             std::string_view after = rest;
             double value = 0.0;
             const std::string_view word = take_word(after);
@@ -186,14 +256,16 @@ class MtlParser {
         return values;
     }
 
-    [[nodiscard]] std::optional<MtlMap> read_map(std::string_view rest, const std::string& place) {
+    /// An image of colours, or of numbers, of which an option may choose a channel.
+    [[nodiscard]] std::optional<MtlMap> read_map(std::string_view rest, const std::string& place,
+                                                 bool numbers = false) {
         MtlMap map;
         map.place = place;
         rest = trim_blanks(rest);
         while (rest.starts_with('-')) {
             std::string_view after = rest;
             const std::string option = lower(take_word(after));
-            if (!read_map_option(option, after, map)) break;
+            if (!read_map_option(option, after, map, numbers)) break;
             rest = trim_blanks(after);
         }
         if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
@@ -208,7 +280,7 @@ class MtlParser {
 
     /// False where it is no option, but the start of a file name.
     [[nodiscard]] bool read_map_option(const std::string& option, std::string_view& rest,
-                                       MtlMap& map) {
+                                       MtlMap& map, bool numbers) {
         if (option == "-o" || option == "-s" || option == "-t") {
             const std::vector<double> values = take_numbers(rest);
             if (option == "-t") report_option(map, option);
@@ -219,6 +291,19 @@ class MtlParser {
         }
         if (option == "-clamp") {
             map.clamp = lower(take_word(rest)) == "on";
+            return true;
+        }
+        if (option == "-bm") {
+            const std::vector<double> values = take_numbers(rest, 1);
+            if (values.empty())
+                static_cast<void>(take_word(rest));
+            else
+                map.strength = values[0];
+            return true;
+        }
+        if (option == "-imfchan" && numbers) {
+            const std::string channel = lower(take_word(rest));
+            if (!channel.empty()) map.channel = channel.front();
             return true;
         }
         const auto* const known =
@@ -257,6 +342,7 @@ class MtlParser {
 
     ObjLines lines_;
     WarningCollector& report_;
+    MaterialDetail detail_;
     Materials& materials_;
     MtlMaterial* current_ = nullptr;
     std::set<std::string_view> reported_;  ///< of the current material
@@ -266,8 +352,8 @@ class MtlParser {
 }  // namespace
 
 void parse_mtl(std::string_view text, const std::string& file, WarningCollector& report,
-               std::map<std::string, MtlMaterial, std::less<>>& materials) {
-    MtlParser(text, file, report, materials).parse();
+               MaterialDetail detail, std::map<std::string, MtlMaterial, std::less<>>& materials) {
+    MtlParser(text, file, report, detail, materials).parse();
 }
 
 }  // namespace weft

@@ -16,6 +16,7 @@
 #include "base/finite.h"
 #include "base/limits.h"
 #include "base/warning_collector.h"
+#include "scene/closed_mesh.h"
 #include "scene/mesh_edit.h"
 #include "scene/obj/obj_data.h"
 #include "scene/obj/obj_material.h"
@@ -60,7 +61,7 @@ std::map<std::uint32_t, Part> parts_of(const ObjData& data, ObjMaterials& materi
 }
 
 bool is_textured(const ObjSurface& surface) {
-    return surface.diffuse_uvs || surface.emission_uvs;
+    return surface.diffuse_uvs || surface.emission_uvs || surface.has_maps;
 }
 
 /// Coordinates for a texture from those of the file. Image coordinates run downwards in Weft, and
@@ -75,20 +76,31 @@ std::vector<glm::vec2> fitted(std::vector<glm::vec2> uvs, const ObjUvs& mapping)
 }
 
 void fit_uvs(const ObjSurface& surface, Mesh& mesh) {
+    if (surface.has_maps) {
+        mesh.uv_sets = {fitted(mesh.uvs, {})};
+        mesh.uv_sets[0].resize(mesh.positions.size(), glm::vec2(0.0F));
+    }
     if (surface.emission_uvs && surface.emission_uvs != surface.diffuse_uvs)
         mesh.emission_uvs = fitted(mesh.uvs, *surface.emission_uvs);
     mesh.uvs = surface.diffuse_uvs ? fitted(std::move(mesh.uvs), *surface.diffuse_uvs)
                                    : std::vector<glm::vec2>();
 }
 
+/// Clear glass encloses a volume where its mesh does, and is a thin wall elsewhere.
+void settle_glass(const Mesh& mesh, Material& material) {
+    if (!material.description) return;
+    if (auto* const glass = std::get_if<DielectricSurface>(&material.description->model))
+        glass->thin = !is_closed(mesh);
+}
+
 }  // namespace
 
-Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics, MaterialDetail detail) {
     WarningCollector report(diagnostics);
     const ObjData data = read_data(path, "", report);
     Scene scene;
     scene.source = path.string();
-    ObjMaterials materials(path, report, scene);
+    ObjMaterials materials(path, report, detail, scene);
     for (const ObjLibrary& library : data.libraries) materials.read_library(library);
     ObjMeshMaker maker(data, report);
     for (const auto& [index, part] : parts_of(data, materials)) {
@@ -99,6 +111,7 @@ Scene read_obj(const std::filesystem::path& path, Diagnostics& diagnostics) {
         if (!mesh.colours.empty() && materials.is_default(index))
             set_diffuse_albedo(scene.materials[index], glm::vec3(1.0F));
         fit_uvs(part.surface, mesh);
+        settle_glass(mesh, scene.materials[index]);
         orient_by_normals(mesh);
         Instance instance;
         instance.name = mesh.name;

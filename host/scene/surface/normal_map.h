@@ -12,9 +12,11 @@ namespace weft {
 struct NormalMap {
     TextureMap map{};
     float scale = 1.0F;
-    /// Mitsuba's factor of shadowing by the tilted facets, and its flip of normals that face away.
-    bool mitsuba_shadowing = false;
-    bool mitsuba_flip = false;
+    /// Whether the bitangent is the normal times the tangent, as in Mitsuba, whichever way the
+    /// texture runs; false: a mirrored texture has it the other way, as in glTF.
+    bool mitsuba_frame = false;
+    bool mitsuba_shadowing = false;  ///< Mitsuba's factor of shadowing by the tilted facets
+    bool mitsuba_flip = false;       ///< its flip of normals that face away
 
     [[nodiscard]] bool present() const { return map.present(); }
 };

@@ -245,14 +245,13 @@ TEST(MitsubaReader, TexturedMeshWithoutTextureCoordinatesGetsBarycentricOnes) {
     EXPECT_TRUE(scene.meshes.at(scene.instances.at(1).mesh).uvs.empty());
 }
 
-TEST(MitsubaReader, AveragesTheCheckerboard) {
+TEST(MitsubaReader, TexturesOfOtherKindsAreGrey) {
     MitsubaFolder folder;
     const Scene scene = folder.read(
-        rectangle("<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"checkerboard\">"
-                  "<rgb name=\"color0\" value=\"0.6\"/></texture></bsdf>"));
-    EXPECT_NEAR(diffuse_albedo(only_material(scene)).g, 0.4F, 1e-6F);
-    EXPECT_EQ(folder.warnings(), Strings{"1 texture: type 'checkerboard' is not supported, its "
-                                         "mean colour is used; at s.xml:2"});
+        rectangle("<bsdf type=\"diffuse\"><texture name=\"reflectance\" type=\"marble\"/></bsdf>"));
+    EXPECT_EQ(diffuse_albedo(only_material(scene)), glm::vec3(0.5F));
+    EXPECT_EQ(folder.warnings(), Strings{"1 texture: type 'marble' is not supported, grey 0.5 is "
+                                         "used; at s.xml:2"});
 }
 
 TEST(MitsubaReader, RendersOtherSurfacesAsDiffuseWithTheBestColour) {
@@ -327,6 +326,7 @@ TEST(MitsubaReader, ReadsLightsWithoutArea) {
     expect_near(scene.lights[4].direction, {0, 0, 1});
     EXPECT_NEAR(scene.lights[4].cos_outer, std::cos(glm::radians(40.0F)), 1e-6F);
     EXPECT_NEAR(scene.lights[4].cos_inner, std::cos(glm::radians(30.0F)), 1e-6F);
+    EXPECT_TRUE(scene.lights[4].linear_edge);
     EXPECT_EQ(scene.environment->radiance, glm::vec3(0.5F));
     EXPECT_EQ(folder.warnings().size(), 1U) << "the edge of the spot";
 }
