@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/info_surfaces.h"
 #include "components/component.h"
 #include "device/native/native_executor.h"
 #include "plan/quality.h"
@@ -280,6 +281,7 @@ json info_json(const Scene& scene, Diagnostics& diagnostics) {
             {"cameras", cameras},
             {"camera_list", camera_list(scene, camera)},
             {"animations", animation_list(scene)},
+            {"surfaces", surfaces_json(scene)},
             {"approximations", approximations(diagnostics)},
             {"effects", effects_of(flat)},
             {"indirect", {{"method", indirect_method(plan)}, {"vpls_landed", landed_json(plan)}}},

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/info_surfaces.h"
 #include "base/quote.h"
 #include "base/shorten.h"
 
@@ -173,6 +174,14 @@ std::string bounds_block(const json& bounds) {
                                         triple(bounds["high"], ", "))});
 }
 
+/// The materials that are more than diffuse, none where all are.
+std::string surface_block(const json& surfaces, const json& materials) {
+    if (surfaces.empty()) return "";
+    const std::string head = fmt::format("read, but rendered as diffuse: {} of {}", surfaces.size(),
+                                         counted(materials, "material", "materials"));
+    return block("surfaces", {head}) + named_block("", surfaces, describe_surface);
+}
+
 /// Where indirect light comes from, and why.
 std::string indirect_text(const json& indirect) {
     const std::string method = indirect["method"];
@@ -195,6 +204,7 @@ std::string info_text(const json& info) {
                                            counted(info["instances"], "time", "times"))});
     text += block("materials", {fmt::format("{}, with {}", info["materials"].get<std::size_t>(),
                                             counted(info["textures"], "texture", "textures"))});
+    text += surface_block(info["surfaces"], info["materials"]);
     text += bounds_block(info["bounds"]);
     text += named_block("cameras", info["camera_list"], describe_camera);
     text += named_block("lights", info["light_list"], describe_light);

@@ -195,6 +195,40 @@ TEST(InfoJson, AnimationsCountTheFramesUpToTheirLastKey) {
               "              rest  0.9667 s, 30 frames at 30 a second, not played\n");
 }
 
+TEST(InfoJson, SurfacesTellTheirLobes) {
+    test::SceneBuilder builder = square();
+    EXPECT_TRUE(info_of(builder.scene)["surfaces"].empty()) << "all are diffuse";
+    EXPECT_EQ(rows(info_text(info_of(builder.scene)), "surfaces"), "");
+    Texture texture;
+    texture.name = "rust";
+    texture.width = 2;
+    texture.height = 1;
+    texture.srgb = false;
+    texture.rgba = {0, 0, 0, 255, 0, 255, 0, 255};
+    builder.scene.textures.push_back(texture);
+    MetallicSurface metal;
+    metal.roughness.value = {0.5F, {0, 0, glm::dmat3(1.0), Channel::green}};
+    metal.clearcoat.factor.factor = 1.0F;
+    Material& material = builder.scene.materials[0];
+    material.name = "hood";
+    material.description = SurfaceDescription{metal, {}, {}};
+    builder.scene.meshes[0].uv_sets.emplace_back(4, glm::vec2(0.0F));
+    const json info = info_of(builder.scene);
+    ASSERT_EQ(info["surfaces"].size(), 1U);
+    const json& surface = info["surfaces"][0];
+    EXPECT_EQ(surface["name"], "hood");
+    EXPECT_EQ(surface["rendered"], "diffuse");
+    ASSERT_EQ(surface["lobes"].size(), 2U);
+    EXPECT_EQ(surface["lobes"][0],
+              json({{"name", "metal"}, {"roughness", {"delta", "rough"}}, {"alpha", {0.0, 0.25}}}));
+    EXPECT_EQ(surface["lobes"][1]["name"], "clear coat");
+    EXPECT_EQ(surface["effects"], json({"mirror reflection", "glossy reflection"}));
+    EXPECT_EQ(rows(info_text(info), "surfaces"),
+              "surfaces      read, but rendered as diffuse: 1 of 1 material\n"
+              "              hood  metal (delta to rough), clear coat (delta): mirror\n"
+              "                    reflection, glossy reflection\n");
+}
+
 TEST(InfoJson, ApproximationsAreTheKindsOfWarnings) {
     const Scene scene = square().scene;
     Diagnostics diagnostics;

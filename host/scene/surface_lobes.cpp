@@ -1,0 +1,189 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/surface_lobes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/mip_levels.h"
+
+namespace weft {
+namespace {
+
+constexpr double widest_sharp = 1e-3;
+constexpr double widest_glossy = 0.25;
+
+/// Least and greatest value of a channel of a texture.
+std::pair<double, double> range_of(const Texture& texture, Channel channel) {
+    static const std::vector<float> table = srgb_table();
+    const auto value = [&](std::size_t i) {
+        const auto one = [&](std::size_t c) {
+            const std::uint8_t byte = texture.rgba[i + c];
+            return texture.srgb && c < 3 ? static_cast<double>(table[byte]) : byte / 255.0;
+        };
+        switch (channel) {
+            case Channel::red:
+                return one(0);
+            case Channel::green:
+                return one(1);
+            case Channel::blue:
+                return one(2);
+            case Channel::alpha:
+                return one(3);
+            case Channel::rgb:
+            case Channel::luminance:
+                break;
+        }
+        return 0.2126 * one(0) + 0.7152 * one(1) + 0.0722 * one(2);
+    };
+    double least = 1.0;
+    double most = 0.0;
+    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {
+        least = std::min(least, value(i));
+        most = std::max(most, value(i));
+    }
+    return {least, most};
+}
+
+/// Gathers the lobes of one surface.
+class LobeCollector {
+  public:
+    explicit LobeCollector(std::span<const Texture> textures) : textures_(textures) {}
+
+    void operator()(const LambertSurface&) { add_diffuse(); }
+    void operator()(const UnlitSurface&) { lobes.push_back({"unlit", true}); }
+    void operator()(const MetallicSurface& s) {
+        const bool all_metal = s.metallic.factor == 1.0F && !s.metallic.map.present();
+        const bool all_clear = s.transmission.factor == 1.0F && !s.transmission.map.present();
+        // Along the direction in which anisotropy stretches the lobe, alpha is mixed towards 1.
+        SurfaceLobe shape = lobe_with("", s.roughness, s.roughness);
+        const double strength = s.anisotropy.strength;
+        shape.most_alpha += (1.0 - shape.most_alpha) * strength * strength;
+        if (!s.metallic.is_zero()) add(shape, "metal", false);
+        if (!all_metal && !s.specular.is_zero()) add(shape, "dielectric", false);
+        if (s.transmits()) add(shape, s.solid ? "glass" : "thin glass", true);
+        if (!all_metal && !all_clear) add_diffuse();
+        if (s.clearcoat.present())
+            lobes.push_back(lobe_with("clear coat", s.clearcoat.roughness, s.clearcoat.roughness));
+    }
+    void operator()(const SpecularSurface& s) {
+        if (s.specular.factor != glm::vec3(0.0F))
+            lobes.push_back(lobe_with("reflection", s.roughness, s.roughness));
+        if (s.diffuse.factor != glm::vec3(0.0F)) add_diffuse();
+    }
+    void operator()(const ConductorSurface& s) {
+        lobes.push_back(lobe_with("metal", s.roughness_u, s.roughness_v));
+    }
+    void operator()(const DielectricSurface& s) {
+        const SurfaceLobe shape = lobe_with("", s.roughness_u, s.roughness_v);
+        add(shape, "dielectric", false);
+        add(shape, s.thin ? "thin glass" : "glass", true);
+    }
+    void operator()(const PlasticSurface& s) {
+        lobes.push_back(lobe_with("dielectric", s.roughness, s.roughness));
+        add_diffuse();
+    }
+
+    std::vector<SurfaceLobe> lobes;
+
+  private:
+    void add_diffuse() { lobes.push_back({"diffuse", true}); }
+
+    void add(SurfaceLobe shape, const char* name, bool transmits) {
+        shape.name = name;
+        shape.transmits = transmits;
+        lobes.push_back(shape);
+    }
+
+    [[nodiscard]] SurfaceLobe lobe_with(const char* name, const Roughness& u,
+                                        const Roughness& v) const {
+        SurfaceLobe lobe{name};
+        lobe.least_alpha = 1e9;
+        for (const Roughness* roughness : {&u, &v}) {
+            const TextureMap& map = roughness->value.map;
+            std::pair<double, double> range{1.0, 1.0};
+            if (map.present())
+                range = range_of(textures_[static_cast<std::size_t>(map.texture)], map.channel);
+            for (const double value : {range.first, range.second}) {
+                const double alpha = alpha_of(roughness->value.factor * value, roughness->scale);
+                lobe.least_alpha = std::min(lobe.least_alpha, alpha);
+                lobe.most_alpha = std::max(lobe.most_alpha, alpha);
+            }
+        }
+        return lobe;
+    }
+
+    std::span<const Texture> textures_;
+};
+
+bool is_anisotropic(const SurfaceDescription& surface) {
+    if (const auto* const s = std::get_if<MetallicSurface>(&surface.model))
+        return s->anisotropy.strength > 0.0F;
+    const auto differ = [](const Roughness& u, const Roughness& v) {
+        return u.value.factor != v.value.factor || u.value.map != v.value.map;
+    };
+    if (const auto* const s = std::get_if<ConductorSurface>(&surface.model))
+        return differ(s->roughness_u, s->roughness_v);
+    if (const auto* const s = std::get_if<DielectricSurface>(&surface.model))
+        return differ(s->roughness_u, s->roughness_v);
+    return false;
+}
+
+bool absorbs(const SurfaceDescription& surface) {
+    const auto* const s = std::get_if<MetallicSurface>(&surface.model);
+    return s != nullptr && s->solid && sigma_a(s->absorption) != glm::dvec3(0.0);
+}
+
+}  // namespace
+
+LobeWidth width_of(double alpha) {
+    if (alpha < std::ldexp(1.0, -12)) return LobeWidth::delta;
+    if (alpha <= widest_sharp) return LobeWidth::sharp;
+    return alpha < widest_glossy ? LobeWidth::glossy : LobeWidth::rough;
+}
+
+const char* name_of(LobeWidth width) {
+    switch (width) {
+        case LobeWidth::delta:
+            return "delta";
+        case LobeWidth::sharp:
+            return "sharp";
+        case LobeWidth::glossy:
+            return "glossy";
+        case LobeWidth::rough:
+            return "rough";
+    }
+    return "";
+}
+
+std::vector<SurfaceLobe> lobes_of(const SurfaceDescription& surface,
+                                  std::span<const Texture> textures) {
+    LobeCollector collector(textures);
+    std::visit(collector, surface.model);
+    return std::move(collector.lobes);
+}
+
+std::vector<std::string> effects_of(const SurfaceDescription& surface,
+                                    std::span<const SurfaceLobe> lobes) {
+    std::vector<std::string> effects;
+    const auto add = [&](const char* effect) {
+        if (std::find(effects.begin(), effects.end(), effect) == effects.end())
+            effects.emplace_back(effect);
+    };
+    for (const SurfaceLobe& lobe : lobes) {
+        if (lobe.is_diffuse) continue;
+        if (width_of(lobe.least_alpha) <= LobeWidth::sharp)
+            add(lobe.transmits ? "refraction" : "mirror reflection");
+        if (width_of(lobe.most_alpha) > LobeWidth::sharp)
+            add(lobe.transmits ? "glossy refraction" : "glossy reflection");
+    }
+    if (absorbs(surface)) add("absorption");
+    if (is_anisotropic(surface)) add("anisotropy");
+    if (surface.normal_map.present()) add("normal maps");
+    if (surface.opacity.mode != OpacityMode::opaque) add("gaps by alpha");
+    if (std::holds_alternative<UnlitSurface>(surface.model)) add("unlit colour");
+    return effects;
+}
+
+}  // namespace weft
