@@ -255,6 +255,55 @@ def materials():
     return b
 
 
+def surfaces():
+    """Every field of every kind of surface."""
+    b = Builder()
+
+    def info(index, coordinates=0, **more):
+        return {"index": index, "texCoord": coordinates, **more}
+
+    moved = info(0, 1, extensions={"KHR_texture_transform": {
+        "offset": [0.1, 0.2], "rotation": 1, "scale": [2, 3], "texCoord": 0}})
+    plain = {"baseColorFactor": [0.5, 0.6, 0.7, 0.8], "baseColorTexture": info(0),
+             "metallicFactor": 0.5, "roughnessFactor": 0.25, "metallicRoughnessTexture": info(0, 1)}
+    glass = {
+        "KHR_materials_ior": {"ior": 1.33},
+        "KHR_materials_specular": {
+            "specularFactor": 0.5, "specularTexture": info(0),
+            "specularColorFactor": [1, 2, 0.5], "specularColorTexture": moved},
+        "KHR_materials_transmission": {
+            "transmissionFactor": 0.75, "transmissionTexture": info(0)},
+        "KHR_materials_volume": {"thicknessFactor": 0.1, "thicknessTexture": info(0),
+                                 "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0]},
+        "KHR_materials_clearcoat": {
+            "clearcoatFactor": 1, "clearcoatTexture": info(0), "clearcoatRoughnessFactor": 0.5,
+            "clearcoatRoughnessTexture": info(0), "clearcoatNormalTexture": info(0, scale=2)},
+        "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 1,
+                                     "anisotropyTexture": info(0)}}
+    glossy = {"KHR_materials_pbrSpecularGlossiness": {
+        "diffuseFactor": [1, 1, 1, 0.5], "diffuseTexture": info(0),
+        "specularFactor": [0.2, 0.3, 0.4], "glossinessFactor": 0.5,
+        "specularGlossinessTexture": info(0)}}
+    b.json["materials"] = [
+        {"pbrMetallicRoughness": plain, "normalTexture": info(0, scale=0.5), "extensions": glass,
+         "alphaMode": "MASK", "alphaCutoff": 0.25},
+        {"extensions": glossy, "alphaMode": "BLEND"},
+        {"extensions": {"KHR_materials_unlit": {}}},
+        {"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
+                        "KHR_materials_volume": {"thicknessFactor": 1}}}]
+    for material in range(3):
+        b.mesh(attributes={"POSITION": b.accessor(CORNERS, FLOAT, "VEC3"),
+                           "TEXCOORD_0": b.accessor([0, 0, 1, 0, 0, 1, 1, 1], FLOAT, "VEC2"),
+                           "TEXCOORD_1": b.accessor([1, 1, 0, 1, 1, 0, 0, 0], FLOAT, "VEC2"),
+                           "COLOR_0": b.accessor([255, 0, 0, 128] * 4, UBYTE, "VEC4",
+                                                 normalized=True)}, material=material)
+    # A closed mesh: solid glass.
+    b.mesh(attributes={"POSITION": b.accessor([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], FLOAT, "VEC3")},
+           indices=b.accessor([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3], USHORT, "SCALAR"), material=3)
+    b.json.update(images=[{"uri": "pixel.tga"}], textures=[{"source": 0}])
+    return b
+
+
 def media():
     b = Builder()
     b.json["materials"] = [{"extensions": {
@@ -285,10 +334,10 @@ def files():
     made = {"attributes": attributes(), "quantized": quantized(), "sparse": sparse(),
             "modes": modes(), "nodes": nodes(), "animation": animation(),
             "skin": skin(), "morph": morph(),
-            "materials": materials(), "media": media(),
+            "materials": materials(), "surfaces": surfaces(), "media": media(),
             "outside": outside()}
     out = {name + ".gltf": builder.gltf() for name, builder in made.items()}
-    binary = ("attributes", "sparse", "nodes", "animation", "skin", "morph")
+    binary = ("attributes", "sparse", "nodes", "animation", "skin", "morph", "surfaces")
     out.update({name + ".glb": made[name].glb() for name in binary})
     out["outside.gltf"] = json.dumps(made["outside"].json)
     out["badring.gltf"] = json.dumps(ring, indent=1)

@@ -58,6 +58,33 @@ TEXTURES = """<texture type="bitmap" id="wood"><string name="filename" value="pi
 """ + "\n".join(f'<shape type="rectangle"><ref id="{i}"/></shape>' for i in "abcdef") + """
 <shape type="ply"><string name="filename" value="triangle.ply"/><ref id="a"/></shape>"""
 
+SURFACES = """<bsdf type="conductor" id="a"><rgb name="eta" value="0.2 0.9 1.1"/>
+ <spectrum name="k" value="3"/></bsdf>
+<bsdf type="roughconductor" id="b"><string name="material" value="Au"/>
+ <string name="distribution" value="ggx"/><float name="alpha_u" value="0.05"/>
+ <texture name="alpha_v" type="bitmap"><string name="filename" value="pixel.tga"/></texture></bsdf>
+<bsdf type="dielectric" id="c"><string name="int_ior" value="water"/>
+ <float name="ext_ior" value="1.0"/><rgb name="specular_transmittance" value="0.5 1 1"/></bsdf>
+<bsdf type="roughdielectric" id="d"><float name="alpha" value="0.3"/>
+ <string name="distribution" value="beckmann"/></bsdf>
+<bsdf type="thindielectric" id="e"><float name="int_ior" value="1.7"/></bsdf>
+<bsdf type="plastic" id="f"><rgb name="diffuse_reflectance" value="0.1 0.2 0.3"/>
+ <boolean name="nonlinear" value="true"/></bsdf>
+<bsdf type="roughplastic" id="g"><texture name="diffuse_reflectance" type="checkerboard">
+ <transform name="to_uv"><scale value="4"/></transform></texture>
+ <float name="alpha" value="0.2"/></bsdf>
+<bsdf type="mask" id="h"><texture name="opacity" type="bitmap">
+ <string name="filename" value="pixel.tga"/></texture><ref id="g"/></bsdf>
+<bsdf type="twosided" id="i"><bsdf type="normalmap"><texture name="normalmap" type="bitmap">
+ <boolean name="raw" value="true"/><string name="filename" value="pixel.tga"/></texture>
+ <boolean name="flip_invalid_normals" value="false"/><ref id="b"/></bsdf></bsdf>
+<bsdf type="principled" id="j"><rgb name="base_color" value="0.2 0.3 0.4"/>
+ <float name="metallic" value="0.5"/><float name="anisotropic" value="0.5"/>
+ <float name="spec_trans" value="0.5"/><float name="spec_tint" value="0.5"/>
+ <float name="clearcoat" value="0.5"/><float name="eta" value="1.4"/></bsdf>
+""" + "\n".join(f'<shape type="rectangle"><ref id="{i}"/></shape>' for i in "abcdefghij") + """
+<shape type="ply"><string name="filename" value="triangle.ply"/><ref id="h"/></shape>"""
+
 MEDIA = """<medium type="homogeneous" id="fog"><rgb name="sigma_t" value="1 2 3"/>
  <rgb name="albedo" value="0.9"/><float name="scale" value="2"/>
  <phase type="hg"><float name="g" value="0.5"/></phase></medium>
@@ -79,7 +106,7 @@ PARAMETERS = """<!-- names -->
 <default name="spp" value="16"/><default name="folder" value="triangle"/>
 <default name="file" value="$folder.ply"/>
 <integrator type="path"><integer name="max_depth" value="$spp"/></integrator>
-<include filename="part.xml"/>
+<include filename="part.xml"/><path value="."/>
 <shape type="ply" id="one"><string name="filename" value="$file"/></shape>
 <bsdf type="diffuse" id="x"/><alias id="x" as="y"/>
 <shape type="disk"><ref id="y"/></shape>
@@ -91,6 +118,7 @@ def files():
         "shapes.xml": scene(SENSOR + SHAPES),
         "lights.xml": scene(SENSOR + LIGHTS, "2.1.0"),
         "textures.xml": scene(TEXTURES),
+        "surfaces.xml": scene(SURFACES),
         "media.xml": scene(MEDIA),
         "parameters.xml": scene(PARAMETERS),
         "empty.xml": scene(""),
@@ -99,6 +127,9 @@ def files():
         "badself.xml": scene('<include filename="scene.xml"/>'),
         "badcycle.xml": scene('<bsdf type="twosided" id="a"><ref id="a"/></bsdf>'
                               '<shape type="cube"><ref id="a"/></shape>'),
+        "badior.xml": scene('<shape type="cube"><bsdf type="dielectric">'
+                            '<float name="int_ior" value="-1"/></bsdf></shape>'),
+        "badpath.xml": scene('<path value="nowhere"/>'),
         "badversion.xml": scene("", "0.6.0"),
         "badreference.xml": scene('<shape type="cube"><ref id="nothing"/></shape>'),
     }

@@ -58,12 +58,20 @@ def obj_files():
     materials = ("#mtl\nnewmtl red\nKd 0.8 0.1 0.1\nKa 0 0 0\nKs 1 1 1\nNs 20\nillum 2\nd 0.5\n"
                  "map_Kd -s 2 2 1 -clamp on pixel.tga\nnewmtl lamp\nKe 5 5 5\nTr 0.2\n"
                  "newmtl blue\nKd spectral x.rfl\nKd xyz 0.1 0.2 0.3\nmap_Ke pixel.tga\n")
+    surfaces = ("#mtl\nnewmtl coat\nKs 0.5 0.5 0.5\nNs 100\nmap_Ks pixel.tga\nmap_Ns pixel.tga\n"
+                "norm -bm 0.5 pixel.tga\nmap_d -imfchan m pixel.tga\nd -halo 0.5\n"
+                "newmtl mirror\nKs 1 1 1\nillum 3\nnewmtl glass\nNi 1.5\nTf 0.5 1 1\nillum 7\n"
+                "newmtl metal\nPr 0.25\nPm 1\nPc 0.5\nPcr 0.1\nmap_Pr pixel.tga\nmap_Pm pixel.tga\n")
+    glass = "f 1 3 2\nf 1 2 5\nf 2 3 5\nf 3 1 5\n"
     return {
         "plain.obj": "# made for tests\n" + square + "f 1 2 3\nf 1 3 4\n",
         "full.obj": "mtllib material.mtl\no one\ng a b\ns 1\n" + full +
                     "usemtl red\nf 1/1/1 2/2/1 3/3/1 4/4/1\nusemtl lamp\ns off\n"
                     "f -4//-1 -3//-1 -2//-1\nusemtl nothing\nf -4/-4 \\\n -3/-3 -2/-2\n" +
                     materials,
+        "surfaces.obj": "mtllib material.mtl\n" + full + "v 0 0 1\n" + "".join(
+            f"usemtl {name}\nf 1/1 2/2 3/3\n" for name in ("coat", "mirror", "metal")) +
+                        "usemtl glass\n" + glass + surfaces,
         "colours.obj": "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\r\nf 1 2 3\r\n",
         "polygon.obj": square + "v 0.5 2 0\nf 1 2 3 5 4\nl 1 2\np 1\n",
         "numbers.obj": "v +1e3 -.5 1e-40\nv 1. 2 3 1.0\nv 1e6 0 0\nvn 0 0 0\nf 1//1 2//1 3//1\n",

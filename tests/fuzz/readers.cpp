@@ -32,6 +32,7 @@
 #include "scene/obj/obj_reader.h"
 #include "scene/ply/ply_reader.h"
 #include "scene/pose_scene.h"
+#include "scene/surface_lobes.h"
 #include "scene/texture/image_file.h"
 #include "scene/validate_scene.h"
 #include "scene/volume/nanovdb_reader.h"
@@ -127,6 +128,12 @@ void use_scene(const Scene& scene) {
     for (const shared::LightRecord& light : flat.lights)
         require(std::isfinite(light.probability) && light.probability >= 0.0F,
                 "a light with an impossible probability");
+    for (const Material& material : scene.materials)
+        if (material.description)
+            for (const SurfaceLobe& lobe : lobes_of(*material.description, scene.textures))
+                require(lobe.least_alpha >= 0.0 && lobe.least_alpha <= lobe.most_alpha &&
+                            std::isfinite(lobe.most_alpha),
+                        "a lobe of an impossible width");
     use_poses(scene);
     constexpr std::size_t few = 1000;
     if (flat.triangles.size() > few) return;
