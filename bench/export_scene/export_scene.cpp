@@ -47,6 +47,10 @@ void run(const Settings& settings) {
         throw input_error(settings.scene,
                           "has an orthographic camera, expected a perspective one, "
                           "which other renderers are given");
+    if (flat.environment_image.present())
+        throw input_error(settings.scene,
+                          "has an image of the environment, expected one radiance, which other "
+                          "renderers are given");
     for (const std::string& warning : diagnostics.warnings()) fmt::print(stderr, "{}\n", warning);
     write_exported_scene(settings.folder, scene, flat, camera,
                          {settings.size[0], settings.size[1]});

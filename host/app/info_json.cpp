@@ -34,11 +34,12 @@ constexpr double default_frame_rate = 30.0;  // that of --frame-rate
 
 /// Names of the effects that the scene needs.
 std::vector<std::string> effects_of(const FlatScene& flat) {
-    constexpr std::array<std::pair<std::uint32_t, const char*>, 10> names{{
+    constexpr std::array<std::pair<std::uint32_t, const char*>, 11> names{{
         {FEATURE_AREA_LIGHTS, "area lights"},
         {FEATURE_PUNCTUAL_LIGHTS, "point lights"},
         {FEATURE_DIRECTIONAL_LIGHTS, "directional lights"},
         {FEATURE_ENVIRONMENT, "environment light"},
+        {FEATURE_IMAGE_ENVIRONMENT, "image environment"},
         {FEATURE_TEXTURES, "textures"},
         {FEATURE_EMISSION_TEXTURES, "textured emission"},
         {FEATURE_VERTEX_COLOURS, "vertex colours"},
@@ -130,6 +131,18 @@ json punctual_json(const PunctualLight& light, bool is_default) {
     return light_json(light.name, "spot", solid_angle * intensity, "W", is_default);
 }
 
+/// Of an image the power is its mean radiance.
+json environment_json(const Environment& environment, const FlatScene& flat, bool is_default) {
+    const glm::dvec3 radiance(flat.environment);
+    if (!environment.image)
+        return light_json("environment", "environment", radiance, "W/(m^2 sr)", is_default);
+    const EnvironmentImage& image = *environment.image;
+    json entry = light_json(image.name, "environment", radiance * flat.environment_image.mean,
+                            "W/(m^2 sr)", is_default);
+    entry["image"] = {image.width, image.height};
+    return entry;
+}
+
 /// The part of an area light that shines, in scene units.
 struct Shining {
     double area = 0.0;
@@ -175,8 +188,7 @@ json light_list(const Scene& scene, const FlatScene& flat) {
         if (luminance(light.intensity) > 0.0) list.push_back(punctual_json(light, is_default));
     }
     if (flat.environment != glm::vec3(0.0F))
-        list.push_back(light_json("environment", "environment", glm::dvec3(flat.environment),
-                                  "W/(m^2 sr)", scene.default_sky));
+        list.push_back(environment_json(*scene.environment, flat, scene.default_sky));
     return list;
 }
 

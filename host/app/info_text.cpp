@@ -124,6 +124,10 @@ std::string describe_light(const json& light) {
                                    light["unit"].get<std::string>());
     if (light.contains("triangles"))
         text += ", " + counted(light["triangles"], "triangle", "triangles");
+    if (light.contains("image"))
+        text += fmt::format(" on average, image of {} x {} pixels",
+                            light["image"][0].get<std::uint32_t>(),
+                            light["image"][1].get<std::uint32_t>());
     if (light["default"]) text += ", added by Weft";
     return text;
 }

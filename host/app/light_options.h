@@ -4,8 +4,9 @@
 #define WEFT_APP_LIGHT_OPTIONS_H
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
-#include "scene/default_light.h"
+#include "scene/load/load_scene.h"
 
 namespace CLI {
 class App;
@@ -13,14 +14,17 @@ class App;
 
 namespace weft {
 
-/// Adds --light to a command that reads a scene.
-void add_light_choice(CLI::App& command);
+/// Adds --light, --environment and --environment-rotation to a command that reads a scene.
+void add_lighting(CLI::App& command);
 
-/// Reads --light. Throws Error (exit code 1).
-[[nodiscard]] DefaultLight read_light_choice(const CLI::App& command);
+/// Reads them. Throws Error (exit code 1).
+[[nodiscard]] SceneReading read_lighting(const CLI::App& command);
 
-/// The name the command line uses; null for the choice without the option.
+/// The name of --light that the command line uses; null for the choice without the option.
 [[nodiscard]] nlohmann::json light_choice_json(DefaultLight choice);
+
+/// Those of the options that were given, each after a blank, as the shell reads them.
+[[nodiscard]] std::string lighting_arguments(const SceneReading& lighting);
 
 }  // namespace weft
 

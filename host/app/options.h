@@ -73,7 +73,7 @@ struct RenderOptions {
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
     bool through_centres = false;                 ///< of path tracing
     Denoiser denoiser = Denoiser::none;
-    DefaultLight light = DefaultLight::as_needed;
+    SceneReading lighting;
     std::optional<double> time_seconds;   ///< total wall time, above 0
     std::optional<double> frame_seconds;  ///< of ais: wall time of each frame, above 0
     std::uint32_t seed = 0;
@@ -102,7 +102,7 @@ struct RenderOptions {
 /// Options of `weft info`.
 struct InfoOptions {
     std::filesystem::path scene;
-    DefaultLight light = DefaultLight::as_needed;
+    SceneReading lighting;
     bool json = false;
     bool verbose = false;  ///< as RenderOptions::verbose
 };
@@ -168,7 +168,7 @@ enum class ErrorMeasure : std::uint8_t;
 /// Options of `weft tradeoff`. What is empty was not given.
 struct TradeoffOptions {
     std::filesystem::path scene;
-    DefaultLight light = DefaultLight::as_needed;
+    SceneReading lighting;
     std::filesystem::path output;  ///< a folder
     bool quick = false;
     std::optional<Backend> backend;

@@ -27,6 +27,7 @@ inline constexpr std::size_t max_image_file_bytes = std::size_t{512} << 20;  // 
 inline constexpr std::uint32_t max_texture_edge = 16384;                     // pixels
 inline constexpr std::size_t max_texture_bytes = power(32);                  // all, decoded
 inline constexpr std::size_t max_uv_sets = 4;                                // of a material
+inline constexpr std::size_t max_environment_pixels = power(27);             // 16384 x 8192
 inline constexpr std::size_t max_vertices = power(28);                       // per mesh, and placed
 inline constexpr std::size_t max_triangles = power(27);                      // whole scene
 inline constexpr std::size_t max_nodes = std::size_t{1} << 20;               // nodes, shapes

@@ -52,6 +52,7 @@ void BounceRays::sample(FrameContext& frame) {
                                     .geometry = view(frame.scene_buffers.geometry),
                                     .light_table = view(frame.scene_buffers.light_table),
                                     .light_nodes = frame.scene_buffers.light_nodes,
+                                    .environment = view(frame.scene_buffers.environment),
                                     .slots = shared_.slots,
                                     .receiver_planes = shared_.receivers,
                                     .slot_pixel = shared_.slot_pixel,

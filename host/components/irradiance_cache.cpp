@@ -103,6 +103,7 @@ void IrradianceCache::trace_batch(FrameContext& frame, std::uint32_t first, std:
                                        .geometry = view(frame.scene_buffers.geometry),
                                        .light_table = view(frame.scene_buffers.light_table),
                                        .light_nodes = frame.scene_buffers.light_nodes,
+                                       .environment = view(frame.scene_buffers.environment),
                                        .grid = grid,
                                        .slots = pool_.room(),
                                        .receiver_planes = pool_.receivers(),

@@ -116,6 +116,7 @@ void Media::gather_distant(FrameContext& frame, const InterleavedIrradiance::Slo
     frame.run(Stage::media_distant_light, name,
               kernels::media_distant{.scene = *frame.scene_buffers.traced,
                                      .media_tables = frame.buffers.media(),
+                                     .environment = view(frame.scene_buffers.environment),
                                      .steps = frame.plan.media_steps,
                                      .slots = slots.stride,
                                      .lights = frame.scene_buffers.light_table.lights,

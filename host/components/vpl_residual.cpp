@@ -103,6 +103,7 @@ void VplResidual::sample(FrameContext& frame) {
                                         .geometry = view(frame.scene_buffers.geometry),
                                         .light_table = view(frame.scene_buffers.light_table),
                                         .light_nodes = frame.scene_buffers.light_nodes,
+                                        .environment = view(frame.scene_buffers.environment),
                                         .slots = to.slots.stride,
                                         .receiver_planes = to.slots.receivers,
                                         .slot_pixel = to.slots.slot_pixel,

@@ -111,6 +111,7 @@ class ArgumentBinder {
     }
 WEFT_GROUP(Geometry)
 WEFT_GROUP(LightTable)
+WEFT_GROUP(EnvironmentImage)
 WEFT_GROUP(AreaLights)
 WEFT_GROUP(MediaTables)
 WEFT_GROUP(SeenSurfaces)

@@ -53,6 +53,7 @@ void EdgeSamples::sample(FrameContext& frame) {
     frame.run(Stage::edge_samples, "",
               kernels::edge_samples{.scene = *frame.scene_buffers.traced,
                                     .geometry = view(frame.scene_buffers.geometry),
+                                    .environment = view(frame.scene_buffers.environment),
                                     .surfaces = view(buffers.gbuffer),
                                     .composed = buffers.composed(),
                                     .edge_pixel_count = pixels_,

@@ -55,6 +55,13 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
     to.texels = upload<kinds::Texels>(executor, flat.texels, "texels");
     to.srgb_table = upload<kinds::SrgbTable>(executor, srgb_table(), "sRGB table");
     upload_lights(executor, flat, scene);
+    if (flat.environment_image.present()) {
+        const FlatEnvironment& image = flat.environment_image;
+        scene.environment = {
+            upload<kinds::EnvironmentRecords>(executor, image.records, "environment"),
+            upload<kinds::EnvironmentTexels>(executor, image.texels, "texels of the environment"),
+            upload<kinds::EnvironmentSums>(executor, image.sums, "sums of the environment")};
+    }
     scene.traced = executor.make_scene(traced_geometry(flat));
     return scene;
 }

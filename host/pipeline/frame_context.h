@@ -26,6 +26,7 @@ struct SceneBuffers {
     owned::Geometry geometry;
     owned::LightTable light_table;
     DeviceBuffer<kinds::LightNodes> light_nodes;  ///< none where there is one light or none
+    owned::EnvironmentImage environment;          ///< none without FEATURE_IMAGE_ENVIRONMENT
     std::unique_ptr<TracedScene> traced;
 
     /// The buffers of area lights, whose points lie on triangles of the geometry.

@@ -44,8 +44,7 @@ void set_scene(const FlatScene& scene, shared::RenderParams& params) {
     params.scene.delta_lights = scene.punctual_lights;
     params.scene.directional_lights_first = scene.area_lights + scene.punctual_lights;
     params.scene.directional_lights = scene.directional_lights;
-    params.scene.choice_lights =
-        scene.area_lights + scene.punctual_lights + scene.directional_lights;
+    params.scene.choice_lights = choice_lights(scene);
 }
 
 void set_camera(const Camera& camera, const KernelUnits& units, shared::RenderParams& params) {

@@ -84,6 +84,9 @@ std::string image_identity(std::string_view estimator, const FlatScene& scene,
     add(scene.lights);
     add(scene.emissive);
     add(scene.light_nodes);
+    add(scene.environment_image.records);
+    add(scene.environment_image.texels);
+    add(scene.environment_image.sums);
     if (scene.media.present()) {
         add(scene.media.records);
         add(scene.media.positions);
@@ -230,6 +233,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                          .geometry = view(scene_buffers_->geometry),
                          .light_table = view(scene_buffers_->light_table),
                          .light_nodes = scene_buffers_->light_nodes,
+                         .environment = view(scene_buffers_->environment),
                          .media_tables = view(*media_),
                          .path_params = path_params_,
                          .film_sums = film_.buffer(),
@@ -250,6 +254,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                                     .geometry = view(scene_buffers_->geometry),
                                     .light_table = view(scene_buffers_->light_table),
                                     .light_nodes = scene_buffers_->light_nodes,
+                                    .environment = view(scene_buffers_->environment),
                                     .path_params = path_params_,
                                     .film_sums = film_.buffer(),
                                     .counters = buffers_.counters,

@@ -283,6 +283,7 @@ void Renderer::trace_primary(FrameContext& frame) {
     frame.run(Stage::primary_rays, "",
               kernels::gbuffer{.scene = *scene_buffers_->traced,
                                .geometry = view(scene_buffers_->geometry),
+                               .environment = view(scene_buffers_->environment),
                                .gb_ids = gbuffer.gb_ids,
                                .gb_position = gbuffer.gb_position,
                                .gb_normal = gbuffer.gb_normal,

@@ -371,6 +371,9 @@ FlatScene flatten(const Scene& scene) {
     grow(std::span(flat.positions).first(flat.first_moving_vertex), flat.resting_extent,
          flat.resting_radius);
     measure_extent(flat);
+    if (scene.environment && scene.environment->image)
+        flat.environment_image =
+            flatten_environment(*scene.environment->image, scene.environment->to_world);
     build_light_table(scene, flat);
     flat.media = flatten_media(scene, flat.units);
     if (flat.media.present()) put_lights_in_media(flat);
@@ -396,7 +399,7 @@ void update_flat(const Scene& scene, FlatScene& flat) {
     flat.area_lights = 0;
     flat.environment = glm::vec3(0.0F);
     flat.features &= ~(FEATURE_AREA_LIGHTS | FEATURE_PUNCTUAL_LIGHTS | FEATURE_DIRECTIONAL_LIGHTS |
-                       FEATURE_ENVIRONMENT | FEATURE_LIGHT_TREE);
+                       FEATURE_ENVIRONMENT | FEATURE_IMAGE_ENVIRONMENT | FEATURE_LIGHT_TREE);
     build_light_table(scene, flat);
     if (flat.media.present()) put_lights_in_media(flat);
 }

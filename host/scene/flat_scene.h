@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "scene/flat_environment.h"
 #include "scene/flat_media.h"
 #include "scene/scene.h"
 #include "shared/shared_types.h"
@@ -66,7 +67,8 @@ struct FlatScene {
     std::uint32_t area_lights = 0;
     std::uint32_t punctual_lights = 0;  ///< point and spot
     std::uint32_t directional_lights = 0;
-    glm::vec3 environment{0.0F};
+    glm::vec3 environment{0.0F};  ///< radiance; of an image what it is multiplied with
+    FlatEnvironment environment_image;
     std::uint32_t features = 0;     ///< FEATURE_* that the scene needs
     float extent = 1.0F;            ///< largest |coordinate| of geometry and lights, or above that
     float radius = 1.0F;            ///< of a bounding sphere about the centre
@@ -87,12 +89,16 @@ struct FlatScene {
 
 /// Brings a flattened scene up to date with `scene`, the same scene at another time: the places of
 /// instances that may move, materials and lights. Counts of vertices and triangles stay, and so do
-/// the kernel units, the surface area, textures and media.
+/// the kernel units, the surface area, textures, media and the image of the environment.
 void update_flat(const Scene& scene, FlatScene& flat);
 
 /// Fills the light table from the flattened geometry; part of `flatten` and
 /// `update_flat`.
 void build_light_table(const Scene& scene, FlatScene& flat);
+
+/// How many lights next-event estimation chooses from, the first ones of the table: all but an
+/// environment of the same radiance everywhere.
+[[nodiscard]] std::uint32_t choice_lights(const FlatScene& flat);
 
 /// Area in kernel units squared.
 [[nodiscard]] double triangle_area(const FlatScene& flat, const shared::Triangle& triangle);

@@ -24,6 +24,8 @@ double brightest(const FlatScene& scene) {
         double value = std::max({light.power.x, light.power.y, light.power.z});
         if (light.kind == EMITTER_POINT || light.kind == EMITTER_SPOT)
             value *= nearness / (radius * radius);
+        if (light.kind == EMITTER_ENVIRONMENT && scene.environment_image.present())
+            value *= static_cast<double>(scene.environment_image.brightest);
         most = std::max(most, value);
     }
     return most;

@@ -166,6 +166,27 @@ struct Collector {
             add(light, pi * emitter.light * (light.both_sides != 0 ? 2.0 : 1.0), instance);
     }
 
+    void add_environment(const Environment& source, std::size_t number) {
+        const FlatEnvironment& image = flat.environment_image;
+        const glm::dvec3 mean =
+            glm::dvec3(source.radiance) * (image.present() ? image.mean : glm::dvec3(1.0));
+        const double radiance = luminance(glm::vec3(mean));
+        if (!(radiance > 0.0)) return;
+        shared::LightRecord light{};
+        light.kind = EMITTER_ENVIRONMENT;
+        light.axis = {0.0F, 0.0F, 1.0F, 0.0F};
+        if (image.present()) light.axis = rgb(glm::vec3(image.trend), 1.0);
+        light.power = rgb(source.radiance, 1.0);
+        if (add(light,
+                radiance * 4.0 * pi * pi * static_cast<double>(flat.radius) *
+                    static_cast<double>(flat.radius),
+                number) == INVALID_INDEX &&
+            image.present())
+            return;
+        flat.environment = source.radiance;
+        flat.features |= FEATURE_ENVIRONMENT | (image.present() ? FEATURE_IMAGE_ENVIRONMENT : 0U);
+    }
+
     void add_punctual(const PunctualLight& source, std::size_t number) {
         shared::LightRecord light{};
         const glm::vec3 p(flat.units.point(source.position));
@@ -224,6 +245,9 @@ std::vector<double> intensities(const FlatScene& flat, std::span<const double> p
             case EMITTER_SPOT:
                 angle *= 2.0 * (1.0 - static_cast<double>(lights[i].cos_outer));
                 break;
+            case EMITTER_ENVIRONMENT:  // the mean over all normals
+                angle *= 4.0 * static_cast<double>(flat.radius) * static_cast<double>(flat.radius);
+                break;
             default:
                 angle *= static_cast<double>(flat.radius) * static_cast<double>(flat.radius);
                 break;
@@ -247,6 +271,11 @@ void add_punctual_lights(Collector& collector, bool directional) {
 
 }  // namespace
 
+std::uint32_t choice_lights(const FlatScene& flat) {
+    return flat.area_lights + flat.punctual_lights + flat.directional_lights +
+           ((flat.features & FEATURE_IMAGE_ENVIRONMENT) != 0 ? 1U : 0U);
+}
+
 void build_light_table(const Scene& scene, FlatScene& flat) {
     const std::size_t environment = scene.instances.size() + scene.lights.size();
     flat.first_powers.resize(environment + 1, 0.0);
@@ -254,18 +283,7 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
     for (std::uint32_t i = 0; i < flat.instances.size(); ++i) collector.add_area_light(i);
     add_punctual_lights(collector, false);
     add_punctual_lights(collector, true);
-    if (scene.environment && luminance(scene.environment->radiance) > 0.0) {
-        flat.environment = scene.environment->radiance;
-        shared::LightRecord light{};
-        light.kind = EMITTER_ENVIRONMENT;
-        light.axis = {0.0F, 0.0F, 1.0F, 0.0F};
-        light.power = rgb(scene.environment->radiance, 1.0);
-        collector.add(light,
-                      luminance(scene.environment->radiance) * 4.0 * pi * pi *
-                          static_cast<double>(flat.radius) * static_cast<double>(flat.radius),
-                      environment);
-        flat.features |= FEATURE_ENVIRONMENT;
-    }
+    if (scene.environment) collector.add_environment(*scene.environment, environment);
     flat.lights = std::move(collector.lights);
     using Light = shared::LightRecord;
     normalise<Light>(flat.lights, collector.powers, &Light::cumulative, &Light::probability);
@@ -282,8 +300,7 @@ void build_light_table(const Scene& scene, FlatScene& flat) {
                      &Light::area_probability);
     flat.punctual_lights = count(EMITTER_POINT, EMITTER_SPOT);
     flat.directional_lights = count(EMITTER_DIRECTIONAL);
-    const std::size_t near =
-        std::size_t{flat.area_lights} + flat.punctual_lights + flat.directional_lights;
+    const std::size_t near = choice_lights(flat);
     normalise<Light>(std::span(flat.lights).first(near),
                      choice_weights(std::span(collector.powers).first(near)),
                      &Light::choice_cumulative, &Light::choice_probability);

@@ -29,7 +29,8 @@ float rounded_up(double x) {
 }
 
 bool is_distant(const LightNode& node) {
-    return node.shape == LIGHT_DISTANT || node.shape == LIGHT_ALL_DISTANT;
+    return node.shape == LIGHT_DISTANT || node.shape == LIGHT_ALL_DISTANT ||
+           node.shape == LIGHT_ALL_AROUND;
 }
 
 LightNode leaf(const LightRecord& light, float intensity) {
@@ -47,6 +48,9 @@ LightNode leaf(const LightRecord& light, float intensity) {
             break;
         case EMITTER_DIRECTIONAL:
             node.shape = LIGHT_DISTANT;
+            break;
+        case EMITTER_ENVIRONMENT:
+            node.shape = LIGHT_ALL_AROUND;
             break;
         case EMITTER_SPOT:
             node.shape = LIGHT_SPOT;

@@ -93,6 +93,13 @@ bool same_lights(const std::vector<PunctualLight>& before, const std::vector<Pun
                       });
 }
 
+/// Whether both are there or not, with the same image at the same place.
+bool same_environments(const std::optional<Environment>& before,
+                       const std::optional<Environment>& now) {
+    if (!before || !now) return before.has_value() == now.has_value();
+    return before->image == now->image && (!now->image || before->to_world == now->to_world);
+}
+
 }  // namespace
 
 MovingScene::MovingScene(Scene scene, EditTimeline edits, double frame_rate)
@@ -175,7 +182,7 @@ bool MovingScene::edit(const std::function<void(const SceneParts&)>& change) {
         const bool moved_all_may = let_moved_move(instances, rest_.instances);
         const bool in_place = moved_all_may && same_materials(materials, rest_.materials) &&
                               same_lights(lights, rest_.lights) &&
-                              environment.has_value() == rest_.environment.has_value();
+                              same_environments(environment, rest_.environment);
         if (in_place)
             update_in_place();
         else

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "scene/animation.h"
 #include "scene/deformation.h"
 #include "scene/density_grid.h"
+#include "scene/environment_image.h"
 #include "scene/material.h"
 
 namespace weft {
@@ -76,9 +78,11 @@ struct PunctualLight {
     Attachment motion{};  ///< the node that carries it, if any; the light travels along its -z
 };
 
-/// Light from infinitely far away, the same from every direction.
+/// Light from infinitely far away: the same from every direction, or that of an image.
 struct Environment {
-    glm::vec3 radiance{0.0F};
+    glm::vec3 radiance{0.0F};                         ///< of an image: what it is multiplied with
+    std::shared_ptr<const EnvironmentImage> image{};  ///< or null
+    glm::dmat3 to_world{1.0};  ///< of an image: turns its frame, and may mirror it; orthogonal
 };
 
 enum class FovAxis : std::uint32_t { x, y, diagonal, smaller, larger };

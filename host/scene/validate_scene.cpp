@@ -48,6 +48,7 @@ class Validator {
         validate_deformations(scene_);
         check_media();
         check_environment();
+        if (scene_.environment && scene_.environment->image) check_environment_image();
         if (scene_.film) check(*scene_.film);
     }
 
@@ -88,6 +89,26 @@ class Validator {
     void check_environment() const {
         require(!scene_.environment || not_negative(scene_.environment->radiance), "environment",
                 "has a radiance that is negative or not finite");
+    }
+
+    void check_environment_image() const {
+        const EnvironmentImage& image = *scene_.environment->image;
+        const std::string object = "environment " + quote(image.name);
+        require(image.width > 0 && image.height > 0, object, "is empty");
+        require(std::size_t{image.width} * image.height <= limits::max_environment_pixels, object,
+                "is larger than the limit");
+        require(image.radiance.size() == std::size_t{3} * image.width * image.height, object,
+                "has the wrong number of values");
+        require(std::all_of(image.radiance.begin(), image.radiance.end(),
+                            [](float x) { return std::isfinite(x) && x >= 0.0F; }),
+                object, "has a radiance that is negative or not finite");
+        const glm::dmat3& turn = scene_.environment->to_world;
+        const glm::dmat3 square = glm::transpose(turn) * turn;
+        bool orthogonal = true;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                orthogonal = orthogonal && std::abs(square[i][j] - (i == j ? 1.0 : 0.0)) < 1e-6;
+        require(orthogonal, object, "is distorted, expected a rotation");
     }
 
     void check(const Texture& texture) const {

@@ -24,6 +24,12 @@
     X(READS, Lights, lights)                           \
     X(READS, EmissiveTriangles, emissive)
 
+// Of FEATURE_IMAGE_ENVIRONMENT.
+#define GROUP_EnvironmentImage(X)                      \
+    X(MAY_READ, EnvironmentRecords, environment_record)\
+    X(MAY_READ, EnvironmentTexels, environment_texels) \
+    X(MAY_READ, EnvironmentSums, environment_sums)
+
 #define GROUP_AreaLights(X)                            \
     X(READS, Lights, lights)                           \
     X(READS, EmissiveTriangles, emissive)              \

@@ -23,6 +23,7 @@
 #define ARGUMENTS_gbuffer(X)                           \
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
+    X(GROUP, EnvironmentImage, environment)            \
     X(WRITES, SurfaceIds, gb_ids)                      \
     X(WRITES, SurfacePositions, gb_position)           \
     X(WRITES, SurfaceNormals, gb_normal)               \
@@ -52,6 +53,7 @@
 #define ARGUMENTS_light_samples(X)                     \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(GROUP, EnvironmentImage, environment)            \
     X(VALUE, LightSampling, light_sampling)            \
     X(WRITES, VirtualLights, samples)
 
@@ -59,6 +61,7 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(GROUP, EnvironmentImage, environment)            \
     X(GROUP, MediaTables, media_tables)                \
     X(MAY_READ, PathsKnown, known_segments)            \
     X(MAY_WRITE, PathCache, light_path_cache)          \
@@ -70,6 +73,7 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
+    X(GROUP, EnvironmentImage, environment)            \
     X(GROUP, MediaTables, media_tables)                \
     X(READS, PathCache, light_path_cache)              \
     X(WRITES, PathsKnown, known_segments)              \
@@ -152,6 +156,7 @@
 #define ARGUMENTS_media_distant(X)                     \
     X(TRACES, Scene, scene)                            \
     X(GROUP, MediaTables, media_tables)                \
+    X(GROUP, EnvironmentImage, environment)            \
     X(VALUE, uint, steps)                              \
     X(VALUE, uint, slots)                              \
     X(READS, Lights, lights)                           \
@@ -258,6 +263,7 @@
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, EnvironmentImage, environment)            \
     X(VALUE, HemisphereGrid, grid)                     \
     X(VALUE, uint, slots)                              \
     X(READS, ReceiverPlanes, receiver_planes)          \
@@ -317,6 +323,7 @@
 #define ARGUMENTS_edge_samples(X)                      \
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
+    X(GROUP, EnvironmentImage, environment)            \
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(GROUP, ComposedLight, composed)                  \
     X(VALUE, uint, edge_pixel_count)                   \
@@ -333,6 +340,7 @@
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, EnvironmentImage, environment)            \
     X(VALUE, uint, slots)                              \
     X(READS, ReceiverPlanes, receiver_planes)          \
     X(READS, SlotPixels, slot_pixel)                   \
@@ -363,6 +371,7 @@
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, EnvironmentImage, environment)            \
     X(VALUE, PathParams, path_params)                  \
     X(WRITES, FilmSums, film_sums)                     \
     X(WRITES, RayCounters, counters)                   \
@@ -373,6 +382,7 @@
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, EnvironmentImage, environment)            \
     X(GROUP, MediaTables, media_tables)                \
     X(VALUE, PathParams, path_params)                  \
     X(WRITES, FilmSums, film_sums)                     \

@@ -37,8 +37,9 @@
 #define FEATURE_HEMISPHERES 131072u  // irradiance records trace hemispheres of rays
 #define FEATURE_LOBES 262144u        // there are lobes other than Lambert's
 #define FEATURE_EMISSION_TEXTURES 524288u
-#define FEATURE_ORTHOGRAPHIC 1048576u  // rays of the camera are parallel
-#define FEATURE_LIGHT_TREE 2097152u    // paths choose between several lights by a tree
+#define FEATURE_ORTHOGRAPHIC 1048576u       // rays of the camera are parallel
+#define FEATURE_LIGHT_TREE 2097152u         // paths choose between several lights by a tree
+#define FEATURE_IMAGE_ENVIRONMENT 4194304u  // the environment is an image
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -116,7 +117,7 @@ typedef struct {
     float4 axis;      // spot, directional: direction of travel; area: xyz normal of one flat
                       // panel (host/scene/area_light_bounds.h), else 0
     float4 power;     // area: radiance, without texture; point, spot: W/sr in kernel units;
-                      // directional: W/m^2
+                      // directional: W/m^2; environment: SceneParams::environment
     uint kind;
     uint first, count;  // emissive triangles
     float area;         // kernel units squared; of a textured one what shines
@@ -127,6 +128,7 @@ typedef struct {
     float area_cumulative;  // the same among the area lights alone; 0 for other lights
     float area_probability;
     float choice_cumulative;  // the same for path tracing, which chooses from all but environments
+                              // of the same radiance everywhere
     float choice_probability;
     uint enclosing_media;  // media boundaries about its centre, a bit each
     uint textured;         // area: 1 where its radiance is not the same everywhere
@@ -140,13 +142,17 @@ typedef struct {
 #define LIGHT_SPOT 3u
 #define LIGHT_DISTANT 4u      // travels along `axis`, from nowhere
 #define LIGHT_ALL_DISTANT 5u  // several of these
+#define LIGHT_ALL_AROUND 6u   // shines from all directions, more so from along `axis`
 #define LIGHT_CHILDREN 8u     // most of a node
 typedef struct {
     float4 position;  // xyz middle of a ball that holds the lights, w its radius
     float4 axis;      // w of LIGHT_PANEL: how high above the middle, along the normal, panels may
-                      // be; of LIGHT_SPOT: the cosine of its edge
+                      // be; of LIGHT_SPOT: the cosine of its edge; xyz of LIGHT_ALL_AROUND: its dot
+                      // product with a normal, plus 1, is about how many times its mean the
+                      // irradiance is
     float intensity;  // of light leaving along the axis, over that of the scene's brightest light:
-                      // radiance times area, W/sr, or of distant light its irradiance
+                      // radiance times area, W/sr, or of distant light its irradiance, of
+                      // LIGHT_ALL_AROUND the mean of that over all normals
     uint shape;
     uint first, count;  // children; where count is 0, `first` is the light
     uint parent;
@@ -178,6 +184,21 @@ typedef struct {
     float4 cone;  // spot: cos_inner, cos_outer; VPL_MEDIUM: x is the phase function's g; w: random
                   // number of its place on view rays through media, in [0, 1)
 } Vpl;
+
+// An image of the environment: radiance by direction, over SceneParams::environment. A direction
+// has the coordinates u, how far it is turned about the image's axis y, and v, its angle from that
+// axis, both in [0, 1]; see environment_image.h. Beyond each edge of the image there is one texel
+// more, the one that is next to it on the sphere, so that looking up needs no wrapping.
+typedef struct {
+    float4 x_axis, y_axis, z_axis;  // of the image, unit vectors in kernel space
+    uint width, height;             // texels, with those beyond the edges
+    float column_scale;             // columns of the image
+    float row_scale, row_offset;    // row of the texels of that v: their sum with v times the first
+    // Cells of the same solid angle by which directions are chosen, `rows` of the cosine of v times
+    // `columns` of u.
+    uint columns, rows;
+    uint pad;
+} EnvironmentRecord;
 
 // A medium's densities and their majorants, floats of two buffers from `first` and `first_bound`
 // on, of nx ny nz voxels and bx by bz blocks; see host/scene/density_grid.h and majorant_grid.h.
@@ -337,9 +358,9 @@ typedef struct {
 } CameraParams;
 
 // The scene as all kernels see it. Lights lie in the light table by kind: area lights, then point
-// and spot lights, directional lights, environments.
+// and spot lights, directional lights, the environment.
 typedef struct {
-    float4 environment;      // rgb radiance
+    float4 environment;      // rgb radiance; of an image what its texels are multiplied with
     float4 bounding_sphere;  // xyz centre; w: radius, kernel units
     float unit;              // kernel units per scene unit, a power of two
     float extent;            // largest |coordinate| of geometry and camera, kernel units

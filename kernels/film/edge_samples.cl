@@ -136,14 +136,15 @@ static inline uint pixel_of_instance(const RenderParams* params, const SeenPixel
 
 /// What a ray through the point (`x`, `y`) of `pixel` in that direction shows.
 static inline FilmSample hit_sample(const RenderParams* params, const Geometry* geometry,
-                                    const SeenPixels* seen, const IrradianceBuffers* buffers,
+                                    const EnvironmentImage* environment, const SeenPixels* seen,
+                                    const IrradianceBuffers* buffers,
                                     GLOBAL NonfiniteCounter* nonfinite, uint pixel, float x,
                                     float y, float3 direction, Hit hit, float texture_angle,
                                     uint* misses) {
     float3 none = f3(0.0f, 0.0f, 0.0f);
     PixelLight light = no_pixel_light();
     if (hit.triangle == INVALID_INDEX) {
-        float3 emission = background_radiance(params, direction);
+        float3 emission = background_radiance(params, environment, direction);
         if (HAS(params, FEATURE_MEDIA))
             add_view_media(params, buffers, pixel_of_instance(params, seen, INVALID_INDEX, pixel),
                            &light);
@@ -226,6 +227,7 @@ WEFT_KERNEL(edge_samples)
     if (WORK_ITEM(range) >= range.count) return;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
+    ENVIRONMENT_MAKE(environment);
     IRRADIANCE_MAKE(buffers);
     SEEN_PIXELS_MAKE(seen);
     uint pixels = edge_pixels_of_item((uint)LANES, params.sampling.edge_samples);
@@ -250,9 +252,9 @@ WEFT_KERNEL(edge_samples)
         FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
         add_share(&sum, &centre, share);
         for (uint k = 0u; k < params.sampling.edge_samples; ++k, ++ray) {
-            FilmSample sample = hit_sample(&params, &geometry, &seen, &buffers, nonfinite, pixel,
-                                           rays.x[ray], rays.y[ray], rays.directions[ray],
-                                           rays.hits[ray], texture_angle, &misses);
+            FilmSample sample = hit_sample(
+                &params, &geometry, &environment, &seen, &buffers, nonfinite, pixel, rays.x[ray],
+                rays.y[ray], rays.directions[ray], rays.hits[ray], texture_angle, &misses);
             add_share(&sum, &sample, share);
         }
         sum.alpha *= share;

@@ -29,10 +29,11 @@ static inline void set_pixel_ray(const RenderParams* params, uint x, uint y, uin
 
 /// What a pixel's ray in that direction met; `facet` is the triangle's.
 static inline void store_pixel(const RenderParams* params, const Geometry* geometry,
-                               const Facet* facet, uint pixel, float3 direction, Hit hit,
-                               GLOBAL uint* gb_ids, GLOBAL float4* gb_position,
-                               GLOBAL float4* gb_normal, GLOBAL float4* gb_shading,
-                               GLOBAL float4* gb_albedo, GLOBAL float4* gb_emission) {
+                               const EnvironmentImage* environment, const Facet* facet, uint pixel,
+                               float3 direction, Hit hit, GLOBAL uint* gb_ids,
+                               GLOBAL float4* gb_position, GLOBAL float4* gb_normal,
+                               GLOBAL float4* gb_shading, GLOBAL float4* gb_albedo,
+                               GLOBAL float4* gb_emission) {
     gb_ids[2u * pixel] = INVALID_INDEX;
     gb_ids[2u * pixel + 1u] = hit.triangle;
     if (hit.triangle == INVALID_INDEX) {
@@ -40,7 +41,7 @@ static inline void store_pixel(const RenderParams* params, const Geometry* geome
         gb_normal[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_shading[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
         gb_albedo[pixel] = f4(0.0f, 0.0f, 0.0f, 0.0f);
-        float3 sky = background_radiance(params, direction);
+        float3 sky = background_radiance(params, environment, direction);
         gb_emission[pixel] = f4(sky.x, sky.y, sky.z, 0.0f);
         return;
     }
@@ -68,6 +69,7 @@ WEFT_KERNEL(gbuffer)
     uint block = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
+    ENVIRONMENT_MAKE(environment);
     const uint block_width = pixel_block_width((uint)LANES);
     const uint block_height = (uint)LANES / block_width;
     uint blocks = (params.camera.width + block_width - 1u) / block_width;
@@ -93,7 +95,7 @@ WEFT_KERNEL(gbuffer)
             if (facet_id != INVALID_INDEX) facet = facet_of(&geometry, facet_id);
         }
         uint pixel = (top + lane / block_width) * params.camera.width + left + lane % block_width;
-        store_pixel(&params, &geometry, &facet, pixel, lane_direction(&rays, lane), hits[lane],
-                    gb_ids, gb_position, gb_normal, gb_shading, gb_albedo, gb_emission);
+        store_pixel(&params, &geometry, &environment, &facet, pixel, lane_direction(&rays, lane),
+                    hits[lane], gb_ids, gb_position, gb_normal, gb_shading, gb_albedo, gb_emission);
     }
 }

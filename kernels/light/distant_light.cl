@@ -1,10 +1,11 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Adds light from infinitely far away: of the environment, sampled by the set's directions turned
-// about each pixel's normal, to the sampled irradiance, and of directional lights to the exact
-// irradiance, which is not filtered. One work-item per slot. It traces its rays one at a time,
-// because those of the receivers of a packet have no common end point.
+// Adds light from infinitely far away: of the environment, sampled by the set's directions, which
+// of one that is no image are turned about each pixel's normal, to the sampled irradiance, and of
+// directional lights to the exact irradiance, which is not filtered. One work-item per slot. It
+// traces its rays one at a time, because those of the receivers of a packet have no common end
+// point.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/bvh/visibility.h"
 #include "kernels/core/counters.h"
@@ -45,16 +46,22 @@ WEFT_KERNEL(distant_light)
         uint count = params.sampling.environment_samples * receiver_sets(&params);
         GLOBAL const Vpl* first = samples + list.first + set * list.stride;
         float3 open = f3(0.0f, 0.0f, 0.0f);
+        int image = HAS(&params, FEATURE_IMAGE_ENVIRONMENT) ? 1 : 0;
         for (uint i = 0u; i < count; ++i) {
-            float3 direction = to_world(xyz(first[i].position), shading);
-            if (!(dot3(direction, normal) > 0.0f)) continue;
+            float3 direction = xyz(first[i].position);
+            if (image == 0) direction = to_world(direction, shading);
+            float cosine = image != 0 ? dot3(direction, shading) : 1.0f;
+            if (!(cosine > 0.0f && dot3(direction, normal) > 0.0f)) continue;
             ++rays;
             if (sees_infinity(scene, &params, position, direction) == 0) continue;
-            open +=
+            float3 arrives =
                 distant_transmittance(&params, &through, position, direction, enclosing_media, i);
+            open += image != 0 ? arrives * xyz(first[i].flux) * cosine : arrives;
         }
         add_irradiance(sampled_irradiance, stride, slot,
-                       xyz(params.scene.environment) * (open * (COSINE_IRRADIANCE / (float)count)));
+                       image != 0 ? open * (1.0f / (float)count)
+                                  : xyz(params.scene.environment) *
+                                        (open * (COSINE_IRRADIANCE / (float)count)));
     }
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
         for (uint i = 0u; i < params.scene.directional_lights; ++i) {

@@ -38,6 +38,7 @@ static inline uint choose_for_next_event(GLOBAL const LightRecord* lights, uint 
 /// First segment of a light path: flux is the light's power over the probability of choosing it.
 static inline EmittedRay emit_light(const RenderParams* params, const Geometry* geometry,
                                     LightRecord light, GLOBAL const EmissiveTriangle* emissive,
+                                    const EnvironmentImage* environment,
                                     const EmissionNumbers* numbers) {
     float weight = 1.0f / light.probability;
     switch (light.kind) {
@@ -47,7 +48,7 @@ static inline EmittedRay emit_light(const RenderParams* params, const Geometry* 
         case EMITTER_SPOT:
             return emit_from_point(light, numbers, weight);
         case EMITTER_ENVIRONMENT:
-            return emit_from_environment(params, light, numbers, weight);
+            return emit_from_environment(params, environment, light, numbers, weight);
         case EMITTER_DIRECTIONAL:
         default:
             return emit_from_distant(params, light, numbers, weight);
@@ -55,18 +56,20 @@ static inline EmittedRay emit_light(const RenderParams* params, const Geometry* 
 }
 
 /// What a light that was chosen with that probability sends to a surface, by a point (u, v) of it.
-/// `origin` is the surface's point, moved off. Not for environments.
+/// `origin` is the surface's point, moved off. Of environments for images only.
 static inline LightSample light_at_surface(const RenderParams* params, const Geometry* geometry,
                                            LightRecord light,
                                            GLOBAL const EmissiveTriangle* emissive,
-                                           const LitPoint* lit, float3 origin, float probability,
-                                           float u, float v) {
+                                           const EnvironmentImage* environment, const LitPoint* lit,
+                                           float3 origin, float probability, float u, float v) {
     switch (light.kind) {
         case EMITTER_AREA:
             return area_at_surface(params, geometry, light, emissive, lit, origin, probability, u,
                                    v);
         case EMITTER_DIRECTIONAL:
             return distant_at_surface(params, light, lit, origin, probability);
+        case EMITTER_ENVIRONMENT:
+            return environment_at_surface(params, environment, lit, origin, probability, u, v);
         case EMITTER_POINT:
         case EMITTER_SPOT:
         default:
@@ -74,10 +77,11 @@ static inline LightSample light_at_surface(const RenderParams* params, const Geo
     }
 }
 
-/// Point (u, v) of a light that was chosen with that probability. Not for environments.
+/// Point (u, v) of a light that was chosen with that probability. Of environments for images only.
 static inline ChosenPoint point_on_light(const RenderParams* params, const Geometry* geometry,
                                          LightRecord light, GLOBAL const EmissiveTriangle* emissive,
-                                         float probability, float u, float v) {
+                                         const EnvironmentImage* environment, float probability,
+                                         float u, float v) {
     ChosenPoint chosen;
     chosen.light = light;
     chosen.pdf = probability;
@@ -87,6 +91,8 @@ static inline ChosenPoint point_on_light(const RenderParams* params, const Geome
         chosen.point = sample_emitter(params, geometry, light, emissive, u, v);
         chosen.pdf = probability / chosen.point.area;
     }
+    if (HAS(params, FEATURE_IMAGE_ENVIRONMENT) && light.kind == EMITTER_ENVIRONMENT)
+        chosen.point = environment_point(params, environment, u, v, &chosen.pdf);
     return chosen;
 }
 
@@ -95,7 +101,7 @@ static inline int has_place(LightRecord light) {
     return light.kind != EMITTER_DIRECTIONAL && light.kind != EMITTER_ENVIRONMENT ? 1 : 0;
 }
 
-/// What a chosen point of a light sends to a place in a medium. Not for environments.
+/// What a chosen point of a light sends to a place in a medium. Of environments for images only.
 static inline PlaceLight light_at_place(const RenderParams* params, const ChosenPoint* chosen,
                                         float3 place) {
     PlaceLight found;
@@ -103,6 +109,8 @@ static inline PlaceLight light_at_place(const RenderParams* params, const Chosen
     found.pdf = 0.0f;
     found.target = chosen->point.position;
     found.distance = RAY_INFINITY;
+    if (HAS(params, FEATURE_IMAGE_ENVIRONMENT) && chosen->light.kind == EMITTER_ENVIRONMENT)
+        return environment_at_place(chosen, found);
     if (has_place(chosen->light) == 0) return distant_at_place(chosen, found);
     float3 towards = chosen->point.position - place;
     found.distance = length3(towards);

@@ -31,13 +31,14 @@ typedef struct {
 // A point on a light with the side it shines to.
 typedef struct {
     float3 position, normal;
-    float3 radiance;  // of area lights
+    float3 radiance;  // of area lights and environments
     float area;       // of area lights: 1 over the pdf per area with which it is chosen
     uint entry;       // of area lights: its EmissiveTriangle, and there:
     float u, v;       // barycentric coordinates, as those of hits
 } LightPoint;
 
-// A point on a light, and the pdf with which it was chosen: per area of area lights.
+// A point on a light, and the pdf with which it was chosen: per area of area lights, 1/sr of
+// environments.
 typedef struct {
     LightRecord light;
     LightPoint point;

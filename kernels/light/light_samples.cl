@@ -3,8 +3,9 @@
 //
 // Samples the light sources: computes the points on lights that all pixels of a set share, as VPLs.
 // The buffer holds the samples on area lights of every set, then the punctual lights, then per set
-// the local directions towards the environment (unit vectors about +z with pdf cos / pi). One
-// work-item per entry.
+// the directions towards the environment: local unit vectors about +z with pdf cos / pi or, of an
+// image, directions chosen by its brightness with their radiance over their pdf. One work-item per
+// entry.
 #include "kernels/core/kernel.h"
 #include "kernels/light/light.h"
 
@@ -84,6 +85,14 @@ WEFT_KERNEL(light_samples)
     uint key = hash_pair(params.sampling.seed, 0u);
     float u = radical_inverse(PRIME_POSITION_U, index, key);
     float v = radical_inverse(PRIME_POSITION_V, index, key);
+    if (HAS(&params, FEATURE_IMAGE_ENVIRONMENT)) {
+        ENVIRONMENT_MAKE(environment);
+        EnvironmentSample from = sample_environment(&params, &environment, u, v);
+        float3 light = from.radiance / from.pdf;
+        samples[item].position = f4(from.direction.x, from.direction.y, from.direction.z, 0.0f);
+        samples[item].flux = f4(light.x, light.y, light.z, 0.0f);
+        return;
+    }
     float3 local_vector = environment_local_direction(u, v);
     samples[item].position = f4(local_vector.x, local_vector.y, local_vector.z, 0.0f);
 }

@@ -18,6 +18,10 @@
 // the less is lost where the brightest light is hidden.
 #define LIGHT_EQUAL_SHARE 0.1f
 
+// Least share of its mean irradiance that light from all around is taken to bring to a surface.
+// What it brings by its first moment may be none at all, or less, behind a single bright texel.
+#define LEAST_FROM_AROUND 0.0625f
+
 // What some nodes of the tree would bring to a point.
 typedef struct {
     float importance[LIGHT_CHILDREN];  // below 0: nothing at all
@@ -30,6 +34,8 @@ typedef struct {
 /// below which lights are not taken to be, above 0.
 static inline float light_importance(const LightNode* node, const LitPoint* lit, float least) {
     float3 axis = xyz(node->axis);
+    if (node->shape == LIGHT_ALL_AROUND)
+        return node->intensity * m_max(1.0f + dot3(lit->shading, axis), LEAST_FROM_AROUND);
     if (node->shape == LIGHT_DISTANT || node->shape == LIGHT_ALL_DISTANT) {
         float cosine = node->shape == LIGHT_DISTANT ? -dot3(lit->shading, axis) : 1.0f;
         return cosine > 0.0f ? node->intensity * cosine : -1.0f;

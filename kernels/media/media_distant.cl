@@ -90,7 +90,8 @@ static inline float3 directional_light(const RenderParams* params, Scene scene, 
 
 /// What the environment sends: from one direction for each place.
 static inline float3 environment_light(const RenderParams* params, Scene scene, const Media* media,
-                                       const ViewRay* ray, float sigma, uint set, uint* rays) {
+                                       const EnvironmentImage* environment, const ViewRay* ray,
+                                       float sigma, uint set, uint* rays) {
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     uint count = params->sampling.environment_samples * receiver_sets(params);
     uint key = hash_pair(params->sampling.seed, 0x7Du);
@@ -99,9 +100,17 @@ static inline float3 environment_light(const RenderParams* params, Scene scene, 
         float u = radical_inverse(PRIME_DIRECTION_U, index, key);
         float v = radical_inverse(PRIME_DIRECTION_V, index, key);
         float w = radical_inverse(PRIME_POSITION_U, index, key);
+        if (HAS(params, FEATURE_IMAGE_ENVIRONMENT)) {
+            EnvironmentSample from = sample_environment(params, environment, u, v);
+            sum += from.radiance / (from.pdf * (float)count) *
+                   scattered_from(params, scene, media, ray, from.direction,
+                                  distant_place(ray, sigma, w), i, rays);
+            continue;
+        }
         sum += scattered_from(params, scene, media, ray, environment_direction(u, v),
                               distant_place(ray, sigma, w), i, rays);
     }
+    if (HAS(params, FEATURE_IMAGE_ENVIRONMENT)) return sum;
     return xyz(params->scene.environment) * sum * (SPHERE_SOLID_ANGLE / (float)count);
 }
 
@@ -113,6 +122,7 @@ WEFT_KERNEL(media_distant)
     if (ray.valid == 0) return;
     SCENE_MAKE(scene);
     MEDIA_MAKE(through);
+    ENVIRONMENT_MAKE(environment);
     uint set = receiver_set(&params, block_set, slot);
     float sigma = spread_extinction(&params, &through);
     uint rays = 0u;
@@ -120,7 +130,7 @@ WEFT_KERNEL(media_distant)
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS))
         sum += directional_light(&params, scene, &through, &ray, lights, sigma, set, steps, &rays);
     if (HAS(&params, FEATURE_ENVIRONMENT) && params.sampling.environment_samples > 0u)
-        sum += environment_light(&params, scene, &through, &ray, sigma, set, &rays);
+        sum += environment_light(&params, scene, &through, &environment, &ray, sigma, set, &rays);
     add_irradiance(radiance, slots, slot, sum);
     count_rays(counters + range.counter, rays);
 }

@@ -27,7 +27,8 @@ typedef struct {
 /// First segment of a path: flux is the light's power over the probability of choosing it.
 static inline LightPath emit_path(const RenderParams* params, const Geometry* geometry,
                                   GLOBAL const LightRecord* lights,
-                                  GLOBAL const EmissiveTriangle* emissive, uint index) {
+                                  GLOBAL const EmissiveTriangle* emissive,
+                                  const EnvironmentImage* environment, uint index) {
     uint key = params->sampling.seed;
     EmissionNumbers numbers;
     numbers.u = radical_inverse(PRIME_POSITION_U, index, key);
@@ -36,7 +37,7 @@ static inline LightPath emit_path(const RenderParams* params, const Geometry* ge
     numbers.t = radical_inverse(PRIME_DIRECTION_V, index, key);
     numbers.rest = radical_inverse(PRIME_LIGHT, index, key);
     LightRecord light = lights[choose_light(lights, params->scene.lights, &numbers.rest)];
-    EmittedRay ray = emit_light(params, geometry, light, emissive, &numbers);
+    EmittedRay ray = emit_light(params, geometry, light, emissive, environment, &numbers);
     LightPath path;
     path.origin = ray.origin;
     path.direction = ray.direction;

@@ -165,12 +165,12 @@ static inline int advance(const RenderParams* params, const PathScene* world, co
             path, path->enclosing_media != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST, random);
     float3 light = f3(0.0f, 0.0f, 0.0f);
     if (met == 0 && path->bounce == 0u) {
-        light = background_radiance(params, path->direction);
+        light = background_radiance(params, &world->environment, path->direction);
         // Its mean over paths, those that media scatter or absorb included, is by the
         // transmittance.
         sample->alpha = background_alpha(params, path->throughput * path->ratio);
     } else if (met == 0 && HAS(params, FEATURE_ENVIRONMENT)) {
-        light = environment_radiance(params, path->direction);
+        light = met_environment(params, world, path);
     }
     if (met != 0 && max_component(path->surface.emission) > 0.0f)
         light = path->surface.emission * met_weight(params, world, path, &path->surface, hit.t);

@@ -20,7 +20,7 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     Hit hit = trace_closest(world->scene, camera_origin(params, x, y), direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == INVALID_INDEX) {
-        sample.emission = background_radiance(params, direction);
+        sample.emission = background_radiance(params, &world->environment, direction);
         sample.alpha = background_alpha(params, f3(1.0f, 1.0f, 1.0f));
         return sample;
     }
@@ -49,7 +49,9 @@ INLINES_ALL WEFT_KERNEL(path)
     uint pixel = range.first + WORK_ITEM(range);
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    ENVIRONMENT_MAKE(environment);
+    PathScene world = {
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
     uint rays = 0u;
     for (uint i = 0u; i < path_params.samples; ++i) {
         Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);

@@ -105,6 +105,16 @@ static inline float emission_weight(const RenderParams* params, const PathScene*
     return other > 0.0f ? power_heuristic(pdf, other) : 1.0f;
 }
 
+/// Radiance of the environment along a ray that meets nothing, which was scattered at `from` with
+/// pdf `pdf`, times its MIS weight.
+static inline float3 weighted_environment(const RenderParams* params, const PathScene* world,
+                                          const LitPoint* from, float3 direction, float pdf) {
+    float3 radiance = environment_radiance(params, &world->environment, direction);
+    float other = environment_pdf(params, &world->environment, direction);
+    if (other > 0.0f) other *= probability_at(params, world, from, environment_index(params));
+    return other > 0.0f ? radiance * power_heuristic(pdf, other) : radiance;
+}
+
 /// Scatters the path and follows it to the next surface. Returns 0 where it ends.
 static inline int scatter(const RenderParams* params, const PathScene* world, PathVertex* vertex,
                           Random* random, PathLight* sum, uint* rays) {
@@ -119,7 +129,9 @@ static inline int scatter(const RenderParams* params, const PathScene* world, Pa
     ++*rays;
     if (hit.triangle == INVALID_INDEX) {
         if (HAS(params, FEATURE_ENVIRONMENT))
-            add_light(params, sum, vertex, throughput * environment_radiance(params, direction));
+            add_light(
+                params, sum, vertex,
+                throughput * weighted_environment(params, world, &lit, direction, sample.pdf));
         return 0;
     }
     vertex->surface = surface_at(params, &world->geometry, hit, direction, 0.0f);

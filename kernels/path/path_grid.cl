@@ -14,7 +14,9 @@ WEFT_KERNEL(path_grid)
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
-    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    ENVIRONMENT_MAKE(environment);
+    PathScene world = {
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
     uint rays =
         add_media_samples(&params, &path_params, &world, &through, pixel, film_sums, nonfinite);
     count_rays(counters + range.counter, rays);

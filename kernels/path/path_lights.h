@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Next-event estimation of path tracing: one light is chosen for a surface point, and one point on
-// it. Area lights are also met by scattered rays; both techniques are weighted by the power
-// heuristic with exponent 2 (Veach and Guibas 1995).
+// it. Area lights, and an image of the environment, are also met by scattered rays; both techniques
+// are weighted by the power heuristic with exponent 2 (Veach and Guibas 1995).
 #ifndef WEFT_KERNELS_PATH_PATH_LIGHTS_H
 #define WEFT_KERNELS_PATH_PATH_LIGHTS_H
 
@@ -19,6 +19,7 @@ typedef struct {
     GLOBAL const EmissiveTriangle* emissive;
     GLOBAL const LightNode* light_nodes;  // of FEATURE_LIGHT_TREE
     uint light_count;                     // that next-event estimation chooses from
+    EnvironmentImage environment;         // of FEATURE_IMAGE_ENVIRONMENT
 } PathScene;
 
 /// Weight of a technique of pdf `own` beside one of pdf `other`.
@@ -64,6 +65,11 @@ static inline float probability_at(const RenderParams* params, const PathScene* 
     return light_probability_at(params, world->light_nodes, lit, world->lights[light].node);
 }
 
+/// Index of the environment in the light table, where there is one.
+static inline uint environment_index(const RenderParams* params) {
+    return params->scene.lights - 1u;
+}
+
 /// A sample of the light that falls on a surface point. `origin` is that point, moved off.
 static inline LightSample sample_lights(const RenderParams* params, const PathScene* world,
                                         const Surface* surface, float3 origin, float choice,
@@ -72,8 +78,8 @@ static inline LightSample sample_lights(const RenderParams* params, const PathSc
     float probability;
     uint chosen = choose_light_for(params, world, &lit, choice, &probability);
     if (!(probability > 0.0f)) return no_light_sample();
-    return light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive, &lit,
-                            origin, probability, u, v);
+    return light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive,
+                            &world->environment, &lit, origin, probability, u, v);
 }
 
 #endif

@@ -17,7 +17,9 @@ INLINES_ALL WEFT_KERNEL(path_media)
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
     through.any_grid = 0;
-    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    ENVIRONMENT_MAKE(environment);
+    PathScene world = {
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
     uint rays =
         add_media_samples(&params, &path_params, &world, &through, pixel, film_sums, nonfinite);
     count_rays(counters + range.counter, rays);

@@ -7,7 +7,8 @@
 //   2  the point by equi-angular sampling, the light by next-event estimation;
 //   3  the point by a free path, the light by a scattered ray that meets it.
 // They are weighted by the balance heuristic (Veach and Guibas 1995). Lights without area are found
-// by the first two alone, directional ones by the first alone. In media with grids the pdf of free
+// by the first two alone, directional ones by the first alone, an image of the environment by the
+// first and the third. In media with grids the pdf of free
 // paths is not known, and a stand-in takes its place (path_grid.h).
 //
 // Emission of media is found by the paths alone: every segment adds all of the emission that
@@ -130,7 +131,7 @@ static inline ChosenPoint choose_point(const RenderParams* params, const PathSce
     float probability;
     uint index = choose_for_next_event(world->lights, world->light_count, choice, &probability);
     return point_on_light(params, &world->geometry, world->lights[index], world->emissive,
-                          probability, u, v);
+                          &world->environment, probability, u, v);
 }
 
 // A point of a segment that a path may be scattered at, and its pdfs by free paths and equi-angular
@@ -204,6 +205,19 @@ static inline float met_weight(const RenderParams* params, const PathScene* worl
                     path->segment.angular_share;
     float other = pdf / path->pdf;
     return 1.0f / (1.0f + other + other * (angular / path->free_pdf));
+}
+
+/// Radiance of the environment along a ray of the path that meets nothing after it was scattered,
+/// times its MIS weight.
+static inline float3 met_environment(const RenderParams* params, const PathScene* world,
+                                     const MediaPath* path) {
+    if (path->kind == RAY_OF_SURFACE)
+        return weighted_environment(params, world, &path->left, path->direction, path->pdf);
+    float3 radiance = environment_radiance(params, &world->environment, path->direction);
+    float other = environment_pdf(params, &world->environment, path->direction);
+    if (!(other > 0.0f)) return radiance;
+    other *= world->lights[environment_index(params)].choice_probability;
+    return radiance * (1.0f / (1.0f + other / path->pdf));
 }
 
 /// Next-event estimation at a surface, through media: adds what one chosen light sends to it, and

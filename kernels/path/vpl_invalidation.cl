@@ -21,7 +21,8 @@ WEFT_KERNEL(vpl_invalidation)
     SCENE_MAKE(moved);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
-    LightPath path = emit_path(&params, &geometry, lights, emissive, index);
+    ENVIRONMENT_MAKE(environment);
+    LightPath path = emit_path(&params, &geometry, lights, emissive, &environment, index);
     Random random = make_random(params.sampling.seed, index, 0x1F83D9ABu);
     uint rays = 0u;
     uint known = 0u;

@@ -90,7 +90,9 @@ INLINES_ALL WEFT_KERNEL(vpl_residual)
     if (!(receiver_planes[RECEIVER_VALID * stride + slot] > 0.0f)) return;
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
-    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    ENVIRONMENT_MAKE(environment);
+    PathScene world = {
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
     float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
     float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
     float3 normal = shading;

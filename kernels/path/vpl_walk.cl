@@ -82,7 +82,8 @@ WEFT_KERNEL(vpl_walk)
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
-    LightPath path = emit_path(&params, &geometry, lights, emissive, index);
+    ENVIRONMENT_MAKE(environment);
+    LightPath path = emit_path(&params, &geometry, lights, emissive, &environment, index);
     Random random = make_random(params.sampling.seed, index, 0x1F83D9ABu);
     float share = 1.0f / ((float)params.sampling.paths_per_set * (float)params.sampling.sets);
     uint block = params.sampling.sample * params.sampling.sets + set;

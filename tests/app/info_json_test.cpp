@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -11,6 +12,7 @@
 #include "base/shorten.h"
 #include "base/warning_collector.h"
 #include "scene/default_light.h"
+#include "tests/testing/environment_images.h"
 #include "tests/testing/scene_builder.h"
 
 namespace weft::info_json_test {
@@ -165,6 +167,25 @@ TEST(InfoJson, TexturedEmissionCountsByItsTexels) {
     EXPECT_EQ(info["effects"][0], "area lights");
     EXPECT_EQ(info["effects"][2], "textured emission");
     EXPECT_TRUE(info["indirect"]["vpls_landed"].is_number());
+}
+
+TEST(InfoJson, AnImageOfTheEnvironmentHasItsNameSizeAndMean) {
+    test::SceneBuilder builder = square();
+    builder.scene.environment = Environment{
+        glm::vec3(2.0F),
+        std::make_shared<const EnvironmentImage>(test::constant_image({1.0F, 0.5F, 0.25F}))};
+    const json info = info_of(builder.scene);
+    const json& light = info["light_list"].at(0);
+    EXPECT_EQ(light["name"], "made up");
+    EXPECT_EQ(light["kind"], "environment");
+    EXPECT_EQ(light["image"], json({4, 2}));
+    EXPECT_NEAR(light["power"][0].get<double>(), 2.0, 1e-9);
+    EXPECT_NEAR(light["power"][2].get<double>(), 0.5, 1e-9);
+    EXPECT_NE(info["effects"].dump().find("\"image environment\""), std::string::npos);
+    const std::string text = rows(info_text(info), "lights");
+    EXPECT_NE(text.find("environment, RGB 2 1 0.5 W/(m^2 sr) on average, image of 4 x 2 pixels"),
+              std::string::npos)
+        << text;
 }
 
 TEST(InfoJson, DefaultLightsAreMarked) {

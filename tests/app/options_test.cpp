@@ -93,6 +93,35 @@ TEST(Options, InfoAndDevices) {
     EXPECT_FALSE(std::get<DevicesOptions>(parse({"devices"})).json);
 }
 
+TEST(Options, LightingIsThatOfEveryCommandThatReadsAScene) {
+    const SceneReading plain = render({}).lighting;
+    EXPECT_EQ(plain.light, DefaultLight::as_needed);
+    EXPECT_TRUE(plain.environment.empty());
+    EXPECT_EQ(plain.environment_rotation, 0.0);
+    const std::vector<const char*> given{
+        "--light", "none", "--environment", "my sky.hdr", "--environment-rotation", "-37.5"};
+    const auto of = [&](const char* command) {
+        std::vector<const char*> line{"weft", command, "a.gltf"};
+        line.insert(line.end(), given.begin(), given.end());
+        return parse_command_line(static_cast<int>(line.size()), line.data());
+    };
+    for (const SceneReading& lighting : {std::get<RenderOptions>(of("render")).lighting,
+                                          std::get<InfoOptions>(of("info")).lighting,
+                                          std::get<TradeoffOptions>(of("tradeoff")).lighting}) {
+        EXPECT_EQ(lighting.light, DefaultLight::never);
+        EXPECT_EQ(lighting.environment, "my sky.hdr");
+        EXPECT_EQ(lighting.environment_rotation, -37.5);
+        EXPECT_EQ(lighting_arguments(lighting),
+                  " --light none --environment 'my sky.hdr' --environment-rotation -37.5");
+    }
+    EXPECT_EQ(lighting_arguments(plain), "");
+    const nlohmann::json json = options_json(std::get<RenderOptions>(of("render")));
+    EXPECT_EQ(json["environment"], "my sky.hdr");
+    EXPECT_EQ(json["environment_rotation"], -37.5);
+    for (const char* bad : {"x", "nan", "36001", ""})
+        EXPECT_NE(render_refusal({"--environment-rotation", bad}), "no failure") << bad;
+}
+
 TEST(Options, Selftest) {
     const auto all = std::get<SelftestOptions>(parse({"selftest"}));
     EXPECT_FALSE(all.backend || all.device || all.json || all.ledger);
@@ -331,7 +360,7 @@ TEST(Options, RefusesBadLines) {
 TEST(Options, JsonHoldsEveryOption) {
     const nlohmann::json defaults = options_json(render({}));
     for (const char* name : {"backend", "device", "threads", "size", "camera", "components", "spp",
-                             "time", "frame_time", "stats"})
+                             "time", "frame_time", "stats", "environment"})
         EXPECT_TRUE(defaults.contains(name) && defaults[name].is_null()) << name;
     EXPECT_EQ(defaults["scene"], "scenes/box.gltf");
     EXPECT_EQ(defaults["output"], "box.exr");

@@ -44,6 +44,10 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     Geometry geometry;
     geometry.positions = positions;
     geometry.triangles = triangles;
+    EnvironmentImage image;
+    image.record = 0;
+    image.texels = 0;
+    image.sums = 0;
 
     Bsdf bsdf;
     bsdf.lobe = LOBE_LAMBERT;
@@ -72,7 +76,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     numbers.s = x[2];
     numbers.t = x[3];
     numbers.rest = choice;
-    const EmittedRay ray = emit_light(&params, &geometry, light, emissive, &numbers);
+    const EmittedRay ray = emit_light(&params, &geometry, light, emissive, &image, &numbers);
     r[19] = (float)chosen;
     r[20] = choice;
     put(r + 21, ray.origin);
@@ -86,7 +90,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     float probability;
     const uint other = choose_for_next_event(lights, kinds, 0.8f * x[5], &probability);
     const LightSample found =
-        light_at_surface(&params, &geometry, lights[other], emissive, &surface,
+        light_at_surface(&params, &geometry, lights[other], emissive, &image, &surface,
                          surface.position, probability, x[0], x[1]);
     r[30] = (float)other;
     r[31] = probability;
@@ -97,14 +101,14 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     put(r + 40, found.towards);
     r[43] = (float)found.distant;
     const ChosenPoint at =
-        point_on_light(&params, &geometry, lights[other], emissive, probability, x[0], x[1]);
+        point_on_light(&params, &geometry, lights[other], emissive, &image, probability, x[0], x[1]);
     const PlaceLight place = light_at_place(&params, &at, surface.position);
     put(r + 44, place.irradiance);
     put(r + 47, place.direction);
     put(r + 50, place.target);
     r[53] = place.distance;
     r[54] = place.pdf;
-    put(r + 55, environment_radiance(&params, in) * environment_local_direction(x[0], x[1]));
+    put(r + 55, environment_radiance(&params, &image, in) * environment_local_direction(x[0], x[1]));
 }
 )
 // clang-format on

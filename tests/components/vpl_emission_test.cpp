@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "tests/testing/environment_images.h"
 #include "tests/testing/render_fixture.h"
 
 // The flux that every kind of light brings into the VPL walk. Inside a sphere of area A each VPL
@@ -188,6 +190,20 @@ TEST(VplEmission, Environment) {
     builder.scene.environment = Environment{glm::vec3(2.0F)};
     // The floor receives pi L from above (the receiver hides 3e-5 of it) and reflects rho L.
     expect_at_receiver(builder.scene, static_cast<double>(rho) * 2.0 * floor_share(2.0));
+}
+
+TEST(VplEmission, ImageOfTheEnvironment) {
+    // A sky that is brightest at the horizon to one side, standing upright on z.
+    const EnvironmentImage image = test::image_of(16, 8, false, [](const glm::dvec3& d) {
+        return glm::vec3(static_cast<float>(1.5 + d.x - 0.5 * d.y));
+    });
+    SceneBuilder builder = receiver_scene();
+    builder.scene.environment =
+        Environment{glm::vec3(2.0F), std::make_shared<const EnvironmentImage>(image),
+                    glm::dmat3{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    const double irradiance = 2.0 * test::irradiance_by(image, {0, 1, 0}, 16).x;
+    expect_at_receiver(builder.scene,
+                       static_cast<double>(rho) * irradiance / pi * floor_share(2.0));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ LIGHTS = """<emitter type="point"><point name="position" x="0" y="3" z="0"/>
 <emitter type="directional"><vector name="direction" value="0 -1 0.5"/>
  <spectrum name="irradiance" type="d65"><float name="scale" value="2"/></spectrum></emitter>
 <emitter type="constant"><rgb name="radiance" value="0.1 0.1 0.2"/></emitter>
-<emitter type="envmap"><string name="filename" value="sky.exr"/></emitter>
+<emitter type="sunsky"/>
 <emitter type="constant"/>"""
 
 TEXTURES = """<texture type="bitmap" id="wood"><string name="filename" value="pixel.tga"/>
@@ -85,6 +85,11 @@ SURFACES = """<bsdf type="conductor" id="a"><rgb name="eta" value="0.2 0.9 1.1"/
 """ + "\n".join(f'<shape type="rectangle"><ref id="{i}"/></shape>' for i in "abcdefghij") + """
 <shape type="ply"><string name="filename" value="triangle.ply"/><ref id="h"/></shape>"""
 
+ENVMAP = """<emitter type="envmap"><string name="filename" value="pair.hdr"/>
+ <float name="scale" value="2"/><boolean name="mis_compensation" value="true"/>
+ <transform name="to_world"><rotate x="1" angle="90"/><scale x="-1"/></transform></emitter>
+<shape type="sphere"/>"""
+
 MEDIA = """<medium type="homogeneous" id="fog"><rgb name="sigma_t" value="1 2 3"/>
  <rgb name="albedo" value="0.9"/><float name="scale" value="2"/>
  <phase type="hg"><float name="g" value="0.5"/></phase></medium>
@@ -117,6 +122,7 @@ def files():
     return {
         "shapes.xml": scene(SENSOR + SHAPES),
         "lights.xml": scene(SENSOR + LIGHTS, "2.1.0"),
+        "envmap.xml": scene(SENSOR + ENVMAP),
         "textures.xml": scene(TEXTURES),
         "surfaces.xml": scene(SURFACES),
         "media.xml": scene(MEDIA),
@@ -124,6 +130,8 @@ def files():
         "empty.xml": scene(""),
         "badhex.xml": scene('<shape type="cube"><bsdf type="diffuse">'
                             '<rgb name="reflectance" value="#40c0ff"/></bsdf></shape>'),
+        "badenvmap.xml": scene('<emitter type="envmap"><string name="filename" '
+                               'value="pixel.tga"/></emitter>'),
         "badself.xml": scene('<include filename="scene.xml"/>'),
         "badcycle.xml": scene('<bsdf type="twosided" id="a"><ref id="a"/></bsdf>'
                               '<shape type="cube"><ref id="a"/></shape>'),

@@ -33,6 +33,7 @@
 #include "scene/ply/ply_reader.h"
 #include "scene/pose_scene.h"
 #include "scene/surface_lobes.h"
+#include "scene/texture/environment_file.h"
 #include "scene/texture/image_file.h"
 #include "scene/validate_scene.h"
 #include "scene/volume/nanovdb_reader.h"
@@ -246,6 +247,14 @@ void read_image_bytes(Bytes bytes) {
     });
 }
 
+void use_environment(const EnvironmentFile& file) {
+    const FlatEnvironment flat = flatten_environment(*file.image, glm::dmat3(1.0));
+    for (const float sum : flat.sums)
+        require(sum >= 0.0F && sum <= 1.0F, "an impossible probability");
+    for (const float texel : flat.texels)
+        require(std::isfinite(texel) && texel >= 0.0F, "an impossible radiance");
+}
+
 void read_exr_bytes(Bytes bytes) {
     const fs::path path = folder().write("picture.exr", as_text(bytes));
     expect_error(ExitCode::bad_input, [&] {
@@ -257,11 +266,14 @@ void read_exr_bytes(Bytes bytes) {
                 !layer.channels.empty() && layer.values.size() == pixels * layer.channels.size(),
                 "a layer of the wrong size");
     });
+    expect_error(ExitCode::bad_input, [&] { use_environment(read_environment(path)); });
 }
 
 void read_hdr_bytes(Bytes bytes) {
     expect_error(ExitCode::bad_input,
                  [&] { require_finite_colours(decode_hdr(bytes, "picture")); });
+    const fs::path path = folder().write("picture.hdr", as_text(bytes));
+    expect_error(ExitCode::bad_input, [&] { use_environment(read_environment(path)); });
 }
 
 void read_png_bytes(Bytes bytes) {

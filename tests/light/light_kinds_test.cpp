@@ -49,6 +49,10 @@ struct SquareLight {
     }
 };
 
+/// Of scenes whose environment is the same everywhere; images are tested in
+/// environment_image_test.cpp.
+constexpr native::EnvironmentImage no_image{};
+
 /// Lights of all kinds.
 enum Kind : std::size_t { area, both_sides, point, spot, directional, environment, kinds };
 
@@ -153,8 +157,8 @@ TEST(LightKinds, EmitTheirPower) {
         const native::LightRecord& light = lights[i];
         const Mean mean = mean_of([&](native::Random* random) {
             const native::EmissionNumbers numbers = numbers_of(random);
-            const native::EmittedRay ray =
-                native::emit_light(&params, &geometry, light, square.emissive.data(), &numbers);
+            const native::EmittedRay ray = native::emit_light(
+                &params, &geometry, light, square.emissive.data(), &no_image, &numbers);
             EXPECT_NEAR(native::length3(ray.direction), 1.0F, 1e-5F);
             EXPECT_NEAR(ray.flux.z * 3.0F, ray.flux.x, 1e-5F * ray.flux.x);
             return static_cast<double>(ray.flux.z);
@@ -171,15 +175,16 @@ TEST(LightKinds, EmitTogetherWhatAllOfThemDo) {
     const std::vector<native::LightRecord> lights = all_lights();
     double expected = 0.0;
     for (const native::LightRecord& light : lights) expected += emitted(light);
-    expect_mean(
-        mean_of([&](native::Random* random) {
-            native::EmissionNumbers numbers = numbers_of(random);
-            const std::uint32_t chosen = native::choose_light(lights.data(), kinds, &numbers.rest);
-            return static_cast<double>(native::emit_light(&params, &geometry, lights[chosen],
-                                                          square.emissive.data(), &numbers)
-                                           .flux.z);
-        }),
-        expected, "all kinds");
+    expect_mean(mean_of([&](native::Random* random) {
+                    native::EmissionNumbers numbers = numbers_of(random);
+                    const std::uint32_t chosen =
+                        native::choose_light(lights.data(), kinds, &numbers.rest);
+                    return static_cast<double>(
+                        native::emit_light(&params, &geometry, lights[chosen],
+                                           square.emissive.data(), &no_image, &numbers)
+                            .flux.z);
+                }),
+                expected, "all kinds");
 }
 
 TEST(LightKinds, LightFromAfarFillsTheScenesDisk) {
@@ -193,7 +198,7 @@ TEST(LightKinds, LightFromAfarFillsTheScenesDisk) {
         expect_mean(mean_of([&](native::Random* random) {
                         const native::EmissionNumbers numbers = numbers_of(random);
                         const native::EmittedRay ray = native::emit_light(
-                            &params, &geometry, light, square.emissive.data(), &numbers);
+                            &params, &geometry, light, square.emissive.data(), &no_image, &numbers);
                         const float along = native::dot3(ray.origin, ray.direction);
                         EXPECT_NEAR(along, -1.5F * radius, 1e-5F);
                         const float3 across = ray.origin - ray.direction * along;
@@ -253,8 +258,8 @@ TEST(LightKinds, LightSurfacesAsTheirClosedForms) {
                             const float u = native::next_random(random);
                             const float v = native::next_random(random);
                             const native::LightSample sample = native::light_at_surface(
-                                &params, &geometry, light, square.emissive.data(), &surface,
-                                surface.position, probability, u, v);
+                                &params, &geometry, light, square.emissive.data(), &no_image,
+                                &surface, surface.position, probability, u, v);
                             return irradiance_of(sample);
                         }),
                         floor_irradiance(light, surface) / static_cast<double>(probability),
@@ -275,7 +280,7 @@ TEST(LightKinds, LightNoSurfaceFromBehind) {
     const std::vector<native::LightRecord> lights = all_lights();
     const auto sample = [&](std::size_t i, const native::LitPoint& surface) {
         return native::light_at_surface(&params, &geometry, lights[i], square.emissive.data(),
-                                        &surface, surface.position, 1.0F, 0.3F, 0.6F);
+                                        &no_image, &surface, surface.position, 1.0F, 0.3F, 0.6F);
     };
     for (std::size_t i = 0; i < environment; ++i)
         EXPECT_EQ(irradiance_of(sample(i, ceiling)), 0.0) << i;
@@ -290,8 +295,8 @@ TEST(LightKinds, ScatteredRaysMeetLightsAsOftenAsTheyAreSampled) {
     const std::vector<native::LightRecord> lights = all_lights();
     const native::LitPoint surface = floor_at(0.3F, 0.1F);
     const auto sample =
-        native::light_at_surface(&params, &geometry, lights[area], square.emissive.data(), &surface,
-                                 surface.position, 1.0F, 0.4F, 0.8F);
+        native::light_at_surface(&params, &geometry, lights[area], square.emissive.data(),
+                                 &no_image, &surface, surface.position, 1.0F, 0.4F, 0.8F);
     const float length = native::length3(sample.towards);
     const float found =
         native::met_light_pdf(&params, &geometry, lights.data(), square.emissive.data(), 0, 0,
@@ -328,14 +333,14 @@ TEST(LightKinds, TexturedLightsShineAsTheirTexture) {
     const TexturedSquare square;
     const native::RenderParams& params = square.params;
     const double blue = 128.0 / 255.0;
-    expect_mean(
-        mean_of([&](native::Random* random) {
-            const native::EmissionNumbers numbers = numbers_of(random);
-            return static_cast<double>(native::emit_light(&params, &square.all, square.light,
-                                                          square.emissive.data(), &numbers)
-                                           .flux.z);
-        }),
-        blue * 0.5 * pi / static_cast<double>(square.light.probability), "power");
+    expect_mean(mean_of([&](native::Random* random) {
+                    const native::EmissionNumbers numbers = numbers_of(random);
+                    return static_cast<double>(
+                        native::emit_light(&params, &square.all, square.light,
+                                           square.emissive.data(), &no_image, &numbers)
+                            .flux.z);
+                }),
+                blue * 0.5 * pi / static_cast<double>(square.light.probability), "power");
     const native::LitPoint surface = floor_at(0.3F, 0.1F);
     const float probability = square.light.choice_probability;
     const double expected = blue * weft::selftest::polygon_irradiance(
@@ -345,8 +350,8 @@ TEST(LightKinds, TexturedLightsShineAsTheirTexture) {
                     const float u = native::next_random(random);
                     const float v = native::next_random(random);
                     return irradiance_of(native::light_at_surface(
-                        &params, &square.all, square.light, square.emissive.data(), &surface,
-                        surface.position, probability, u, v));
+                        &params, &square.all, square.light, square.emissive.data(), &no_image,
+                        &surface, surface.position, probability, u, v));
                 }),
                 expected / static_cast<double>(probability), "irradiance");
 }
@@ -359,7 +364,7 @@ TEST(LightKinds, ScatteredRaysMeetTexturedLightsAsOftenAsTheyAreSampled) {
     for (const float u : {0.4F, 0.9F}) {  // of the first triangle, and of the second
         const auto sample =
             native::light_at_surface(&params, &square.all, square.light, square.emissive.data(),
-                                     &surface, surface.position, 1.0F, u, 0.8F);
+                                     &no_image, &surface, surface.position, 1.0F, u, 0.8F);
         const float length = native::length3(sample.towards);
         const std::uint32_t triangle = u < 0.75F ? 0 : 1;
         const float found =
@@ -398,7 +403,8 @@ TEST(LightKinds, ReachPlacesInMediaAsTheirClosedForms) {
                         const float u = native::next_random(random);
                         const float v = native::next_random(random);
                         const native::ChosenPoint chosen = native::point_on_light(
-                            &params, &geometry, light, square.emissive.data(), probability, u, v);
+                            &params, &geometry, light, square.emissive.data(), &no_image,
+                            probability, u, v);
                         return static_cast<double>(
                             native::light_at_place(&params, &chosen, place).irradiance.z);
                     }),
@@ -408,15 +414,16 @@ TEST(LightKinds, ReachPlacesInMediaAsTheirClosedForms) {
 
 TEST(LightKinds, TheEnvironmentGivesPiOfItsRadiance) {
     const native::RenderParams params = scene_params();
-    expect_mean(mean_of([&](native::Random* random) {
-                    const float u = native::next_random(random);
-                    const float v = native::next_random(random);
-                    const float3 d = native::environment_direction(u, v);
-                    const float cosine = std::max(0.0F, d.z);
-                    return static_cast<double>(native::environment_radiance(&params, d).z * cosine *
-                                               SPHERE_SOLID_ANGLE);
-                }),
-                pi, "by directions of the sphere");
+    expect_mean(
+        mean_of([&](native::Random* random) {
+            const float u = native::next_random(random);
+            const float v = native::next_random(random);
+            const float3 d = native::environment_direction(u, v);
+            const float cosine = std::max(0.0F, d.z);
+            return static_cast<double>(native::environment_radiance(&params, &no_image, d).z *
+                                       cosine * SPHERE_SOLID_ANGLE);
+        }),
+        pi, "by directions of the sphere");
     expect_mean(mean_of([&](native::Random* random) {
                     const float u = native::next_random(random);
                     const float v = native::next_random(random);

@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "scene/flat_scene.h"
+#include "tests/testing/environment_images.h"
 #include "tests/testing/floor_scenes.h"
 
 #define NATIVE_KERNELS "kernels/light/light_tree.h"
@@ -287,6 +290,59 @@ TEST(LightTree, FarLightsAreChosenByTheirIrradiance) {
             (1.0 - static_cast<double>(LIGHT_EQUAL_SHARE)) * irradiances[i] / sum;
         // The middle of a panel is up to 0.01 from its corner, 0.5 away.
         EXPECT_NEAR(tree.probability(lit, i), expected, 0.03 * expected) << i;
+    }
+}
+
+TEST(LightTree, AnImageOfTheEnvironmentIsChosenByItsMeanIrradiance) {
+    SceneBuilder builder = test::floor_scene();
+    builder.light(LightType::directional, {}, glm::vec3(3.0F), {0.0, 0.0, -1.0});
+    const auto set_image = [&](const EnvironmentImage& image) {
+        builder.scene.environment =
+            Environment{glm::vec3(1.0F), std::make_shared<const EnvironmentImage>(image)};
+    };
+    set_image(test::constant_image(glm::vec3(2.0F)));
+    const Tree tree = tree_of(builder.scene);
+    const double equal = static_cast<double>(LIGHT_EQUAL_SHARE);
+    const double share = 2.0 * std::numbers::pi / (2.0 * std::numbers::pi + 3.0);
+    EXPECT_NEAR(tree.probability(lit_point(glm::vec3(0.0F), {0, 0, 1}), 1),
+                0.5 * equal + (1.0 - equal) * share, 1e-5);
+    // The sun does not shine on what faces down, the sky does.
+    EXPECT_EQ(tree.probability(lit_point(glm::vec3(0.0F), {0, 0, -1}), 0), 0.0F);
+    EXPECT_EQ(tree.probability(lit_point(glm::vec3(0.0F), {0, 0, -1}), 1), 1.0F);
+    // More where a surface faces what is bright, and never nothing.
+    set_image(test::one_texel(8, 4, 5, 1, glm::vec3(100.0F)));
+    const Tree one_side = tree_of(builder.scene);
+    const glm::vec3 towards(test::texel_direction(*builder.scene.environment->image, 5, 1));
+    const glm::vec3 aside = glm::normalize(glm::cross(towards, glm::vec3(0.0F, 1.0F, 0.0F)));
+    const float facing = one_side.probability(lit_point(glm::vec3(0.0F), towards), 1);
+    const float across = one_side.probability(lit_point(glm::vec3(0.0F), aside), 1);
+    const float behind = one_side.probability(lit_point(glm::vec3(0.0F), -towards), 1);
+    EXPECT_GT(facing, across);
+    EXPECT_GT(across, behind);
+    EXPECT_GT(behind, 0.0F);
+}
+
+TEST(LightTree, AnImageOfTheEnvironmentMayBeChosenAmongAllKindsOfLights) {
+    for (const std::size_t count : {1U, 8U, 60U}) {
+        Scene scene = many_lights(count, 9);
+        scene.environment = Environment{
+            glm::vec3(0.01F), std::make_shared<const EnvironmentImage>(test::sunny_sky())};
+        const Tree tree = tree_of(scene);
+        ASSERT_EQ(tree.lights.size(), count + 1);
+        Dice dice(10);
+        for (int trial = 0; trial < 50; ++trial) {
+            const glm::vec3 at = dice.place(1.5F);
+            const native::LitPoint lit = lit_point(at, dice.direction());
+            EXPECT_GT(tree.probability(lit, count), 0.0F);
+            double sum = 0.0;
+            for (std::size_t i = 0; i <= count; ++i)
+                sum += static_cast<double>(tree.probability(lit, i));
+            // Less where a node that is chosen turns out to bring nothing.
+            EXPECT_LE(sum, 1.00001);
+            if (count < LIGHT_CHILDREN) {
+                EXPECT_NEAR(sum, 1.0, 1e-5);
+            }
+        }
     }
 }
 

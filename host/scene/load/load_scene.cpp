@@ -3,6 +3,7 @@
 #include "scene/load/load_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <system_error>
 
@@ -11,6 +12,7 @@
 #include "scene/mitsuba/mitsuba_reader.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/ply/ply_scene.h"
+#include "scene/texture/environment_file.h"
 #include "scene/validate_scene.h"
 
 namespace weft {
@@ -38,13 +40,38 @@ Scene read_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                       "Mitsuba 3 (.xml), OBJ (.obj) or PLY (.ply)");
 }
 
+/// The rotation by `degrees` about +y, counter-clockwise seen from above.
+glm::dmat3 turn_about_y(double degrees) {
+    const double angle = glm::radians(std::fmod(degrees, 360.0));
+    const double sine = std::sin(angle);
+    const double cosine = std::cos(angle);
+    return {{cosine, 0.0, -sine}, {0.0, 1.0, 0.0}, {sine, 0.0, cosine}};
+}
+
+void set_environment(const SceneReading& lighting, Scene& scene, Diagnostics& diagnostics) {
+    if (!lighting.environment.empty()) {
+        const EnvironmentFile file = read_environment(lighting.environment);
+        if (file.mended > 0)
+            diagnostics.warn(lighting.environment.string(),
+                             std::to_string(file.mended) + " " + std::string(mended_values));
+        scene.environment = Environment{glm::vec3(1.0F), file.image};
+    }
+    if (lighting.environment_rotation == 0.0) return;
+    if (scene.environment && scene.environment->image)
+        scene.environment->to_world =
+            turn_about_y(lighting.environment_rotation) * scene.environment->to_world;
+    else
+        diagnostics.warn(scene.source, "no image of the environment that could be turned");
+}
+
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics, DefaultLight light,
-                 MaterialDetail detail) {
-    Scene scene = read_scene(path, diagnostics, detail);
+Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
+                 const SceneReading& reading) {
+    Scene scene = read_scene(path, diagnostics, reading.materials);
+    set_environment(reading, scene, diagnostics);
     validate_scene(scene);
-    add_default_light(scene, light, diagnostics);
+    add_default_light(scene, lighting.light, diagnostics);
     return scene;
 }
 

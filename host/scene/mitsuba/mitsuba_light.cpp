@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "scene/texture/environment_file.h"
 
 namespace weft::mitsuba {
 
@@ -78,14 +79,45 @@ PunctualLight read_directional(Object& object) {
     return light;
 }
 
-void read_constant(Object& object, Context& context, Scene& scene) {
-    const glm::vec3 radiance = object.colour("radiance", ColourUse::emission, glm::vec3(1.0F));
-    if (scene.environment) {
+void set_environment(const Object& object, Environment environment, Context& context,
+                     Scene& scene) {
+    if (scene.environment)
         context.warnings.count(object.element(), {"environment light", "environment lights"},
                                "not the first, left out");
-        return;
-    }
-    scene.environment = Environment{radiance};
+    else
+        scene.environment = std::move(environment);
+}
+
+/// The rotation that to_world is, which may also mirror and scale evenly.
+glm::dmat3 rotation_of(Object& object) {
+    const glm::dmat3 to_world(object.transform("to_world"));
+    const double scale = std::cbrt(std::abs(glm::determinant(to_world)));
+    const glm::dmat3 turn = to_world / scale;
+    const glm::dmat3 square = glm::transpose(turn) * turn;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (!(std::abs(square[i][j] - (i == j ? 1.0 : 0.0)) < 1e-4))
+                throw input_error(object.place(),
+                                  "envmap that to_world distorts, expected a rotation");
+    // Free of what is left of the file's rounding.
+    const glm::dvec3 x = glm::normalize(turn[0]);
+    const glm::dvec3 y = glm::normalize(turn[1] - glm::dot(turn[1], x) * x);
+    const glm::dvec3 z = glm::cross(x, y);
+    return {x, y, glm::dot(z, turn[2]) < 0.0 ? -z : z};
+}
+
+/// Mitsuba's u is atan2(x, -z) / 2 pi: its x axis is the -z, and its z axis the x, of the image.
+Environment read_envmap(Object& object, Context& context) {
+    EnvironmentFile file = read_environment(object.file());
+    if (file.mended > 0)
+        context.warnings.count(object.element(), {"image", "images"},
+                               "with values that are negative or not finite, taken as 0 or 65504");
+    file.image->rows_at_poles = true;
+    const double scale = object.number("scale", 1.0);
+    if (!(scale >= 0.0) || !std::isfinite(static_cast<float>(scale)))
+        throw input_error(object.place(), "bad scale of an envmap, expected 0 or more");
+    const glm::dmat3 turned{{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}};
+    return {glm::vec3(static_cast<float>(scale)), file.image, rotation_of(object) * turned};
 }
 
 }  // namespace
@@ -102,8 +134,13 @@ void read_light(const Element& emitter, Context& context, Scene& scene) {
     } else if (type == "directional") {
         light = read_directional(object);
     } else if (type == "constant") {
-        read_constant(object, context, scene);
+        set_environment(
+            object, Environment{object.colour("radiance", ColourUse::emission, glm::vec3(1.0F))},
+            context, scene);
         object.ignore({"to_world"});
+    } else if (type == "envmap") {
+        set_environment(object, read_envmap(object, context), context, scene);
+        object.ignore({"mis_compensation"});
     } else {
         context.warnings.count(emitter, {"emitter", "emitters"},
                                "type " + quote(type) + " is not supported, left out");

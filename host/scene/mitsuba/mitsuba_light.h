@@ -8,7 +8,7 @@
 
 namespace weft::mitsuba {
 
-/// Adds an `<emitter>` that stands outside of shapes: point, spot, directional or constant.
+/// Adds an `<emitter>` that stands outside of shapes: point, spot, directional, constant or envmap.
 /// Others are named in a warning and left out. Throws Error (exit code 2) for wrong values.
 void read_light(const Element& emitter, Context& context, Scene& scene);
 

@@ -251,7 +251,7 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
         "<teapot/>\nhello<bsdf type=\"diffuse\" id=\"I\"><string name=\"x\" value=\"y\"/></bsdf>"
         "</shape>\n<shape type=\"hair\"/><shape type=\"serialized\"/><sensor "
         "type=\"irradiancemeter\"/>"
-        "<emitter type=\"envmap\"/><emitter type=\"sunsky\"/>\n";
+        "<emitter type=\"projector\"/><emitter type=\"sunsky\"/>\n";
     std::string again = shape;
     again.replace(again.find("\"I\""), 3, "\"J\"");
     const Scene scene = folder.read(shape + again);
@@ -265,7 +265,7 @@ TEST(MitsubaHostile, UnknownThingsAreNamedOnceEach) {
         "2 shapes: type 'hair' is not supported, left out; first: s.xml:6",
         "2 shapes: type 'serialized' is not supported, left out; first: s.xml:6",
         "2 sensors: type 'irradiancemeter' is not supported, left out; first: s.xml:6",
-        "2 emitters: type 'envmap' is not supported, left out; first: s.xml:6",
+        "2 emitters: type 'projector' is not supported, left out; first: s.xml:6",
         "2 emitters: type 'sunsky' is not supported, left out; first: s.xml:6",
     };
     EXPECT_EQ(folder.warnings(), expected);
