@@ -112,6 +112,7 @@ class ArgumentBinder {
 WEFT_GROUP(Geometry)
 WEFT_GROUP(LightTable)
 WEFT_GROUP(EnvironmentImage)
+WEFT_GROUP(SurfaceTables)
 WEFT_GROUP(AreaLights)
 WEFT_GROUP(MediaTables)
 WEFT_GROUP(SeenSurfaces)

@@ -37,6 +37,25 @@ void upload_lights(Executor& executor, const FlatScene& flat, SceneBuffers& scen
         scene.light_nodes = upload<kinds::LightNodes>(executor, flat.light_nodes, "light tree");
 }
 
+void upload_surfaces(Executor& executor, const FlatSurfaces& surfaces, owned::SurfaceTables& to) {
+    if (!surfaces.present()) return;
+    to.surface_records = upload<kinds::SurfaceRecords>(executor, surfaces.records, "surfaces");
+    to.surface_instances =
+        upload<kinds::SurfaceInstances>(executor, surfaces.of_instances, "surfaces of instances");
+    if (!surfaces.maps.empty())
+        to.surface_maps = upload<kinds::SurfaceMaps>(executor, surfaces.maps, "texture maps");
+    if (!surfaces.coordinates.empty())
+        to.surface_coordinates = upload<kinds::SurfaceCoordinates>(
+            executor, surfaces.coordinates, "texture coordinates of surfaces");
+    if (!surfaces.tangents.empty())
+        to.tangents = upload<kinds::Tangents>(executor, surfaces.tangents, "tangents");
+    if (!surfaces.interfaces.empty())
+        to.interfaces = upload<kinds::Interfaces>(executor, surfaces.interfaces, "interfaces");
+    if (!surfaces.values.empty())
+        to.surface_values =
+            upload<kinds::SurfaceValues>(executor, surfaces.values, "tables of albedos");
+}
+
 }  // namespace
 
 SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
@@ -62,6 +81,7 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
             upload<kinds::EnvironmentTexels>(executor, image.texels, "texels of the environment"),
             upload<kinds::EnvironmentSums>(executor, image.sums, "sums of the environment")};
     }
+    upload_surfaces(executor, flat.surfaces, scene.surfaces);
     scene.traced = executor.make_scene(traced_geometry(flat));
     return scene;
 }

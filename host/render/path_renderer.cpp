@@ -60,7 +60,8 @@ void add_part(FrameStats& whole, FrameStats part) {
 }  // namespace
 
 std::uint32_t path_features(const FlatScene& scene, const PathSettings& settings) {
-    return surface_features(scene) | (scene.features & FEATURE_LIGHT_TREE) |
+    return surface_features(scene) |
+           (scene.features & (FEATURE_LIGHT_TREE | FEATURE_MATERIALS | FEATURE_SEE_THROUGH)) |
            scene.media.features() | (settings.direct ? FEATURE_SAMPLED_DIRECT : 0U) |
            (settings.indirect ? FEATURE_INDIRECT : 0U);
 }
@@ -87,6 +88,13 @@ std::string image_identity(std::string_view estimator, const FlatScene& scene,
     add(scene.environment_image.records);
     add(scene.environment_image.texels);
     add(scene.environment_image.sums);
+    add(scene.surfaces.records);
+    add(scene.surfaces.maps);
+    add(scene.surfaces.coordinates);
+    add(scene.surfaces.of_instances);
+    add(scene.surfaces.tangents);
+    add(scene.surfaces.interfaces);
+    add(scene.surfaces.values);
     if (scene.media.present()) {
         add(scene.media.records);
         add(scene.media.positions);
@@ -136,7 +144,8 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
 }
 
 KernelId PathRenderer::kernel() const noexcept {
-    if (!scene_.media.present()) return KernelId::path;
+    if (!scene_.media.present())
+        return scene_.surfaces.present() ? KernelId::path_surfaces : KernelId::path;
     return scene_.media.grids.records.empty() ? KernelId::path_media : KernelId::path_grid;
 }
 
@@ -242,6 +251,19 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                   all);
     };
     switch (kernel()) {
+        case KernelId::path_surfaces:
+            frame.run(Stage::paths, "",
+                      kernels::path_surfaces{.scene = *scene_buffers_->traced,
+                                             .geometry = view(scene_buffers_->geometry),
+                                             .light_table = view(scene_buffers_->light_table),
+                                             .light_nodes = scene_buffers_->light_nodes,
+                                             .surface_tables = view(scene_buffers_->surfaces),
+                                             .path_params = path_params_,
+                                             .film_sums = film_.buffer(),
+                                             .counters = buffers_.counters,
+                                             .nonfinite = buffers_.nonfinite},
+                      all);
+            break;
         case KernelId::path_media:
             run_media(std::type_identity<kernels::path_media>{});
             break;

@@ -200,6 +200,9 @@ void append_textures(const Scene& scene, FlatScene& flat) {
         const Material& material = scene.materials[instance.material];
         for (const int texture : {albedo_texture(material), material.emission.texture})
             if (texture >= 0) used[static_cast<std::size_t>(texture)] = true;
+        if (!material.description) continue;
+        for (const TextureMap* const map : texture_maps(*material.description))
+            used[static_cast<std::size_t>(map->texture)] = true;
     }
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
         const Texture& texture = scene.textures[t];
@@ -360,6 +363,9 @@ FlatScene flatten(const Scene& scene) {
                     (attributes.one_sided ? FEATURE_ONE_SIDED : 0U) |
                     (attributes.lobes ? FEATURE_LOBES : 0U) |
                     (attributes.emission_textures ? FEATURE_EMISSION_TEXTURES : 0U);
+    flat.surfaces = flatten_surfaces(scene, flat);
+    if (flat.surfaces.present())
+        flat.features |= FEATURE_MATERIALS | (flat.surfaces.see_through ? FEATURE_SEE_THROUGH : 0U);
     flat.texture_means = texture_means(scene);
     flat.resting_areas.resize(scene.materials.size());
     add_areas(flat, std::span(flat.triangles).first(flat.first_moving_triangle),

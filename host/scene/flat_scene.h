@@ -9,6 +9,7 @@
 
 #include "scene/flat_environment.h"
 #include "scene/flat_media.h"
+#include "scene/flat_surfaces.h"
 #include "scene/scene.h"
 #include "shared/shared_types.h"
 
@@ -63,6 +64,7 @@ struct FlatScene {
     std::vector<double> first_powers;
 
     FlatMedia media;
+    FlatSurfaces surfaces;
 
     std::uint32_t area_lights = 0;
     std::uint32_t punctual_lights = 0;  ///< point and spot

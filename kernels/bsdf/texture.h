@@ -33,6 +33,7 @@ static inline float3 decode_texel(uint texel, uint flags, GLOBAL const float* sr
     uint g = (texel >> 8) & 255u;
     uint b = (texel >> 16) & 255u;
     if ((flags & TEXTURE_SRGB) != 0u) return f3(srgb_table[r], srgb_table[g], srgb_table[b]);
+    if ((flags & TEXTURE_ALPHA) != 0u) r = g = b = texel >> 24;
     return f3((float)r, (float)g, (float)b) * (1.0f / 255.0f);
 }
 

@@ -30,6 +30,15 @@
     X(MAY_READ, EnvironmentTexels, environment_texels) \
     X(MAY_READ, EnvironmentSums, environment_sums)
 
+#define GROUP_SurfaceTables(X)                         \
+    X(READS, SurfaceRecords, surface_records)          \
+    X(MAY_READ, SurfaceMaps, surface_maps)             \
+    X(MAY_READ, SurfaceCoordinates, surface_coordinates) \
+    X(READS, SurfaceInstances, surface_instances)      \
+    X(MAY_READ, Tangents, tangents)                    \
+    X(MAY_READ, Interfaces, interfaces)                \
+    X(MAY_READ, SurfaceValues, surface_values)
+
 #define GROUP_AreaLights(X)                            \
     X(READS, Lights, lights)                           \
     X(READS, EmissiveTriangles, emissive)              \

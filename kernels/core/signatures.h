@@ -377,6 +377,17 @@
     X(WRITES, RayCounters, counters)                   \
     X(WRITES, NonfiniteCounters, nonfinite)
 
+#define ARGUMENTS_path_surfaces(X)                     \
+    X(TRACES, Scene, scene)                            \
+    X(GROUP, Geometry, geometry)                       \
+    X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, SurfaceTables, surface_tables)            \
+    X(VALUE, PathParams, path_params)                  \
+    X(WRITES, FilmSums, film_sums)                     \
+    X(WRITES, RayCounters, counters)                   \
+    X(WRITES, NonfiniteCounters, nonfinite)
+
 #define ARGUMENTS_path_media(X)                        \
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \

@@ -40,6 +40,8 @@
 #define FEATURE_ORTHOGRAPHIC 1048576u       // rays of the camera are parallel
 #define FEATURE_LIGHT_TREE 2097152u         // paths choose between several lights by a tree
 #define FEATURE_IMAGE_ENVIRONMENT 4194304u  // the environment is an image
+#define FEATURE_MATERIALS 8388608u          // paths scatter by SurfaceRecord
+#define FEATURE_SEE_THROUGH 16777216u       // some let light pass straight on
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -93,6 +95,7 @@ typedef struct {
 
 #define TEXTURE_NEAREST 1u
 #define TEXTURE_SRGB 2u
+#define TEXTURE_ALPHA 4u         // look-ups are of alpha, which is linear
 #define TEXTURE_WRAP_U_SHIFT 4  // two bits: 0 repeat, 1 clamp, 2 mirror
 #define TEXTURE_WRAP_V_SHIFT 6
 
@@ -102,6 +105,96 @@ typedef struct {
     uint width, height;
     uint flags;
 } TextureRecord;
+
+// Channels of a map that a number takes.
+#define CHANNEL_COLOUR 0u
+#define CHANNEL_RED 1u
+#define CHANNEL_GREEN 2u
+#define CHANNEL_BLUE 3u
+#define CHANNEL_ALPHA 4u
+#define CHANNEL_LUMINANCE 5u
+
+// A texture of a parameter of a surface, and where it lies: (s, t) = to_s, to_t times (u, v, 1) of
+// a set of texture coordinates.
+typedef struct {
+    float4 to_s, to_t;  // xyz
+    uint texture;
+    uint uv_set;
+    uint channel;
+    uint pad;
+} SurfaceMap;
+
+#define SURFACE_UV_SETS 8u  // of a mesh
+// Words of an instance: what leads from a vertex to its coordinates in each set, and the number of
+// the interface that it is, or INVALID_INDEX.
+#define SURFACE_INSTANCE_WORDS (SURFACE_UV_SETS + 1u)
+
+// Parameters that a map may multiply; a record's maps follow one another in this order.
+#define MAP_BASE 1u          // base colour, or diffuse reflectance
+#define MAP_METALLIC 2u
+#define MAP_ROUGHNESS 4u
+#define MAP_ROUGHNESS_V 8u
+#define MAP_SPECULAR 16u
+#define MAP_SPECULAR_COLOUR 32u
+#define MAP_TRANSMISSION 64u
+#define MAP_ANISOTROPY 128u
+#define MAP_COAT 256u
+#define MAP_COAT_ROUGHNESS 512u
+#define MAP_COAT_NORMAL 1024u
+#define MAP_NORMAL 2048u
+#define MAP_ALPHA 4096u
+
+// How a surface scatters light, SurfaceRecord::model.
+#define SURFACE_LAYERED 0u  // kernels/bsdf/layered.h
+#define SURFACE_PLASTIC 1u  // kernels/bsdf/plastic.h
+#define SURFACE_UNLIT 2u    // shows `base` and scatters nothing
+#define SURFACE_LAMBERT 3u  // by MaterialRecord alone
+
+#define SURFACE_THIN 1u             // what transmits is a wall without thickness
+#define SURFACE_CONDUCTOR 2u        // a metal by its index
+#define SURFACE_SINGLE_SCATTER 4u
+#define SURFACE_BECKMANN 8u
+#define SURFACE_SEPARABLE 16u
+#define SURFACE_LOCAL_INDEX 32u     // indices as given, whatever lies around
+#define SURFACE_SPECULAR_SCALES 64u // the base is multiplied by 1 less the largest channel of f0
+#define SURFACE_NONLINEAR 128u      // of SURFACE_PLASTIC
+#define SURFACE_MASK 512u           // there where alpha is not below the cut-off
+#define SURFACE_BLEND 1024u         // there by the share alpha
+#define SURFACE_ROOT_TINT 256u      // each crossing is tinted by the root of the base
+
+// Scales of roughness.
+#define ROUGHNESS_SQUARED 0u   // alpha is its square
+#define ROUGHNESS_GLOSS 1u     // alpha is (1 - x)^2
+#define ROUGHNESS_ALPHA 2u     // alpha itself
+#define ROUGHNESS_EXPONENT 3u  // of Phong's lobe: alpha is sqrt(2 / (x + 2))
+
+// The parameters of a material, each a factor of its map.
+typedef struct {
+    float4 base;      // rgb; w metallic
+    float4 specular;  // rgb of the reflection at normal incidence; w its strength
+    float4 eta;       // rgb of a metal; x of a dielectric: index within over index outside
+    float4 k;         // rgb of a metal; x of a dielectric: eta^2 - 1; y: that of 1 / eta
+    float roughness_u, roughness_v;
+    uint roughness_scale;
+    float transmission;
+    float anisotropy, rotation;
+    float coat, coat_roughness;
+    float normal_scale, coat_normal_scale;
+    float weight;     // of SURFACE_PLASTIC: see kernels/bsdf/plastic.h
+    float inner;      // of SURFACE_PLASTIC: share of light from inside that is reflected
+    uint model, flags;
+    uint maps, first_map;
+    uint table;       // first value of its tables, or INVALID_INDEX
+    float alpha, cutoff;  // of SURFACE_MASK and SURFACE_BLEND
+    uint pad;
+} SurfaceRecord;
+
+// A solid dielectric. Those that enclose less are numbered first: within several, the first counts.
+typedef struct {
+    float4 sigma_a;  // rgb, absorption per kernel unit
+    float index;
+    uint pad[3];
+} InterfaceRecord;
 
 // Kinds of lights. An area light is the emissive triangles [first, first + count) of the emitter
 // list.

@@ -26,6 +26,7 @@ typedef struct {
     float3 position;
     float3 normal;   // geometric
     float3 shading;  // interpolated
+    int any_side;    // 1 where light from below counts as well, and cosines do not
 } LitPoint;
 
 // A point on a light with the side it shines to.
@@ -66,6 +67,7 @@ typedef struct {
 
 /// 1 where light from `direction` (any length) falls on the outside of both normals.
 static inline int faces(const LitPoint* lit, float3 direction) {
+    if (lit->any_side != 0) return 1;
     return dot3(direction, lit->normal) > 0.0f && dot3(direction, lit->shading) > 0.0f ? 1 : 0;
 }
 
@@ -73,6 +75,7 @@ static inline int faces(const LitPoint* lit, float3 direction) {
 /// FEATURE_LOBES nothing asks for x and y, which are 0.
 static inline float3 light_direction_at(const RenderParams* params, const LitPoint* lit,
                                         float3 towards, float length) {
+    if (lit->any_side != 0) return f3(0.0f, 0.0f, 1.0f);
     if (HAS(params, FEATURE_LOBES)) return local_direction(towards, lit->shading) / length;
     return f3(0.0f, 0.0f, dot3(towards, lit->shading) / length);
 }

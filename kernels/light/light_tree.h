@@ -37,7 +37,8 @@ static inline float light_importance(const LightNode* node, const LitPoint* lit,
     if (node->shape == LIGHT_ALL_AROUND)
         return node->intensity * m_max(1.0f + dot3(lit->shading, axis), LEAST_FROM_AROUND);
     if (node->shape == LIGHT_DISTANT || node->shape == LIGHT_ALL_DISTANT) {
-        float cosine = node->shape == LIGHT_DISTANT ? -dot3(lit->shading, axis) : 1.0f;
+        float cosine =
+            node->shape == LIGHT_DISTANT && lit->any_side == 0 ? -dot3(lit->shading, axis) : 1.0f;
         return cosine > 0.0f ? node->intensity * cosine : -1.0f;
     }
     float3 towards = xyz(node->position) - lit->position;
@@ -45,7 +46,8 @@ static inline float light_importance(const LightNode* node, const LitPoint* lit,
     float square = dot3(towards, towards);
     float nearest = m_max(m_max(square, radius * radius), least);
     float inverse = 1.0f / square_root(nearest);
-    float above = dot3(lit->shading, towards) + radius;
+    float above =
+        lit->any_side != 0 ? square_root(square) + radius : dot3(lit->shading, towards) + radius;
     float leaves = 1.0f;
     if (node->shape == LIGHT_PANEL)
         leaves = (node->axis.w - dot3(axis, towards)) * inverse;

@@ -37,6 +37,7 @@ static inline LitPoint lit_point(const Surface* surface) {
     lit.position = surface->position;
     lit.normal = surface->normal;
     lit.shading = surface->shading;
+    lit.any_side = 0;
     return lit;
 }
 

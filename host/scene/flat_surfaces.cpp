@@ -1,0 +1,372 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/flat_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <variant>
+
+#include "base/error.h"
+#include "scene/flat_scene.h"
+#include "scene/surface/facet_albedo.h"
+#include "scene/surface/plastic_table.h"
+
+namespace weft {
+namespace {
+
+shared::float4 packed(const glm::vec3& v, float w) {
+    return {v.x, v.y, v.z, w};
+}
+
+std::uint32_t channel_number(Channel channel) {
+    switch (channel) {
+        case Channel::rgb:
+            return CHANNEL_COLOUR;
+        case Channel::red:
+            return CHANNEL_RED;
+        case Channel::green:
+            return CHANNEL_GREEN;
+        case Channel::blue:
+            return CHANNEL_BLUE;
+        case Channel::alpha:
+            return CHANNEL_ALPHA;
+        case Channel::luminance:
+            return CHANNEL_LUMINANCE;
+    }
+    return CHANNEL_COLOUR;
+}
+
+std::uint32_t scale_number(RoughnessScale scale) {
+    switch (scale) {
+        case RoughnessScale::roughness:
+            return ROUGHNESS_SQUARED;
+        case RoughnessScale::glossiness:
+            return ROUGHNESS_GLOSS;
+        case RoughnessScale::alpha:
+            return ROUGHNESS_ALPHA;
+        case RoughnessScale::exponent:
+            return ROUGHNESS_EXPONENT;
+    }
+    return ROUGHNESS_SQUARED;
+}
+
+std::uint32_t flags_of(const Microfacets& facets) {
+    return (facets.distribution == MicrofacetDistribution::beckmann ? SURFACE_BECKMANN : 0U) |
+           (facets.separable ? SURFACE_SEPARABLE : 0U) |
+           (facets.single_scatter ? SURFACE_SINGLE_SCATTER : 0U);
+}
+
+/// Makes the record of a material.
+class RecordBuilder {
+  public:
+    explicit RecordBuilder(std::vector<shared::SurfaceMap>& maps) : maps_(maps) {
+        record_.specular = {0.0F, 0.0F, 0.0F, 0.0F};
+        record_.base = {1.0F, 1.0F, 1.0F, 0.0F};
+        record_.roughness_u = 1.0F;
+        record_.roughness_v = -1.0F;
+        record_.normal_scale = 1.0F;
+        record_.coat_normal_scale = 1.0F;
+        record_.table = INVALID_INDEX;
+        set_index(1.0, 1.0);
+    }
+
+    shared::SurfaceRecord build(const SurfaceDescription& surface) {
+        std::visit(*this, surface.model);
+        add(MAP_NORMAL, surface.normal_map.map);
+        const Opacity& opacity = surface.opacity;
+        record_.alpha = opacity.alpha.factor;
+        record_.cutoff = opacity.cutoff;
+        if (opacity.mode == OpacityMode::mask) record_.flags |= SURFACE_MASK;
+        if (opacity.mode == OpacityMode::blend) record_.flags |= SURFACE_BLEND;
+        if (opacity.mode != OpacityMode::opaque) add(MAP_ALPHA, opacity.alpha.map);
+        record_.normal_scale = surface.normal_map.scale;
+        record_.first_map = static_cast<std::uint32_t>(maps_.size());
+        // In the order of the bits.
+        std::sort(found_.begin(), found_.end(),
+                  [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [bit, map] : found_) {
+            record_.maps |= bit;
+            shared::SurfaceMap flat{};
+            flat.to_s = row(map.to_uv, 0);
+            flat.to_t = row(map.to_uv, 1);
+            flat.texture = static_cast<std::uint32_t>(map.texture);
+            flat.uv_set = map.uv_set;
+            flat.channel = channel_number(map.channel);
+            maps_.push_back(flat);
+        }
+        return record_;
+    }
+
+    void operator()(const LambertSurface& s) { set_base(s.colour); }
+    void operator()(const UnlitSurface& s) {
+        record_.model = SURFACE_UNLIT;
+        set_base(s.colour);
+    }
+    void operator()(const MetallicSurface& s) {
+        set_base(s.base_colour);
+        record_.base.w = s.metallic.factor;
+        add(MAP_METALLIC, s.metallic.map);
+        set_roughness(s.roughness);
+        record_.anisotropy = s.anisotropy.strength;
+        record_.rotation = s.anisotropy.rotation;
+        add(MAP_ANISOTROPY, s.anisotropy.map);
+        const auto ior = static_cast<double>(s.ior);
+        const double root = (ior - 1.0) / (ior + 1.0);
+        const auto f0 = static_cast<float>(root * root);
+        record_.specular = packed(s.specular_colour.factor * f0, s.specular.factor);
+        add(MAP_SPECULAR, s.specular.map);
+        add(MAP_SPECULAR_COLOUR, s.specular_colour.map);
+        record_.transmission = s.transmission.factor;
+        add(MAP_TRANSMISSION, s.transmission.map);
+        record_.flags |=
+            (s.solid ? 0U : SURFACE_THIN) | (s.transmission_by_root ? SURFACE_ROOT_TINT : 0U);
+        set_index(std::max(ior, 1.0), 1.0);
+        record_.coat = s.clearcoat.factor.factor;
+        record_.coat_roughness = s.clearcoat.roughness.value.factor;
+        record_.coat_normal_scale = s.clearcoat.normal_map.scale;
+        add(MAP_COAT, s.clearcoat.factor.map);
+        add(MAP_COAT_ROUGHNESS, s.clearcoat.roughness.value.map);
+        add(MAP_COAT_NORMAL, s.clearcoat.normal_map.map);
+    }
+    void operator()(const SpecularSurface& s) {
+        set_base(s.diffuse);
+        record_.specular = packed(s.specular.factor, 1.0F);
+        add(MAP_SPECULAR_COLOUR, s.specular.map);
+        set_roughness(s.roughness);
+        if (s.diffuse_is_scaled) record_.flags |= SURFACE_SPECULAR_SCALES;
+    }
+    void operator()(const ConductorSurface& s) {
+        set_base(s.reflectance);
+        record_.base.w = 1.0F;
+        record_.eta = packed(s.eta, 0.0F);
+        record_.k = packed(s.k, 0.0F);
+        record_.flags |= SURFACE_CONDUCTOR | flags_of(s.microfacets);
+        set_roughness(s.roughness_u, s.roughness_v);
+    }
+    void operator()(const DielectricSurface& s) {
+        set_base(s.transmittance);
+        record_.transmission = 1.0F;
+        set_index(s.ior_inside, s.ior_outside);
+        const double root = (s.ior_inside - s.ior_outside) / (s.ior_inside + s.ior_outside);
+        record_.specular = packed(s.reflectance.factor * static_cast<float>(root * root), 1.0F);
+        record_.flags |= (s.thin ? SURFACE_THIN : 0U) | (s.local_index ? SURFACE_LOCAL_INDEX : 0U) |
+                         flags_of(s.microfacets);
+        set_roughness(s.roughness_u, s.roughness_v);
+    }
+    void operator()(const PlasticSurface& s) {
+        record_.model = SURFACE_PLASTIC;
+        set_base(s.diffuse);
+        set_index(s.ior_inside, s.ior_outside);
+        record_.specular = packed(s.specular.factor, 1.0F);
+        add(MAP_SPECULAR_COLOUR, s.specular.map);
+        set_roughness(s.roughness);
+        record_.flags |= (s.nonlinear ? SURFACE_NONLINEAR : 0U) | flags_of(s.microfacets);
+        const float mirror = (s.specular.factor.r + s.specular.factor.g + s.specular.factor.b);
+        const float body = (s.diffuse.factor.r + s.diffuse.factor.g + s.diffuse.factor.b);
+        record_.weight = mirror + body > 0.0F ? mirror / (mirror + body) : 0.0F;
+        const double x = s.ior_outside / s.ior_inside;
+        record_.inner = static_cast<float>(-1.4399 * x * x + 0.7099 * x + 0.6681 + 0.0636 / x);
+    }
+
+  private:
+    static shared::float4 row(const glm::dmat3& m, int i) {
+        return {static_cast<float>(m[0][i]), static_cast<float>(m[1][i]),
+                static_cast<float>(m[2][i]), 0.0F};
+    }
+
+    void add(std::uint32_t bit, const TextureMap& map) {
+        if (map.present()) found_.emplace_back(bit, map);
+    }
+    void set_base(const ColourParameter& colour) {
+        record_.base = packed(colour.factor, record_.base.w);
+        add(MAP_BASE, colour.map);
+    }
+    void set_roughness(const Roughness& roughness) {
+        record_.roughness_u = roughness.value.factor;
+        record_.roughness_scale = scale_number(roughness.scale);
+        add(MAP_ROUGHNESS, roughness.value.map);
+    }
+    void set_roughness(const Roughness& u, const Roughness& v) {
+        set_roughness(u);
+        if (u.value.factor == v.value.factor && u.value.map == v.value.map) return;
+        record_.roughness_v = v.value.factor;
+        add(MAP_ROUGHNESS_V, v.value.map);
+    }
+    void set_index(double inside, double outside) {
+        const double eta = inside / outside;
+        record_.eta = {static_cast<float>(eta), 0.0F, 0.0F, 0.0F};
+        record_.k = {static_cast<float>((eta - 1.0) * (eta + 1.0)),
+                     static_cast<float>((1.0 / eta - 1.0) * (1.0 / eta + 1.0)), 0.0F, 0.0F};
+    }
+
+    std::vector<shared::SurfaceMap>& maps_;
+    std::vector<std::pair<std::uint32_t, TextureMap>> found_;
+    shared::SurfaceRecord record_{};
+};
+
+bool scatters_by_record(const Material& material) {
+    return material.description.has_value() && !is_lambertian(*material.description);
+}
+
+/// The index and the absorption of the inside, of a solid that transmits light.
+std::optional<shared::InterfaceRecord> inside_of(const Material& material, double unit) {
+    if (!scatters_by_record(material) || !transmits(*material.description)) return std::nullopt;
+    shared::InterfaceRecord inside{};
+    if (const auto* const s = std::get_if<DielectricSurface>(&material.description->model)) {
+        if (s->thin) return std::nullopt;
+        inside.index = static_cast<float>(s->ior_inside / s->ior_outside);
+        return inside;
+    }
+    const auto* const s = std::get_if<MetallicSurface>(&material.description->model);
+    if (s == nullptr || !s->solid) return std::nullopt;
+    const glm::vec3 sigma(sigma_a(s->absorption) / unit);
+    inside.index = std::max(s->ior, 1.0F);
+    inside.sigma_a = packed(sigma, 0.0F);
+    return inside;
+}
+
+/// Adds the tables of albedos by which rough glass is divided, two for each index: from outside and
+/// from inside.
+void add_glass_tables(FlatSurfaces& surfaces) {
+    std::map<float, std::uint32_t> known;
+    for (shared::SurfaceRecord& record : surfaces.records) {
+        const bool rough = record.roughness_u > 0.0F || record.roughness_v > 0.0F ||
+                           record.roughness_scale == ROUGHNESS_GLOSS ||
+                           record.roughness_scale == ROUGHNESS_EXPONENT;
+        if (record.model != SURFACE_LAYERED || !(record.transmission > 0.0F) || !rough ||
+            (record.flags & (SURFACE_THIN | SURFACE_SINGLE_SCATTER)) != 0)
+            continue;
+        const auto [at, is_new] =
+            known.try_emplace(record.eta.x, static_cast<std::uint32_t>(surfaces.values.size()));
+        record.table = at->second;
+        if (!is_new) continue;
+        const auto eta = static_cast<double>(record.eta.x);
+        for (const double ratio : {eta, 1.0 / eta}) {
+            const std::vector<float> table = glass_albedo_table(ratio);
+            surfaces.values.insert(surfaces.values.end(), table.begin(), table.end());
+        }
+    }
+}
+
+/// Adds the tables of what the boundaries of rough plastics let in.
+void add_plastic_tables(FlatSurfaces& surfaces) {
+    for (shared::SurfaceRecord& record : surfaces.records) {
+        if (record.model != SURFACE_PLASTIC || !(record.roughness_u > 0.0F)) continue;
+        const PlasticTable table = plastic_table(static_cast<double>(record.roughness_u),
+                                                 static_cast<double>(record.eta.x),
+                                                 (record.flags & SURFACE_BECKMANN) != 0);
+        record.table = static_cast<std::uint32_t>(surfaces.values.size());
+        record.inner = table.inner_reflectance;
+        surfaces.values.insert(surfaces.values.end(), table.transmittance.begin(),
+                               table.transmittance.end());
+    }
+}
+
+double volume_of(const FlatScene& flat, const InstanceRange& range) {
+    const auto vertex = [&](std::uint32_t i) {
+        const shared::float4& p = flat.positions[i];
+        return glm::dvec3(p.x, p.y, p.z);
+    };
+    double volume = 0.0;
+    for (std::uint32_t t = 0; t < range.triangles; ++t) {
+        const shared::Triangle& triangle = flat.triangles[range.first_triangle + t];
+        volume +=
+            glm::dot(vertex(triangle.v0), glm::cross(vertex(triangle.v1), vertex(triangle.v2))) /
+            6.0;
+    }
+    return std::abs(volume);
+}
+
+/// Numbers the instances that are solid dielectrics, those that enclose least first.
+void number_interfaces(const Scene& scene, const FlatScene& flat, FlatSurfaces& surfaces) {
+    struct Solid {
+        double volume;
+        std::uint32_t instance;
+        shared::InterfaceRecord inside;
+    };
+    std::vector<Solid> solids;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const auto inside =
+            inside_of(scene.materials[scene.instances[i].material], flat.units.scale);
+        if (inside) solids.push_back({volume_of(flat, flat.ranges[i]), i, *inside});
+    }
+    std::stable_sort(solids.begin(), solids.end(),
+                     [](const Solid& a, const Solid& b) { return a.volume < b.volume; });
+    constexpr std::size_t most = 0xFFFF;
+    if (solids.size() >= most)
+        throw input_error(scene.source, "there are too many solid dielectrics, at most 65534");
+    for (const Solid& solid : solids) {
+        surfaces.of_instances[solid.instance * SURFACE_INSTANCE_WORDS + SURFACE_UV_SETS] =
+            static_cast<std::uint32_t>(surfaces.interfaces.size());
+        surfaces.interfaces.push_back(solid.inside);
+    }
+}
+
+/// Appends the texture coordinates of instances, those of a mesh once.
+void append_coordinates(const Scene& scene, const FlatScene& flat, FlatSurfaces& surfaces) {
+    surfaces.of_instances.assign(scene.instances.size() * SURFACE_INSTANCE_WORDS, 0);
+    std::vector<std::vector<std::uint32_t>> firsts(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        std::uint32_t* const words = &surfaces.of_instances[i * SURFACE_INSTANCE_WORDS];
+        words[SURFACE_UV_SETS] = INVALID_INDEX;
+        const Material& material = scene.materials[scene.instances[i].material];
+        if (!scatters_by_record(material)) continue;
+        const std::size_t number = scene.instances[i].mesh;
+        const Mesh& mesh = scene.meshes[number];
+        if (firsts[number].empty()) {
+            firsts[number].assign(SURFACE_UV_SETS, 0);
+            for (std::size_t set = 0; set < SURFACE_UV_SETS; ++set) {
+                firsts[number][set] = static_cast<std::uint32_t>(surfaces.coordinates.size() / 2);
+                const bool has = set < mesh.uv_sets.size() && !mesh.uv_sets[set].empty();
+                // Without coordinates all vertices are at (0, 0); the first such set serves all.
+                if (!has && set > 0 &&
+                    (set - 1 >= mesh.uv_sets.size() || mesh.uv_sets[set - 1].empty())) {
+                    firsts[number][set] = firsts[number][set - 1];
+                    continue;
+                }
+                for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+                    const glm::vec2 uv = has ? mesh.uv_sets[set][v] : glm::vec2(0.0F);
+                    surfaces.coordinates.insert(surfaces.coordinates.end(), {uv.x, uv.y});
+                }
+            }
+        }
+        for (std::size_t set = 0; set < SURFACE_UV_SETS; ++set)
+            words[set] = firsts[number][set] - flat.ranges[i].first_vertex;
+    }
+}
+
+}  // namespace
+
+FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
+    FlatSurfaces surfaces;
+    if (std::none_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+            return scatters_by_record(scene.materials[instance.material]);
+        }))
+        return surfaces;
+    for (const Material& material : scene.materials) {
+        if (scatters_by_record(material)) {
+            surfaces.records.push_back(RecordBuilder(surfaces.maps).build(*material.description));
+            continue;
+        }
+        shared::SurfaceRecord record{};
+        record.model = SURFACE_LAMBERT;
+        record.table = INVALID_INDEX;
+        surfaces.records.push_back(record);
+    }
+    add_glass_tables(surfaces);
+    add_plastic_tables(surfaces);
+    append_coordinates(scene, flat, surfaces);
+    surfaces.tangents.assign(flat.positions.size(), {0.0F, 0.0F, 0.0F, 0.0F});
+    number_interfaces(scene, flat, surfaces);
+    surfaces.see_through = std::any_of(
+        surfaces.records.begin(), surfaces.records.end(), [](const shared::SurfaceRecord& record) {
+            return (record.flags & (SURFACE_MASK | SURFACE_BLEND)) != 0 ||
+                   ((record.flags & SURFACE_THIN) != 0 && record.transmission > 0.0F);
+        });
+    return surfaces;
+}
+
+}  // namespace weft

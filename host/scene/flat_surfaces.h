@@ -1,0 +1,39 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_SCENE_FLAT_SURFACES_H
+#define WEFT_SCENE_FLAT_SURFACES_H
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+#include "shared/shared_types.h"
+
+namespace weft {
+
+struct FlatScene;
+
+/// What kernels read of materials with more than Lambert's lobe (kernels/bsdf/surface_maps.h).
+/// Empty in scenes without one.
+struct FlatSurfaces {
+    std::vector<shared::SurfaceRecord> records;  ///< by material
+    std::vector<shared::SurfaceMap> maps;
+    std::vector<float> coordinates;  ///< 2 a vertex, one set of a mesh after the other
+    /// SURFACE_INSTANCE_WORDS by instance: what leads from a vertex to its coordinates in each set,
+    /// then the number of the interface that it is, or INVALID_INDEX.
+    std::vector<std::uint32_t> of_instances;
+    std::vector<shared::float4> tangents;  ///< by vertex; empty where nothing asks for them
+    std::vector<shared::InterfaceRecord> interfaces;
+    std::vector<float> values;  ///< of tables of albedos
+
+    bool see_through = false;  ///< some let light pass straight on
+
+    [[nodiscard]] bool present() const noexcept { return !records.empty(); }
+};
+
+/// The surfaces of a scene whose instances have been flattened to `flat`.
+[[nodiscard]] FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat);
+
+}  // namespace weft
+
+#endif
