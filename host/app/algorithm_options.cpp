@@ -25,6 +25,7 @@ namespace {
 constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
+constexpr std::uint32_t most_bounces = 1000000;
 const std::string media_alone = "media";
 
 /// Reads the options of path tracing.
@@ -55,6 +56,13 @@ void read_path(const CLI::App& command, RenderOptions& options) {
             if (options.resume->lexically_normal() == other.lexically_normal())
                 throw usage_error("--resume: names the same file as " +
                                   std::string(other == options.scene ? "the scene" : "--output"));
+    }
+    if (const auto text = value_of(command, "--max-bounces")) {
+        if (options.algorithm != Algorithm::path)
+            throw usage_error(
+                "--max-bounces: is for tests of path tracing, expected it together "
+                "with --algorithm path");
+        options.most_bounces = parse_unsigned("--max-bounces", *text, 0, most_bounces);
     }
     if (const auto text = value_of(command, "--pixel-filter"))
         options.through_centres = parse_name("--pixel-filter", *text, filter_names) == 1;

@@ -11,7 +11,7 @@
 namespace weft {
 
 void info_command(const InfoOptions& options, Diagnostics& diagnostics) {
-    const Scene scene = load_scene(options.scene, diagnostics, options.lighting);
+    const Scene scene = load_scene(options.scene, diagnostics, options.reading);
     const nlohmann::json info = info_json(scene, diagnostics);
     print_warnings(diagnostics, options.verbose);
     print_result(options.json ? json_document(info) : info_text(info));

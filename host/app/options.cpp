@@ -55,7 +55,7 @@ void add_render(CLI::App& app) {
     add_value(render, "--tile", "N", "Edge of a tile in pixels (default: 64)");
     add_value(render, "--size", "WxH", "Size of the image (default: the scene's, else 512x512)");
     add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
-    add_lighting(render);
+    add_reading(render);
     add_frames(render);
     add_value(render, "--components", "LIST",
               fmt::format("Any of {} (default: {})", fmt::join(choosable_components(), ","),
@@ -72,6 +72,8 @@ void add_render(CLI::App& app) {
     add_value(render, "--pixel-filter", "NAME",
               "Of path tracing: box, or centre: every sample through the pixel's centre (default: "
               "box)");
+    add_value(render, "--max-bounces", "N",
+              "Ends the paths of path after N scatterings, for comparisons (default: no end)");
     add_value(render, "--denoise", "NAME",
               "Removes noise: statistical, of path and reference, or oidn, by Open Image Denoise "
               "(default: none)");
@@ -105,7 +107,7 @@ void add_commands(CLI::App& app) {
     CLI::App& info = add_command(app, "info", "Says what a scene holds, and what is approximated");
     add_value(info, "SCENE", "",
               "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
-    add_lighting(info);
+    add_reading(info);
     add_flag(info, "--json", "Prints JSON");
     add_verbose(info);
     CLI::App& devices = add_command(app, "devices", "Lists what can render");
@@ -263,7 +265,7 @@ RenderOptions read_render(const CLI::App& command) {
     options.scene = *value_of(command, "SCENE");
     options.backend = read_backend(command);
     options.device = read_device(command);
-    options.lighting = read_lighting(command);
+    options.reading = parse_reading(command);
     read_sampling(command, options);
     read_image(command, options);
     read_algorithm(command, options);
@@ -345,7 +347,7 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     if (command->get_name() == "tradeoff") return read_tradeoff(*command);
     if (command->get_name() == "selftest") return read_selftest(*command);
     if (command->get_name() == "info")
-        return InfoOptions{*value_of(*command, "SCENE"), read_lighting(*command),
+        return InfoOptions{*value_of(*command, "SCENE"), parse_reading(*command),
                            is_given(*command, "--json"), is_given(*command, "--verbose")};
     return DevicesOptions{is_given(*command, "--json")};
 }
@@ -362,11 +364,12 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["size"] = nullptr;
     if (options.size) json["size"] = {options.size->width, options.size->height};
     json["camera"] = options.camera ? json_text(*options.camera) : nullptr;
-    json["light"] = light_choice_json(options.lighting.light);
+    json["light"] = light_choice_json(options.reading.light);
     json["environment"] = nullptr;
-    if (!options.lighting.environment.empty())
-        json["environment"] = json_text(options.lighting.environment.string());
-    json["environment_rotation"] = options.lighting.environment_rotation;
+    if (!options.reading.environment.empty())
+        json["environment"] = json_text(options.reading.environment.string());
+    json["environment_rotation"] = options.reading.environment_rotation;
+    json["materials"] = material_detail_name(options.reading.materials);
     json["frames"] = nullptr;
     if (options.frames) json["frames"] = {options.frames->first, options.frames->end};
     json["frame_rate"] = options.frame_rate;
@@ -385,6 +388,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["cache_rays"] = json_or_null(options.cache_rays);
     json["cache_error"] = json_or_null(options.cache_error);
     json["vpl_compensation"] = options.compensation;
+    json["max_bounces"] = json_or_null(options.most_bounces);
     json["pixel_filter"] = options.through_centres ? "centre" : "box";
     json["denoise"] = to_string(options.denoiser);
     json["time"] = json_or_null(options.time_seconds);

@@ -14,9 +14,9 @@
 
 #include "app/algorithm_options.h"
 #include "app/frame_options.h"
-#include "app/light_options.h"
 #include "app/parse_values.h"
 #include "app/progress.h"
+#include "app/reading_options.h"
 #include "film/film_sums.h"
 #include "image/background.h"
 #include "image/tone.h"
@@ -71,9 +71,10 @@ struct RenderOptions {
     std::optional<SampleRange> samples;                  ///< of path tracing: only these
     std::optional<double> target_error;                  ///< of path tracing: ends it, above 0
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
+    std::optional<std::uint32_t> most_bounces{};  ///< of path
     bool through_centres = false;                 ///< of path tracing
     Denoiser denoiser = Denoiser::none;
-    SceneReading lighting;
+    SceneReading reading;
     std::optional<double> time_seconds;   ///< total wall time, above 0
     std::optional<double> frame_seconds;  ///< of ais: wall time of each frame, above 0
     std::uint32_t seed = 0;
@@ -102,7 +103,7 @@ struct RenderOptions {
 /// Options of `weft info`.
 struct InfoOptions {
     std::filesystem::path scene;
-    SceneReading lighting;
+    SceneReading reading;
     bool json = false;
     bool verbose = false;  ///< as RenderOptions::verbose
 };
@@ -168,7 +169,7 @@ enum class ErrorMeasure : std::uint8_t;
 /// Options of `weft tradeoff`. What is empty was not given.
 struct TradeoffOptions {
     std::filesystem::path scene;
-    SceneReading lighting;
+    SceneReading reading;
     std::filesystem::path output;  ///< a folder
     bool quick = false;
     std::optional<Backend> backend;

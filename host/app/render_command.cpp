@@ -94,6 +94,7 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
     settings.samples = options.samples.value_or(SampleRange{
         0, options.spp.value_or(open ? limits::max_samples_per_pixel : default_samples)});
     settings.through_centres = options.through_centres;
+    if (options.most_bounces) settings.most_bounces = *options.most_bounces;
     settings.hides_environment = common.hides_environment;
     settings.direct = common.direct;
     settings.indirect = common.indirect;
@@ -251,10 +252,29 @@ class CommandOutput : public FileOutput {
 void warn_about_paths(const RenderSession& session, const RenderOptions& options,
                       Diagnostics& diagnostics) {
     if (options.algorithm != Algorithm::reference || session.plan().exact) return;
-    const bool media = session.scene().flat().media.present();
-    diagnostics.warn("", std::string("--algorithm reference is path tracing here, because ") +
-                             (media ? "there are participating media"
-                                    : "less than half of the virtual lights land on a surface"));
+    const FlatScene& flat = session.scene().flat();
+    const char* reason = "less than half of the virtual lights land on a surface";
+    if (flat.surfaces.present()) reason = "there are materials that are more than diffuse";
+    if (flat.media.present()) reason = "there are participating media";
+    diagnostics.warn("",
+                     std::string("--algorithm reference is path tracing here, because ") + reason);
+}
+
+/// Says where materials are rendered as diffuse.
+void warn_about_materials(const RenderSession& session, const RenderOptions& options,
+                          Diagnostics& diagnostics) {
+    const FlatScene& flat = session.scene().flat();
+    if (!flat.surfaces.present()) return;
+    if (!is_reference(options.algorithm))
+        diagnostics.warn(options.scene.string(),
+                         fmt::format("some materials are more than diffuse, {} renders them as "
+                                     "diffuse, expected --algorithm path, or --materials diffuse "
+                                     "for such images",
+                                     to_string(options.algorithm)));
+    else if (flat.media.present())
+        diagnostics.warn(options.scene.string(),
+                         "some materials are more than diffuse, which are rendered as diffuse "
+                         "together with participating media");
 }
 
 /// Says where the image was left with its noise.
@@ -296,7 +316,7 @@ Camera camera_of_frame(const Scene& scene, const Camera& camera, const RenderOpt
 
 /// Reads the scene and its edits. Things move only where --frames is given.
 MovingScene read_moving_scene(const RenderOptions& options, Diagnostics& diagnostics) {
-    Scene scene = load_scene(options.scene, diagnostics, options.lighting);
+    Scene scene = load_scene(options.scene, diagnostics, options.reading);
     EditTimeline edits;
     if (!options.frames) hold_still(scene);
     if (options.edits) edits = read_scene_edits(*options.edits, scene);
@@ -433,6 +453,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     RenderSession session = make_session(std::move(executor), std::move(moving), first_camera,
                                          options, settings, diagnostics);
     warn_about_paths(session, options, diagnostics);
+    warn_about_materials(session, options, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
     session.set_mattes({options.object_mattes, options.material_mattes});

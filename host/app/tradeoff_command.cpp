@@ -47,7 +47,7 @@ constexpr double measuring_share = 0.6;
 }
 
 Scene resting_scene(const TradeoffOptions& options, Diagnostics& diagnostics) {
-    Scene scene = load_scene(options.scene, diagnostics, options.lighting);
+    Scene scene = load_scene(options.scene, diagnostics, options.reading);
     hold_still(scene);
     return scene;
 }

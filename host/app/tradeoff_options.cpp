@@ -117,7 +117,7 @@ void add_tradeoff(CLI::App& app) {
     add_value(tradeoff, "--threads", "N", "CPU threads (default: all)");
     add_value(tradeoff, "--size", "WxH", "Size of the images (default: the scene's, else 512x512)");
     add_value(tradeoff, "--camera", "NAME", "Camera of the scene (default: its first)");
-    add_lighting(tradeoff);
+    add_reading(tradeoff);
     add_value(tradeoff, "--seed", "N", "First seed of the random numbers (default: 0)");
     add_value(tradeoff, "--progress", "MODE", "auto, plain or none (default: auto)");
     add_verbose(tradeoff);
@@ -135,7 +135,7 @@ TradeoffOptions read_tradeoff(const CLI::App& command) {
         check_comparable(*options.size);
     }
     options.camera = value_of(command, "--camera");
-    options.lighting = read_lighting(command);
+    options.reading = parse_reading(command);
     read_measurement(command, options);
     read_questions(command, options);
     if (const auto text = value_of(command, "--references")) options.references = *text;
@@ -160,7 +160,7 @@ std::string tradeoff_image_options(const TradeoffOptions& options) {
     if (options.size)
         line += fmt::format(" --size {}x{}", options.size->width, options.size->height);
     if (options.camera) line += " --camera " + shell_word(*options.camera);
-    line += lighting_arguments(options.lighting);
+    line += reading_arguments(options.reading);
     if (options.backend) line += fmt::format(" --backend {}", to_string(*options.backend));
     if (options.device) line += " --device " + shell_word(*options.device);
     if (options.threads) line += fmt::format(" --threads {}", *options.threads);

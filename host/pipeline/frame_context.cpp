@@ -92,6 +92,7 @@ void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene
         write_buffer(executor, to.positions, flat.positions);
         write_buffer(executor, to.triangle_list, flat.triangles);
         write_buffer(executor, to.normals, flat.normals);
+        write_buffer(executor, scene.surfaces.tangents, flat.surfaces.tangents);
         executor.update_scene(*scene.traced, traced_geometry(flat));
     }
     write_buffer(executor, to.instances, flat.instances);

@@ -130,6 +130,7 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
     params_.features = features;
     params_.sampling.seed = settings.seed;
     params_.camera.hides_environment = settings.hides_environment ? 1 : 0;
+    params_.sampling.most_bounces = settings.most_bounces;
     path_params_.through_centres = settings.through_centres ? 1 : 0;
     fit_film();
     filter_textures();
@@ -257,6 +258,7 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                                              .geometry = view(scene_buffers_->geometry),
                                              .light_table = view(scene_buffers_->light_table),
                                              .light_nodes = scene_buffers_->light_nodes,
+                                             .environment = view(scene_buffers_->environment),
                                              .surface_tables = view(scene_buffers_->surfaces),
                                              .path_params = path_params_,
                                              .film_sums = film_.buffer(),

@@ -30,7 +30,8 @@ struct PathSettings {
     bool hides_environment = false;  ///< from rays of the camera, not from light
     bool direct = true;
     bool indirect = true;
-    double frame_ms = 500.0;  ///< milliseconds that a frame takes, about
+    std::uint32_t most_bounces = 0xFFFFFFFF;  ///< scatterings after which a path ends
+    double frame_ms = 500.0;                  ///< milliseconds that a frame takes, about
 };
 
 /// Renders references by path tracing. A frame adds some samples to every pixel's exact sums;

@@ -92,7 +92,8 @@ std::unique_ptr<ExactRenderer> make_exact_renderer(Executor& executor, const Fla
                                                    std::shared_ptr<SceneBuffers> uploaded,
                                                    const Camera& camera,
                                                    const PathSettings& settings, FilmSums sums) {
-    if (settings.algorithm == Algorithm::reference && !scene.media.present()) {
+    if (settings.algorithm == Algorithm::reference && !scene.media.present() &&
+        !scene.surfaces.present()) {
         auto renderer =
             std::make_unique<ReferenceRenderer>(executor, scene, uploaded, camera, settings);
         if (renderer->landed_share() >= least_landed) {

@@ -10,12 +10,15 @@
 #include <cmath>
 #include <cstddef>
 
+#include "scene/scene.h"
+
 namespace weft {
 namespace {
 
 struct Vertex {
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0};
+    glm::dvec3 tangent{0.0};
 };
 
 /// A target whose weight is not 0.
@@ -35,6 +38,7 @@ Vertex morphed(const MeshShape& shape, std::span<const ActiveTarget> active, std
     Vertex vertex{glm::dvec3(shape.positions[index]), {}};
     const bool has_normals = !shape.normals.empty();
     if (has_normals) vertex.normal = glm::dvec3(shape.normals[index]);
+    if (!shape.tangents.empty()) vertex.tangent = glm::dvec3(shape.tangents[index]);
     for (const auto& [target, weight] : active) {
         if (!target->positions.empty())
             vertex.position += weight * glm::dvec3(target->positions[index]);
@@ -66,6 +70,7 @@ int carry(const glm::dmat4& matrix, Vertex& vertex) {
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
     vertex.normal = cofactors * vertex.normal;
+    vertex.tangent = linear * vertex.tangent;
     const double determinant = glm::dot(linear[0], cofactors[0]);
     return determinant > 0.0 ? 1 : (determinant < 0.0 ? -1 : 0);
 }
@@ -95,22 +100,25 @@ std::vector<glm::dmat4> joint_matrices(const Skin& skin,
 }
 
 bool deform(const MeshShape& shape, std::span<const double> weights,
-            std::span<const glm::dmat4> joints, std::vector<glm::vec3>& positions,
-            std::vector<glm::vec3>& normals) {
+            std::span<const glm::dmat4> joints, Mesh& mesh) {
     const std::vector<ActiveTarget> active = active_targets(shape, weights);
     const bool is_carried = shape.influences.width > 0;
-    positions.resize(shape.positions.size());
-    normals.resize(shape.normals.size());
+    mesh.positions.resize(shape.positions.size());
+    mesh.normals.resize(shape.normals.size());
+    mesh.tangents.resize(shape.tangents.size());
     std::atomic<std::ptrdiff_t> sides{0};
     constexpr std::size_t grain = 1024;
-    const tbb::blocked_range<std::size_t> all(0, positions.size(), grain);
+    const tbb::blocked_range<std::size_t> all(0, mesh.positions.size(), grain);
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
         std::ptrdiff_t sides_here = 0;
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             Vertex vertex = morphed(shape, active, i);
             if (is_carried) sides_here += carry(mean_matrix(shape.influences, joints, i), vertex);
-            positions[i] = glm::vec3(vertex.position);
-            if (!normals.empty()) normals[i] = direction_of(vertex.normal);
+            mesh.positions[i] = glm::vec3(vertex.position);
+            if (!mesh.normals.empty()) mesh.normals[i] = direction_of(vertex.normal);
+            // A mirrored vertex has faces and normals that are flipped, and so its bitangent.
+            if (!mesh.tangents.empty())
+                mesh.tangents[i] = glm::vec4(direction_of(vertex.tangent), shape.tangents[i].w);
         }
         sides += sides_here;
     });

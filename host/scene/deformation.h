@@ -13,6 +13,8 @@
 
 namespace weft {
 
+struct Mesh;
+
 /// Displacements by a morph target of the vertices of a mesh at a weight of 1, in object space.
 struct MorphTarget {
     std::vector<glm::vec3> positions;  ///< one a vertex; empty: none
@@ -30,6 +32,7 @@ struct JointInfluences {
 struct MeshShape {
     std::vector<glm::vec3> positions;  ///< object space
     std::vector<glm::vec3> normals;    ///< one a vertex, or empty
+    std::vector<glm::vec4> tangents;   ///< likewise; see Mesh::tangents
     std::vector<MorphTarget> targets;
     JointInfluences influences;
 };
@@ -55,15 +58,15 @@ struct Deformation {
 [[nodiscard]] std::vector<glm::dmat4> joint_matrices(const Skin& skin,
                                                      std::span<const glm::dmat4> nodes_to_world);
 
-/// Sets `positions` and `normals`, as many as the shape has, to the deformed ones of `shape`: its
-/// targets are added with `weights`, one each, and joints carry the result with the weighted mean
-/// of their matrices (`joints`, one for each that the shape refers to; without influences, none is
-/// needed). Normals stay perpendicular to the surface; they have unit length, or are 0 where they
-/// have no direction. Returns whether most vertices are mirrored: then faces and normals point
-/// inwards.
+/// Sets positions, normals and tangents of `mesh`, as many as the shape has, to the deformed ones
+/// of `shape`: its targets are added with `weights`, one each, and joints carry the result with the
+/// weighted mean of their matrices (`joints`, one for each that the shape refers to; without
+/// influences, none is needed). Normals stay perpendicular to the surface, tangents along it; they
+/// have unit length, or are 0 where they have no direction. Targets do not turn tangents, which
+/// kernels make perpendicular to normals. Returns whether most vertices are mirrored: then faces
+/// and normals point inwards.
 bool deform(const MeshShape& shape, std::span<const double> weights,
-            std::span<const glm::dmat4> joints, std::vector<glm::vec3>& positions,
-            std::vector<glm::vec3>& normals);
+            std::span<const glm::dmat4> joints, Mesh& mesh);
 
 }  // namespace weft
 

@@ -18,8 +18,8 @@ using shared::EnvironmentRecord;
 constexpr double half_turn = std::numbers::pi;
 
 // Most cells by which directions are chosen.
-constexpr std::uint32_t most_columns = 512;
-constexpr std::uint32_t most_rows = 256;
+constexpr std::uint32_t most_cell_columns = 512;
+constexpr std::uint32_t most_cell_rows = 256;
 // Cells of a texel along each axis, where the image is small.
 constexpr std::uint32_t cells_per_texel = 4;
 // Look-ups along each edge of a cell, at least; more where it has more texels.
@@ -86,8 +86,8 @@ EnvironmentRecord image_record(const EnvironmentImage& image, const glm::dmat3& 
     record.column_scale = static_cast<float>(image.width);
     record.row_scale = static_cast<float>(image.rows_at_poles ? image.height - 1 : image.height);
     record.row_offset = image.rows_at_poles ? 0.0F : 0.5F;
-    record.columns = std::min(most_columns, cells_per_texel * image.width);
-    record.rows = std::min(most_rows, cells_per_texel * image.height);
+    record.columns = std::min(most_cell_columns, cells_per_texel * image.width);
+    record.rows = std::min(most_cell_rows, cells_per_texel * image.height);
     return record;
 }
 

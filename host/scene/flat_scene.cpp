@@ -394,6 +394,8 @@ void update_flat(const Scene& scene, FlatScene& flat) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         place_vertices(mesh, instance, flat.ranges[i].first_vertex, flat);
         place_triangles(mesh, instance, i, flat);
+        if (!flat.surfaces.tangents.empty())
+            place_tangents(scene, i, flat.ranges[i].first_vertex, flat.surfaces);
     }
     const bool textures = !flat.texture_coordinates.empty();
     for (std::size_t m = 0; m < scene.materials.size(); ++m)

@@ -211,6 +211,11 @@ bool scatters_by_record(const Material& material) {
     return material.description.has_value() && !is_lambertian(*material.description);
 }
 
+bool asks_for_tangents(const shared::SurfaceRecord& record) {
+    return (record.maps & (MAP_NORMAL | MAP_COAT_NORMAL)) != 0 || record.roughness_v >= 0.0F ||
+           record.anisotropy > 0.0F;
+}
+
 /// The index and the absorption of the inside, of a solid that transmits light.
 std::optional<shared::InterfaceRecord> inside_of(const Material& material, double unit) {
     if (!scatters_by_record(material) || !transmits(*material.description)) return std::nullopt;
@@ -340,6 +345,22 @@ void append_coordinates(const Scene& scene, const FlatScene& flat, FlatSurfaces&
 
 }  // namespace
 
+void place_tangents(const Scene& scene, std::size_t instance, std::size_t first_vertex,
+                    FlatSurfaces& surfaces) {
+    const Instance& placed = scene.instances[instance];
+    const std::vector<glm::vec4>& tangents = scene.meshes[placed.mesh].tangents;
+    const glm::dmat3 linear(placed.to_world);
+    // The bitangent turns with the surface, but normals stay on the outside.
+    const bool mirrored = (glm::determinant(linear) < 0.0) != placed.flip_normals;
+    for (std::size_t i = 0; i < tangents.size(); ++i) {
+        glm::dvec3 along = linear * glm::dvec3(tangents[i]);
+        const double length = glm::length(along);
+        along = length > 0.0 ? along / length : glm::dvec3(0.0);
+        surfaces.tangents[first_vertex + i] =
+            packed(glm::vec3(along), mirrored ? -tangents[i].w : tangents[i].w);
+    }
+}
+
 FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
     FlatSurfaces surfaces;
     if (std::none_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
@@ -359,7 +380,11 @@ FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
     add_glass_tables(surfaces);
     add_plastic_tables(surfaces);
     append_coordinates(scene, flat, surfaces);
-    surfaces.tangents.assign(flat.positions.size(), {0.0F, 0.0F, 0.0F, 0.0F});
+    if (std::any_of(surfaces.records.begin(), surfaces.records.end(), asks_for_tangents)) {
+        surfaces.tangents.assign(flat.positions.size(), {0.0F, 0.0F, 0.0F, 0.0F});
+        for (std::size_t i = 0; i < scene.instances.size(); ++i)
+            place_tangents(scene, i, flat.ranges[i].first_vertex, surfaces);
+    }
     number_interfaces(scene, flat, surfaces);
     surfaces.see_through = std::any_of(
         surfaces.records.begin(), surfaces.records.end(), [](const shared::SurfaceRecord& record) {

@@ -31,6 +31,10 @@ struct FlatSurfaces {
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
 };
 
+/// Places the tangents of one instance of a scene, where there is room for them.
+void place_tangents(const Scene& scene, std::size_t instance, std::size_t first_vertex,
+                    FlatSurfaces& surfaces);
+
 /// The surfaces of a scene whose instances have been flattened to `flat`.
 [[nodiscard]] FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat);
 

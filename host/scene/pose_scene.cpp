@@ -30,8 +30,8 @@ void deform_meshes(const Scene& rest, double time, Scene& posed) {
         Mesh& mesh = posed.meshes[deformation.mesh];
         std::span<const glm::dmat4> carriers;
         if (deformation.skin >= 0) carriers = at(joints, deformation.skin);
-        mirrored.push_back(deform(*deformation.shape, weights_at(rest, deformation, time), carriers,
-                                  mesh.positions, mesh.normals));
+        mirrored.push_back(
+            deform(*deformation.shape, weights_at(rest, deformation, time), carriers, mesh));
     }
     for (Instance& instance : posed.instances)
         if (instance.deformation >= 0)

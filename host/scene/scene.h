@@ -46,6 +46,9 @@ struct Mesh {
     std::vector<float> alphas;            ///< in [0, 1], multiplied with Opacity::alpha
     /// Sets of texture coordinates as the file has them, for the textures of a description.
     std::vector<std::vector<glm::vec2>> uv_sets;
+    /// Tangents, for normal maps and lobes with a direction: xyz along which u grows, w the sign of
+    /// the bitangent w (N x T).
+    std::vector<glm::vec4> tangents;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 

@@ -163,6 +163,9 @@ class Validator {
         }
         require(mesh.colours.empty() || mesh.colours.size() == count, object,
                 "has vertex colours of the wrong number");
+        require(mesh.tangents.empty() || mesh.tangents.size() == count, object,
+                "has tangents of the wrong number");
+        require(all_finite(mesh.tangents), object, "has a tangent that is not finite");
         require(mesh.alphas.empty() || mesh.alphas.size() == count, object,
                 "has vertex alphas of the wrong number");
         require(std::all_of(mesh.alphas.begin(), mesh.alphas.end(),

@@ -382,6 +382,7 @@
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, LightTable, light_table)                  \
     X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, EnvironmentImage, environment)            \
     X(GROUP, SurfaceTables, surface_tables)            \
     X(VALUE, PathParams, path_params)                  \
     X(WRITES, FilmSums, film_sums)                     \

@@ -95,7 +95,7 @@ typedef struct {
 
 #define TEXTURE_NEAREST 1u
 #define TEXTURE_SRGB 2u
-#define TEXTURE_ALPHA 4u         // look-ups are of alpha, which is linear
+#define TEXTURE_ALPHA 4u        // look-ups are of alpha, which is linear
 #define TEXTURE_WRAP_U_SHIFT 4  // two bits: 0 repeat, 1 clamp, 2 mirror
 #define TEXTURE_WRAP_V_SHIFT 6
 
@@ -130,7 +130,7 @@ typedef struct {
 #define SURFACE_INSTANCE_WORDS (SURFACE_UV_SETS + 1u)
 
 // Parameters that a map may multiply; a record's maps follow one another in this order.
-#define MAP_BASE 1u          // base colour, or diffuse reflectance
+#define MAP_BASE 1u  // base colour, or diffuse reflectance
 #define MAP_METALLIC 2u
 #define MAP_ROUGHNESS 4u
 #define MAP_ROUGHNESS_V 8u
@@ -150,17 +150,17 @@ typedef struct {
 #define SURFACE_UNLIT 2u    // shows `base` and scatters nothing
 #define SURFACE_LAMBERT 3u  // by MaterialRecord alone
 
-#define SURFACE_THIN 1u             // what transmits is a wall without thickness
-#define SURFACE_CONDUCTOR 2u        // a metal by its index
+#define SURFACE_THIN 1u       // what transmits is a wall without thickness
+#define SURFACE_CONDUCTOR 2u  // a metal by its index
 #define SURFACE_SINGLE_SCATTER 4u
 #define SURFACE_BECKMANN 8u
 #define SURFACE_SEPARABLE 16u
-#define SURFACE_LOCAL_INDEX 32u     // indices as given, whatever lies around
-#define SURFACE_SPECULAR_SCALES 64u // the base is multiplied by 1 less the largest channel of f0
-#define SURFACE_NONLINEAR 128u      // of SURFACE_PLASTIC
-#define SURFACE_MASK 512u           // there where alpha is not below the cut-off
-#define SURFACE_BLEND 1024u         // there by the share alpha
-#define SURFACE_ROOT_TINT 256u      // each crossing is tinted by the root of the base
+#define SURFACE_LOCAL_INDEX 32u      // indices as given, whatever lies around
+#define SURFACE_SPECULAR_SCALES 64u  // the base is multiplied by 1 less the largest channel of f0
+#define SURFACE_NONLINEAR 128u       // of SURFACE_PLASTIC
+#define SURFACE_MASK 512u            // there where alpha is not below the cut-off
+#define SURFACE_BLEND 1024u          // there by the share alpha
+#define SURFACE_ROOT_TINT 256u       // each crossing is tinted by the root of the base
 
 // Scales of roughness.
 #define ROUGHNESS_SQUARED 0u   // alpha is its square
@@ -180,11 +180,11 @@ typedef struct {
     float anisotropy, rotation;
     float coat, coat_roughness;
     float normal_scale, coat_normal_scale;
-    float weight;     // of SURFACE_PLASTIC: see kernels/bsdf/plastic.h
-    float inner;      // of SURFACE_PLASTIC: share of light from inside that is reflected
+    float weight;  // of SURFACE_PLASTIC: see kernels/bsdf/plastic.h
+    float inner;   // of SURFACE_PLASTIC: share of light from inside that is reflected
     uint model, flags;
     uint maps, first_map;
-    uint table;       // first value of its tables, or INVALID_INDEX
+    uint table;           // first value of its tables, or INVALID_INDEX
     float alpha, cutoff;  // of SURFACE_MASK and SURFACE_BLEND
     uint pad;
 } SurfaceRecord;
@@ -491,7 +491,8 @@ typedef struct {
     uint first_vpl[MAX_BOUNCES];  // their first slot inside the set
     uint edge_samples;            // further rays of an edge pixel, even; 0: none
     float record_error;           // relative error that the radius of irradiance records allows
-    uint pad[2];
+    uint most_bounces;            // scatterings after which paths of path tracing end
+    uint pad;
 } SamplingParams;
 
 // What belongs to the same surface in reconstruction (discontinuity buffer).

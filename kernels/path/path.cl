@@ -34,7 +34,7 @@ static inline PathSample trace_path(const RenderParams* params, const PathParams
     sample.normal = vertex.surface.shading;
     sample.depth = camera_depth(params, hit.t);
     int goes_on = enter_surface(params, &vertex, f3(1.0f, 1.0f, 1.0f));
-    while (goes_on != 0) {
+    while (goes_on != 0 && vertex.bounce <= params->sampling.most_bounces) {
         *rays += next_event(params, world, &vertex, random, &sample.light);
         goes_on = scatter(params, world, &vertex, random, &sample.light, rays);
         if (!HAS(params, FEATURE_INDIRECT)) break;

@@ -115,6 +115,7 @@ static inline void add_emitted(const RenderParams* params, const MediumSegment* 
 
 /// 1 where light that arrives after `bounce` scatterings is to be computed.
 static inline int wants_bounce(const RenderParams* params, uint bounce) {
+    if (bounce > params->sampling.most_bounces) return 0;
     return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
 }
 

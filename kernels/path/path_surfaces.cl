@@ -15,14 +15,8 @@ static inline PathSample trace_surfaces(const RenderParams* params, const PathPa
                                         const PathScene* world, const SurfaceTables* tables,
                                         uint pixel, Random* random, uint* rays) {
     PathSample sample = no_path_sample();
-    float x = next_random(random);
-    float y = next_random(random);
-    if (path_params->through_centres != 0u) {
-        x = 0.5f;
-        y = 0.5f;
-    }
-    x += (float)(pixel % params->camera.width);
-    y += (float)(pixel / params->camera.width);
+    float x, y;
+    sample_film(params, path_params, pixel, random, &x, &y);
     SurfacePath path =
         start_surface_path(camera_origin(params, x, y), camera_direction(params, x, y));
     while (advance_surface_path(params, world, tables, &path, random, &sample, rays) != 0) continue;
@@ -36,7 +30,9 @@ WEFT_KERNEL(path_surfaces)
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     SURFACES_MAKE(tables);
-    PathScene world = {scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights};
+    ENVIRONMENT_MAKE(environment);
+    PathScene world = {
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
     uint rays = 0u;
     for (uint i = 0u; i < path_params.samples; ++i) {
         Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);

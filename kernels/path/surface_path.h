@@ -171,8 +171,8 @@ static inline uint light_surface(const RenderParams* params, const PathScene* wo
     LitPoint all = *lit;
     all.any_side = 1;
     LightSample light =
-        light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive, &all,
-                         surface->position, probability, u, v);
+        light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive,
+                         &world->environment, &all, surface->position, probability, u, v);
     float3 irradiance = light.power * light.share;
     float3 in = normalize3(light.towards);
     LayeredValue value = scattering_value(scattering, in);
@@ -210,16 +210,21 @@ static inline void meet_emission(const RenderParams* params, const PathScene* wo
 }
 
 /// Adds the light of the surroundings, which the path has met.
-static inline void meet_surroundings(const RenderParams* params, const SurfaceTables* tables,
-                                     const SurfacePath* path, PathSample* sample) {
+static inline void meet_surroundings(const RenderParams* params, const PathScene* world,
+                                     const SurfaceTables* tables, const SurfacePath* path,
+                                     PathSample* sample) {
     if (path->length == 0u) {
-        sample->emission += path->throughput * background_radiance(params, path->direction);
+        sample->emission +=
+            path->throughput * background_radiance(params, &world->environment, path->direction);
         sample->alpha = background_alpha(params, path->throughput);
         return;
     }
-    if (HAS(params, FEATURE_ENVIRONMENT))
-        add_found(params, tables, path, path->around, path->bounce,
-                  environment_radiance(params, path->direction), sample);
+    if (!HAS(params, FEATURE_ENVIRONMENT)) return;
+    float3 radiance =
+        path->pdf > 0.0f
+            ? weighted_environment(params, world, &path->left, path->direction, path->pdf)
+            : environment_radiance(params, &world->environment, path->direction);
+    add_found(params, tables, path, path->around, path->bounce, radiance, sample);
 }
 
 /// Goes on beyond or before the surface in direction `in`.
@@ -258,7 +263,7 @@ static inline int advance_surface_path(const RenderParams* params, const PathSce
     Hit hit = trace_closest(world->scene, path->origin, path->direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == INVALID_INDEX) {
-        meet_surroundings(params, tables, path, sample);
+        meet_surroundings(params, world, tables, path, sample);
         return 0;
     }
     const Geometry* geometry = &world->geometry;
@@ -312,6 +317,7 @@ static inline int advance_surface_path(const RenderParams* params, const PathSce
         sample->normal = surface.shading;
         sample->depth = camera_depth(params, path->passed + hit.t);
     }
+    if (path->length >= params->sampling.most_bounces) return 0;
     ++path->length;
     if (!HAS(params, FEATURE_INDIRECT) && path->bounce > 0u) return 0;
     LitPoint lit = lit_point(&surface);

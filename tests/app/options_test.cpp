@@ -93,31 +93,35 @@ TEST(Options, InfoAndDevices) {
     EXPECT_FALSE(std::get<DevicesOptions>(parse({"devices"})).json);
 }
 
-TEST(Options, LightingIsThatOfEveryCommandThatReadsAScene) {
-    const SceneReading plain = render({}).lighting;
+TEST(Options, HowScenesAreReadIsThatOfEveryCommandThatReadsOne) {
+    const SceneReading plain = render({}).reading;
     EXPECT_EQ(plain.light, DefaultLight::as_needed);
     EXPECT_TRUE(plain.environment.empty());
     EXPECT_EQ(plain.environment_rotation, 0.0);
     const std::vector<const char*> given{
-        "--light", "none", "--environment", "my sky.hdr", "--environment-rotation", "-37.5"};
+        "--light", "none",        "--environment", "my sky.hdr", "--environment-rotation",
+        "-37.5",   "--materials", "diffuse"};
     const auto of = [&](const char* command) {
         std::vector<const char*> line{"weft", command, "a.gltf"};
         line.insert(line.end(), given.begin(), given.end());
         return parse_command_line(static_cast<int>(line.size()), line.data());
     };
-    for (const SceneReading& lighting : {std::get<RenderOptions>(of("render")).lighting,
-                                          std::get<InfoOptions>(of("info")).lighting,
-                                          std::get<TradeoffOptions>(of("tradeoff")).lighting}) {
-        EXPECT_EQ(lighting.light, DefaultLight::never);
-        EXPECT_EQ(lighting.environment, "my sky.hdr");
-        EXPECT_EQ(lighting.environment_rotation, -37.5);
-        EXPECT_EQ(lighting_arguments(lighting),
-                  " --light none --environment 'my sky.hdr' --environment-rotation -37.5");
+    for (const SceneReading& reading :
+         {std::get<RenderOptions>(of("render")).reading, std::get<InfoOptions>(of("info")).reading,
+          std::get<TradeoffOptions>(of("tradeoff")).reading}) {
+        EXPECT_EQ(reading.light, DefaultLight::never);
+        EXPECT_EQ(reading.environment, "my sky.hdr");
+        EXPECT_EQ(reading.environment_rotation, -37.5);
+        EXPECT_EQ(reading.materials, MaterialDetail::diffuse);
+        EXPECT_EQ(reading_arguments(reading),
+                  " --light none --environment 'my sky.hdr' --environment-rotation -37.5 "
+                  "--materials diffuse");
     }
-    EXPECT_EQ(lighting_arguments(plain), "");
+    EXPECT_EQ(reading_arguments(plain), "");
     const nlohmann::json json = options_json(std::get<RenderOptions>(of("render")));
     EXPECT_EQ(json["environment"], "my sky.hdr");
     EXPECT_EQ(json["environment_rotation"], -37.5);
+    EXPECT_EQ(json["materials"], "diffuse");
     for (const char* bad : {"x", "nan", "36001", ""})
         EXPECT_NE(render_refusal({"--environment-rotation", bad}), "no failure") << bad;
 }

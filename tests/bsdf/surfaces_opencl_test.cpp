@@ -84,6 +84,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     put(r + 27, ray.flux);
 
     LitPoint surface;
+    surface.any_side = 0;
     surface.position = f3(x[2] - 0.5f, x[3] - 0.5f, 0.0f);
     surface.normal = f3(0.0f, 0.0f, 1.0f);
     surface.shading = normalize3(f3(0.2f * x[5], 0.1f, 1.0f));

@@ -66,6 +66,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const EnvironmentRecord* environment_record,
     put(r + 11, ray.origin);
     put(r + 14, ray.flux);
     LitPoint lit;
+    lit.any_side = 0;
     lit.position = f3(0.0f, 0.0f, 0.0f);
     lit.normal = cone_direction(x[2], x[3], -1.0f);
     lit.shading = lit.normal;

@@ -240,9 +240,9 @@ TEST(PathSurfaces, SameBitsOnAllBackendsAndInParts) {
         settings.samples = {first, end};
         return test::path_sums(test::shared_executor(backend), flat, camera, settings);
     };
-    const FilmSums whole = sums(TestBackend::native, 0, 8);
-    FilmSums parts = sums(TestBackend::native, 0, 3);
-    add_sums(parts, sums(TestBackend::native, 3, 8));
+    const FilmSums whole = sums(TestBackend::own_bvh, 0, 8);
+    FilmSums parts = sums(TestBackend::own_bvh, 0, 3);
+    add_sums(parts, sums(TestBackend::own_bvh, 3, 8));
     test::expect_same_sums(whole, parts);
     for (const TestBackend backend : test::light_backends())
         test::expect_same_sums(whole, sums(backend, 0, 8));

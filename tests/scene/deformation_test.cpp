@@ -56,13 +56,18 @@ void attach(MeshShape& shape, const std::vector<float>& weights) {
 
 struct Deformed {
     std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec4> tangents;
     bool mirrored = false;
 };
 
 Deformed deformed(const MeshShape& shape, const std::vector<double>& weights,
                   const std::vector<glm::dmat4>& joints) {
     Deformed made;
-    made.mirrored = deform(shape, weights, joints, made.positions, made.normals);
+    Mesh mesh;
+    made.mirrored = deform(shape, weights, joints, mesh);
+    made.positions = mesh.positions;
+    made.normals = mesh.normals;
+    made.tangents = mesh.tangents;
     EXPECT_EQ(made.positions.size(), shape.positions.size());
     EXPECT_EQ(made.normals.size(), shape.normals.size());
     return made;

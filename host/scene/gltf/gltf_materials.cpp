@@ -11,6 +11,7 @@
 #include "base/quote.h"
 #include "scene/gltf/gltf_medium.h"
 #include "scene/gltf/gltf_surface.h"
+#include "scene/mesh_tangents.h"
 
 namespace weft {
 namespace {
@@ -22,29 +23,32 @@ struct Unsimulated {
 
 constexpr WarningUnit material_unit{"material", "materials"};
 
+/// What no algorithm renders.
 constexpr std::array unsimulated_extensions = {
+    Unsimulated{"KHR_materials_diffuse_transmission",
+                "diffuse transmission is not simulated, an opaque surface is rendered instead"},
+    Unsimulated{"KHR_materials_sheen", "sheen is not simulated, it is left out"},
+    Unsimulated{"KHR_materials_iridescence", "iridescence is not simulated, it is left out"},
+    Unsimulated{"KHR_materials_dispersion",
+                "dispersion is not simulated, all colours are refracted alike"},
+};
+
+/// What else is more than a diffuse surface, for MaterialDetail::diffuse.
+constexpr std::array undiffuse_extensions = {
     Unsimulated{"KHR_materials_unlit",
                 "unlit material is not simulated, a lit diffuse surface is rendered instead"},
     Unsimulated{"KHR_materials_transmission",
                 "transmission is not simulated, an opaque surface is rendered instead"},
-    Unsimulated{"KHR_materials_diffuse_transmission",
-                "diffuse transmission is not simulated, an opaque surface is rendered instead"},
     Unsimulated{"KHR_materials_volume",
                 "material volume is not simulated, an opaque surface is rendered instead"},
     Unsimulated{"KHR_materials_clearcoat",
                 "clear coat is not simulated, the bare base colour is rendered instead"},
-    Unsimulated{"KHR_materials_sheen",
-                "sheen is not simulated, the bare base colour is rendered instead"},
     Unsimulated{"KHR_materials_specular",
                 "specular reflection is not simulated, a diffuse surface is rendered instead"},
-    Unsimulated{"KHR_materials_iridescence",
-                "iridescence is not simulated, the bare base colour is rendered instead"},
     Unsimulated{"KHR_materials_anisotropy",
                 "anisotropic reflection is not simulated, a diffuse surface is rendered instead"},
     Unsimulated{"KHR_materials_ior",
                 "index of refraction is not simulated, a diffuse surface is rendered instead"},
-    Unsimulated{"KHR_materials_dispersion",
-                "dispersion is not simulated, an opaque surface is rendered instead"},
     Unsimulated{"KHR_materials_pbrSpecularGlossiness",
                 "specular-glossiness material is not simulated, the metallic-roughness base "
                 "colour is rendered instead"},
@@ -113,6 +117,7 @@ void GltfMaterials::describe(const JsonValue& value, Material& material, GltfSur
     GltfDescription found = read_gltf_surface(value, textures_, report_);
     surface.uv_sets = std::move(found.uv_sets);
     if (found.surface) {
+        surface.tangent_set = tangent_uv_set(*found.surface);
         surface.has_alpha = found.surface->opacity.mode != OpacityMode::opaque;
         const auto* const metallic = std::get_if<MetallicSurface>(&found.surface->model);
         surface.is_solid = metallic != nullptr && metallic->solid;
@@ -135,15 +140,7 @@ std::uint32_t GltfMaterials::thin(std::uint32_t material) {
 DiffuseSurface GltfMaterials::base_colour(const JsonValue& value, GltfSurface& surface) {
     DiffuseSurface diffuse{glm::vec3{1.0F}};
     const std::optional<JsonValue> pbr = value.find("pbrMetallicRoughness");
-    const double metallic = pbr ? pbr->number_or("metallicFactor", 1.0) : 1.0;
-    if (metallic > 0.0)
-        report_.count(
-            value.place(), material_unit,
-            "metallic reflection is not simulated, a diffuse surface is rendered instead");
     if (!pbr) return diffuse;
-    if (pbr->number_or("roughnessFactor", 1.0) < 1.0 || pbr->find("metallicRoughnessTexture"))
-        report_.count(value.place(), material_unit,
-                      "roughness below 1 is not simulated, a diffuse surface is rendered instead");
     const std::array<double, 4> factor =
         pbr->numbers_or<4>("baseColorFactor", {1.0, 1.0, 1.0, 1.0});
     diffuse.albedo = colour(*pbr, glm::dvec3(factor[0], factor[1], factor[2]), "baseColorFactor");
@@ -188,19 +185,33 @@ glm::vec3 GltfMaterials::colour(const JsonValue& place, const glm::dvec3& value,
 }
 
 void GltfMaterials::report_unsimulated(const JsonValue& value) {
-    for (const Unsimulated& extension : unsimulated_extensions)
-        if (value.extension(extension.key) && !is_lambert(value, extension.key))
-            report_.count(value.place(), material_unit, extension.message);
-    if (value.find("normalTexture"))
-        report_.count(value.place(), material_unit,
-                      "normal maps are not simulated, the unperturbed normals are used instead");
+    const auto report = [&](const auto& extensions) {
+        for (const Unsimulated& extension : extensions)
+            if (value.extension(extension.key) && !is_lambert(value, extension.key))
+                report_.count(value.place(), material_unit, extension.message);
+    };
+    report(unsimulated_extensions);
     const std::string mode = value.string_or("alphaMode", "OPAQUE");
-    if (mode == "MASK" || mode == "BLEND")
-        report_.count(
-            value.place(), material_unit,
-            "alphaMode " + mode + " is not simulated, an opaque surface is rendered instead");
-    else if (mode != "OPAQUE")
+    if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
         throw value.at("alphaMode").error("is " + quote(mode) + ", expected OPAQUE, MASK or BLEND");
+    if (detail_ == MaterialDetail::full) return;
+    report(undiffuse_extensions);
+    const auto not_simulated = [&](const std::string& message) {
+        report_.count(value.place(), material_unit, message);
+    };
+    const std::optional<JsonValue> pbr = value.find("pbrMetallicRoughness");
+    if (!pbr || pbr->number_or("metallicFactor", 1.0) > 0.0)
+        not_simulated(
+            "metallic reflection is not simulated, a diffuse surface is rendered "
+            "instead");
+    if (pbr &&
+        (pbr->number_or("roughnessFactor", 1.0) < 1.0 || pbr->find("metallicRoughnessTexture")))
+        not_simulated("roughness below 1 is not simulated, a diffuse surface is rendered instead");
+    if (value.find("normalTexture"))
+        not_simulated("normal maps are not simulated, the unperturbed normals are used instead");
+    if (mode != "OPAQUE")
+        not_simulated("alphaMode " + mode +
+                      " is not simulated, an opaque surface is rendered instead");
 }
 
 }  // namespace weft

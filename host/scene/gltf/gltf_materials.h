@@ -23,8 +23,10 @@ struct GltfSurface {
     std::optional<GltfUvs> base_colour_uvs{};  ///< empty without texture
     std::optional<GltfUvs> emission_uvs{};     ///< empty without texture
     std::vector<std::uint64_t> uv_sets{};      ///< by index into Mesh::uv_sets, the n of TEXCOORD_n
-    bool has_alpha = false;                    ///< alpha of the vertices counts
-    bool is_solid = false;                     ///< encloses a volume of glass
+    /// The set, of `uv_sets`, by which tangents are made; none where nothing asks for them.
+    std::optional<std::uint32_t> tangent_set{};
+    bool has_alpha = false;  ///< alpha of the vertices counts
+    bool is_solid = false;   ///< encloses a volume of glass
 };
 
 /// Reads the materials that primitives refer to, each once: a diffuse surface, and by `detail` what

@@ -15,6 +15,7 @@
 #include "scene/gltf/gltf_influences.h"
 #include "scene/gltf/gltf_morph.h"
 #include "scene/gltf/gltf_triangles.h"
+#include "scene/mesh_tangents.h"
 
 namespace weft {
 namespace {
@@ -153,6 +154,29 @@ void read_attributes(GltfData& data, const JsonValue& attributes, const GltfSurf
     }
 }
 
+/// Reads tangents, or makes them, where the surface asks for them. Of vertices that need two,
+/// copies are appended to the mesh and to `vertices`.
+void read_tangents(GltfData& data, const JsonValue& attributes, const GltfSurface& surface,
+                   std::size_t vertex_count, std::vector<std::uint32_t>& vertices, Mesh& mesh) {
+    if (!surface.tangent_set) return;
+    const GltfAccessor* const tangents =
+        mesh.normals.empty() ? nullptr
+                             : find_gltf_attribute(data, attributes, "TANGENT", vertex_count, 4, 4);
+    if (tangents == nullptr) {
+        for (const std::uint32_t copy : add_tangents(mesh, *surface.tangent_set))
+            vertices.push_back(vertices[copy]);
+        return;
+    }
+    mesh.tangents.reserve(vertices.size());
+    for (const std::uint32_t vertex : vertices) {
+        std::array<float, 4> values{};
+        tangents->read(vertex, values);
+        const glm::vec3 along(values[0], values[1], values[2]);
+        mesh.tangents.emplace_back(std::isfinite(glm::dot(along, along)) ? along : glm::vec3(0.0F),
+                                   values[3] < 0.0F ? -1.0F : 1.0F);
+    }
+}
+
 /// Reads the shape that a mesh of these vertices is deformed from.
 MeshShape read_shape(GltfData& data, const JsonValue& primitive, std::size_t vertex_count,
                      const std::vector<std::uint32_t>& vertices, const GltfForms& forms,
@@ -160,6 +184,7 @@ MeshShape read_shape(GltfData& data, const JsonValue& primitive, std::size_t ver
     MeshShape shape;
     shape.positions = mesh.positions;
     shape.normals = mesh.normals;
+    shape.tangents = mesh.tangents;
     if (forms.morphed)
         shape.targets = read_gltf_targets(data, primitive, vertex_count, vertices,
                                           !mesh.normals.empty(), report, read.deltas);
@@ -200,12 +225,13 @@ std::optional<GltfPrimitive> read_gltf_primitive(GltfData& data, const JsonValue
     }
     GltfPrimitive made;
     Mesh& mesh = made.mesh;
-    const std::vector<std::uint32_t> vertices = compact_vertices(triangles, vertex_count);
+    std::vector<std::uint32_t> vertices = compact_vertices(triangles, vertex_count);
     mesh.triangles = std::move(triangles);
     mesh.positions.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices)
         mesh.positions.push_back(read_gltf_vector(positions, vertex));
     read_attributes(data, attributes, surface, vertex_count, vertices, report, mesh);
+    read_tangents(data, attributes, surface, vertex_count, vertices, mesh);
     if (forms.skinned || forms.morphed)
         made.shape = read_shape(data, primitive, vertex_count, vertices, forms, mesh, report, read);
     return made;

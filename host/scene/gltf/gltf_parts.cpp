@@ -134,7 +134,7 @@ GltfPart GltfParts::deformed(const Primitive& primitive, const Form& form, const
     }
     Mesh mesh = primitive.mesh;
     GltfPart part = primitive.part;
-    part.mirrored = deform(*primitive.shape, form.weights, joints, mesh.positions, mesh.normals);
+    part.mirrored = deform(*primitive.shape, form.weights, joints, mesh);
     part.mesh = static_cast<std::uint32_t>(scene_.meshes.size());
     scene_.meshes.push_back(std::move(mesh));
     part.deforms = form.track >= 0 || (form.skin != nullptr && form.skin->moves);

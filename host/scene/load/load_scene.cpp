@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "scene/gltf/gltf_reader.h"
+#include "scene/mesh_tangents.h"
 #include "scene/mitsuba/mitsuba_reader.h"
 #include "scene/obj/obj_reader.h"
 #include "scene/ply/ply_scene.h"
@@ -48,18 +49,18 @@ glm::dmat3 turn_about_y(double degrees) {
     return {{cosine, 0.0, -sine}, {0.0, 1.0, 0.0}, {sine, 0.0, cosine}};
 }
 
-void set_environment(const SceneReading& lighting, Scene& scene, Diagnostics& diagnostics) {
-    if (!lighting.environment.empty()) {
-        const EnvironmentFile file = read_environment(lighting.environment);
+void set_environment(const SceneReading& reading, Scene& scene, Diagnostics& diagnostics) {
+    if (!reading.environment.empty()) {
+        const EnvironmentFile file = read_environment(reading.environment);
         if (file.mended > 0)
-            diagnostics.warn(lighting.environment.string(),
+            diagnostics.warn(reading.environment.string(),
                              std::to_string(file.mended) + " " + std::string(mended_values));
         scene.environment = Environment{glm::vec3(1.0F), file.image};
     }
-    if (lighting.environment_rotation == 0.0) return;
+    if (reading.environment_rotation == 0.0) return;
     if (scene.environment && scene.environment->image)
         scene.environment->to_world =
-            turn_about_y(lighting.environment_rotation) * scene.environment->to_world;
+            turn_about_y(reading.environment_rotation) * scene.environment->to_world;
     else
         diagnostics.warn(scene.source, "no image of the environment that could be turned");
 }
@@ -70,8 +71,9 @@ Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                  const SceneReading& reading) {
     Scene scene = read_scene(path, diagnostics, reading.materials);
     set_environment(reading, scene, diagnostics);
+    add_missing_tangents(scene);
     validate_scene(scene);
-    add_default_light(scene, lighting.light, diagnostics);
+    add_default_light(scene, reading.light, diagnostics);
     return scene;
 }
 

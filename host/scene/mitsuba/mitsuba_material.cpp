@@ -78,9 +78,6 @@ void MaterialReader::read_twosided(Object& object, MitsubaSurface& surface) {
 }
 
 void MaterialReader::read_replaced(Object& object, MitsubaSurface& surface) {
-    context_.warnings.count(
-        object.element(), {"bsdf", "bsdfs"},
-        "type " + quote(object.type()) + " is not supported, rendered as diffuse");
     surface.two_sided = is_two_sided_type(object.type());
     bool coloured = false;
     for (const char* name :
@@ -93,10 +90,13 @@ void MaterialReader::read_replaced(Object& object, MitsubaSurface& surface) {
     }
     const std::vector<const Element*> inner = object.nested("bsdf");
     if (!coloured && !inner.empty()) surface = this->surface(inner.front());
-    if (detail_ == MaterialDetail::full) describe(object, inner, surface);
+    if (detail_ == MaterialDetail::full && describe(object, inner, surface)) return;
+    context_.warnings.count(
+        object.element(), {"bsdf", "bsdfs"},
+        "type " + quote(object.type()) + " is not supported, rendered as diffuse");
 }
 
-void MaterialReader::describe(Object& object, const std::vector<const Element*>& inner,
+bool MaterialReader::describe(Object& object, const std::vector<const Element*>& inner,
                               MitsubaSurface& surface) {
     const bool adapts = object.type() == "mask" || object.type() == "normalmap";
     if (std::optional<SurfaceModel> model = read_bsdf_model(object, textures_, context_)) {
@@ -105,7 +105,7 @@ void MaterialReader::describe(Object& object, const std::vector<const Element*>&
         if (inner.size() != 1)
             throw input_error(object.place(), fmt::format("{} with {} nested bsdfs, expected 1",
                                                           object.type(), inner.size()));
-        if (surface.invisible) return;
+        if (surface.invisible) return true;
         if (!surface.description)
             surface.description =
                 SurfaceDescription{LambertSurface{{surface.albedo, surface.map()}}, {}, {}};
@@ -115,9 +115,13 @@ void MaterialReader::describe(Object& object, const std::vector<const Element*>&
         else
             surface.description->normal_map = read_normal_map(object, textures_);
     } else {
-        return;
+        return false;
     }
+    if (object.type() == "principled")
+        context_.warnings.count(object.element(), {"bsdf", "bsdfs"},
+                                "type 'principled' is rendered as metallic-roughness");
     object.report_unused();
+    return true;
 }
 
 Opacity MaterialReader::combine(Object& object, const Opacity& inner, Opacity outer) {

@@ -52,8 +52,9 @@ class MaterialReader {
     [[nodiscard]] MitsubaSurface read_bsdf(const Element& element);
     void read_twosided(Object& object, MitsubaSurface& surface);
     void read_replaced(Object& object, MitsubaSurface& surface);
-    void describe(Object& object, const std::vector<const Element*>& inner,
-                  MitsubaSurface& surface);
+    /// Reads what is more than diffuse. Returns false where that is not known.
+    [[nodiscard]] bool describe(Object& object, const std::vector<const Element*>& inner,
+                                MitsubaSurface& surface);
     /// The opacity of a mask around a mask.
     [[nodiscard]] Opacity combine(Object& object, const Opacity& inner, Opacity outer);
     void read_reflectance(const Element& element, MitsubaSurface& surface);

@@ -31,16 +31,17 @@ struct Unsimulated {
 constexpr const char* specular = "specular reflection is not simulated";
 constexpr const char* transparency = "transparency is not simulated, surfaces are opaque";
 constexpr const char* metal = "metals are not simulated, a diffuse surface is rendered instead";
-constexpr const char* coat = "sheen and clear coat are not simulated";
-constexpr const char* bump = "bump, normal and displacement maps are not simulated";
+constexpr const char* coat = "clear coat is not simulated";
+constexpr const char* sheen = "sheen is not simulated";
+constexpr const char* reflection = "maps of what is reflected are not simulated";
+constexpr const char* normal = "normal maps are not simulated";
+constexpr const char* bump = "bump and displacement maps are not simulated";
 constexpr double always = std::numeric_limits<double>::quiet_NaN();
 
-constexpr std::array unsimulated = {
+/// Of MaterialDetail::diffuse.
+constexpr std::array undiffuse = {
     Unsimulated{"ks", 0.0, specular},
     Unsimulated{"map_ks", always, specular},
-    Unsimulated{"refl", always, specular},
-    Unsimulated{"map_refl", always, specular},
-    Unsimulated{"sharpness", 60.0, specular},
     Unsimulated{"d", 1.0, transparency},
     Unsimulated{"tr", 0.0, transparency},
     Unsimulated{"kt", 0.0, transparency},
@@ -49,18 +50,25 @@ constexpr std::array unsimulated = {
     Unsimulated{"map_opacity", always, transparency},
     Unsimulated{"pm", 0.0, metal},
     Unsimulated{"map_pm", always, metal},
-    Unsimulated{"ps", 0.0, coat},
-    Unsimulated{"map_ps", always, coat},
     Unsimulated{"pc", 0.0, coat},
     Unsimulated{"map_pc", always, coat},
     Unsimulated{"map_pcr", always, coat},
+    Unsimulated{"norm", always, normal},
+    Unsimulated{"map_norm", always, normal},
+    Unsimulated{"map_kn", always, normal},
+};
+
+/// What no algorithm renders.
+constexpr std::array unsimulated = {
+    Unsimulated{"refl", always, reflection},
+    Unsimulated{"map_refl", always, reflection},
+    Unsimulated{"sharpness", 60.0, reflection},
+    Unsimulated{"ps", 0.0, sheen},
+    Unsimulated{"map_ps", always, sheen},
     Unsimulated{"bump", always, bump},
     Unsimulated{"map_bump", always, bump},
     Unsimulated{"disp", always, bump},
     Unsimulated{"map_disp", always, bump},
-    Unsimulated{"norm", always, bump},
-    Unsimulated{"map_norm", always, bump},
-    Unsimulated{"map_kn", always, bump},
     Unsimulated{"decal", always, "decals are not simulated"},
 };
 
@@ -322,11 +330,18 @@ class MtlParser {
 
     void report_unsimulated(const std::string& keyword, std::string_view rest,
                             const std::string& place) {
-        const auto* const known =
-            std::find_if(unsimulated.begin(), unsimulated.end(),
-                         [&](const Unsimulated& entry) { return entry.keyword == keyword; });
-        if (known == unsimulated.end()) {
-            if (std::find(passive.begin(), passive.end(), keyword) == passive.end())
+        const auto entry_of = [&](const auto& entries) -> const Unsimulated* {
+            const auto* const found =
+                std::find_if(entries.begin(), entries.end(),
+                             [&](const Unsimulated& entry) { return entry.keyword == keyword; });
+            return found != entries.end() ? found : nullptr;
+        };
+        const Unsimulated* known = entry_of(unsimulated);
+        const Unsimulated* const diffuse = entry_of(undiffuse);
+        if (detail_ == MaterialDetail::diffuse && diffuse != nullptr) known = diffuse;
+        if (known == nullptr) {
+            if (diffuse == nullptr &&
+                std::find(passive.begin(), passive.end(), keyword) == passive.end())
                 report_.once(place, "statement " + quote(keyword) + " is not known, ignored");
             return;
         }

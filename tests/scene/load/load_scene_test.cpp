@@ -64,27 +64,27 @@ TEST(LoadScene, PutsAnImageInPlaceOfTheEnvironment) {
     const TemporaryFolder folder;
     const auto scene_file = folder.write("a.xml", R"(<scene version="3.0.0">
         <emitter type="constant"/></scene>)");
-    SceneReading lighting;
-    lighting.environment = folder.write(
+    SceneReading reading;
+    reading.environment = folder.write(
         "sky.hdr", std::string("#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x81\x80\x80\x80\x82", 30));
     Diagnostics diagnostics;
-    const Scene plain = load_scene(scene_file, diagnostics, lighting);
+    const Scene plain = load_scene(scene_file, diagnostics, reading);
     ASSERT_TRUE(plain.environment && plain.environment->image);
     EXPECT_EQ(plain.environment->radiance, glm::vec3(1.0F));
     EXPECT_EQ(plain.environment->image->radiance, (std::vector<float>{1, 1, 1, 2, 2, 2}));
     EXPECT_EQ(plain.environment->to_world, glm::dmat3(1.0));
     // Counter-clockwise seen from above, so that +z comes to lie at +x.
-    lighting.environment_rotation = 90.0;
-    const Scene turned = load_scene(scene_file, diagnostics, lighting);
+    reading.environment_rotation = 90.0;
+    const Scene turned = load_scene(scene_file, diagnostics, reading);
     EXPECT_NEAR(
         glm::length(turned.environment->to_world * glm::dvec3(0, 0, 1) - glm::dvec3(1, 0, 0)), 0.0,
         1e-12);
     EXPECT_TRUE(diagnostics.warnings().empty());
-    lighting.environment.clear();
-    EXPECT_FALSE(load_scene(scene_file, diagnostics, lighting).environment->image);
+    reading.environment.clear();
+    EXPECT_FALSE(load_scene(scene_file, diagnostics, reading).environment->image);
     EXPECT_EQ(diagnostics.warnings().size(), 1U);
-    lighting.environment = folder.path() / "none.hdr";
-    EXPECT_THROW((void)load_scene(scene_file, diagnostics, lighting), Error);
+    reading.environment = folder.path() / "none.hdr";
+    EXPECT_THROW((void)load_scene(scene_file, diagnostics, reading), Error);
 }
 
 }  // namespace

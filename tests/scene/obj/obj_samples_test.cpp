@@ -113,7 +113,8 @@ TEST(ObjSamples, EveryMtlFileIsReadOrRefused) {
         std::map<std::string, MtlMaterial, std::less<>> materials;
         const std::vector<std::byte> bytes = read_file(file, std::size_t{1} << 20);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        try_file(file, counts, [&] { parse_mtl(text, file.string(), report, materials); });
+        try_file(file, counts,
+                 [&] { parse_mtl(text, file.string(), report, MaterialDetail::full, materials); });
     }
     if (counts.loaded + counts.refused == 0) GTEST_SKIP() << "no files below " << data_folder();
     print("MTL files", counts);
