@@ -29,8 +29,7 @@ nlohmann::json surfaces_json(const Scene& scene) {
         }
         list.push_back({{"name", material.name},
                         {"lobes", std::move(found)},
-                        {"effects", effects_of(*material.description, lobes)},
-                        {"rendered", "diffuse"}});
+                        {"effects", effects_of(*material.description, lobes)}});
     }
     return list;
 }

@@ -304,19 +304,22 @@ void number_interfaces(const Scene& scene, const FlatScene& flat, FlatSurfaces& 
     if (solids.size() >= most)
         throw input_error(scene.source, "there are too many solid dielectrics, at most 65534");
     for (const Solid& solid : solids) {
-        surfaces.of_instances[solid.instance * SURFACE_INSTANCE_WORDS + SURFACE_UV_SETS] =
+        surfaces.of_instances[solid.instance * SURFACE_INSTANCE_WORDS + SURFACE_INTERFACE] =
             static_cast<std::uint32_t>(surfaces.interfaces.size());
         surfaces.interfaces.push_back(solid.inside);
     }
 }
 
-/// Appends the texture coordinates of instances, those of a mesh once.
+/// Appends the texture coordinates of instances, and the alphas of their vertices, those of a mesh
+/// once.
 void append_coordinates(const Scene& scene, const FlatScene& flat, FlatSurfaces& surfaces) {
     surfaces.of_instances.assign(scene.instances.size() * SURFACE_INSTANCE_WORDS, 0);
     std::vector<std::vector<std::uint32_t>> firsts(scene.meshes.size());
+    std::map<std::size_t, std::uint32_t> alphas;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         std::uint32_t* const words = &surfaces.of_instances[i * SURFACE_INSTANCE_WORDS];
-        words[SURFACE_UV_SETS] = INVALID_INDEX;
+        words[SURFACE_INTERFACE] = INVALID_INDEX;
+        words[SURFACE_VERTEX_ALPHA] = INVALID_INDEX;
         const Material& material = scene.materials[scene.instances[i].material];
         if (!scatters_by_record(material)) continue;
         const std::size_t number = scene.instances[i].mesh;
@@ -340,6 +343,13 @@ void append_coordinates(const Scene& scene, const FlatScene& flat, FlatSurfaces&
         }
         for (std::size_t set = 0; set < SURFACE_UV_SETS; ++set)
             words[set] = firsts[number][set] - flat.ranges[i].first_vertex;
+        if (mesh.alphas.empty()) continue;
+        const auto [first_alpha, is_new] =
+            alphas.try_emplace(number, static_cast<std::uint32_t>(surfaces.coordinates.size() / 2));
+        if (is_new)
+            for (const float alpha : mesh.alphas)
+                surfaces.coordinates.insert(surfaces.coordinates.end(), {alpha, 0.0F});
+        words[SURFACE_VERTEX_ALPHA] = first_alpha->second - flat.ranges[i].first_vertex;
     }
 }
 

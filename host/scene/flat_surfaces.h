@@ -20,7 +20,8 @@ struct FlatSurfaces {
     std::vector<shared::SurfaceMap> maps;
     std::vector<float> coordinates;  ///< 2 a vertex, one set of a mesh after the other
     /// SURFACE_INSTANCE_WORDS by instance: what leads from a vertex to its coordinates in each set,
-    /// then the number of the interface that it is, or INVALID_INDEX.
+    /// then the number of the interface that it is, or INVALID_INDEX, and what leads to the alpha
+    /// of its vertices, likewise.
     std::vector<std::uint32_t> of_instances;
     std::vector<shared::float4> tangents;  ///< by vertex; empty where nothing asks for them
     std::vector<shared::InterfaceRecord> interfaces;

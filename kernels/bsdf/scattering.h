@@ -206,7 +206,8 @@ static inline void drop_sheet(LayeredBsdf* bsdf) {
 /// The share of the surface that is there.
 static inline float coverage_at(const SurfaceLookup* look) {
     if ((look->record->flags & (SURFACE_MASK | SURFACE_BLEND)) == 0u) return 1.0f;
-    float alpha = number_at(look, MAP_ALPHA, look->record->alpha);
+    float alpha =
+        number_at(look, MAP_ALPHA, look->record->alpha) * vertex_alpha(look->tables, &look->at);
     if ((look->record->flags & SURFACE_MASK) != 0u)
         return alpha >= look->record->cutoff ? 1.0f : 0.0f;
     return m_clamp(alpha, 0.0f, 1.0f);

@@ -65,6 +65,17 @@ static inline float3 map_colour(const Geometry* geometry, const SurfaceTables* t
                           at->footprint * square_root(texels));
 }
 
+/// The alpha of vertices at a point; 1 where the mesh has none.
+static inline float vertex_alpha(const SurfaceTables* tables, const SurfacePoint* at) {
+    uint shift =
+        tables->of_instances[at->triangle.instance * SURFACE_INSTANCE_WORDS + SURFACE_VERTEX_ALPHA];
+    if (shift == INVALID_INDEX) return 1.0f;
+    GLOBAL const float* alphas = tables->coordinates;
+    return alphas[2u * (at->triangle.v0 + shift)] * (1.0f - at->u - at->v) +
+           alphas[2u * (at->triangle.v1 + shift)] * at->u +
+           alphas[2u * (at->triangle.v2 + shift)] * at->v;
+}
+
 /// A colour times its map, if it has one.
 static inline float3 mapped_colour(const Geometry* geometry, const SurfaceTables* tables,
                                    const SurfaceRecord* record, uint parameter,

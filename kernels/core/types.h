@@ -125,9 +125,12 @@ typedef struct {
 } SurfaceMap;
 
 #define SURFACE_UV_SETS 8u  // of a mesh
-// Words of an instance: what leads from a vertex to its coordinates in each set, and the number of
-// the interface that it is, or INVALID_INDEX.
-#define SURFACE_INSTANCE_WORDS (SURFACE_UV_SETS + 1u)
+// Words of an instance: what leads from a vertex to its coordinates in each set, then the number of
+// the interface that it is, and what leads to the alpha of vertices, in place of coordinates; both
+// may be INVALID_INDEX.
+#define SURFACE_INTERFACE SURFACE_UV_SETS
+#define SURFACE_VERTEX_ALPHA (SURFACE_UV_SETS + 1u)
+#define SURFACE_INSTANCE_WORDS (SURFACE_UV_SETS + 2u)
 
 // Parameters that a map may multiply; a record's maps follow one another in this order.
 #define MAP_BASE 1u  // base colour, or diffuse reflectance

@@ -77,7 +77,7 @@ typedef struct {
 static inline Crossing crossing_at(const SurfaceTables* tables, const SurfaceRecord* record,
                                    uint instance, int front, SurfacePath* path) {
     Crossing crossing;
-    uint number = tables->of_instances[instance * SURFACE_INSTANCE_WORDS + SURFACE_UV_SETS];
+    uint number = tables->of_instances[instance * SURFACE_INSTANCE_WORDS + SURFACE_INTERFACE];
     crossing.solid = number != INVALID_INDEX ? 1 : 0;
     crossing.absent = 0;
     crossing.beyond = path->around;

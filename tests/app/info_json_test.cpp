@@ -238,14 +238,13 @@ TEST(InfoJson, SurfacesTellTheirLobes) {
     ASSERT_EQ(info["surfaces"].size(), 1U);
     const json& surface = info["surfaces"][0];
     EXPECT_EQ(surface["name"], "hood");
-    EXPECT_EQ(surface["rendered"], "diffuse");
     ASSERT_EQ(surface["lobes"].size(), 2U);
     EXPECT_EQ(surface["lobes"][0],
               json({{"name", "metal"}, {"roughness", {"delta", "rough"}}, {"alpha", {0.0, 0.25}}}));
     EXPECT_EQ(surface["lobes"][1]["name"], "clear coat");
     EXPECT_EQ(surface["effects"], json({"mirror reflection", "glossy reflection"}));
     EXPECT_EQ(rows(info_text(info), "surfaces"),
-              "surfaces      read, but rendered as diffuse: 1 of 1 material\n"
+              "surfaces      more than diffuse, by path: 1 of 1 material\n"
               "              hood  metal (delta to rough), clear coat (delta): mirror\n"
               "                    reflection, glossy reflection\n");
 }

@@ -72,7 +72,7 @@ Rendering sphere_in_a_furnace(TestBackend backend, const SurfaceDescription& sur
                               std::uint32_t samples, std::uint32_t seed) {
     SceneBuilder builder;
     builder.scene.environment = Environment{glm::vec3(1.0F)};
-    builder.add(test::icosphere(3, true), add_surface(builder, surface));
+    builder.add(test::icosphere(3, false), add_surface(builder, surface));
     return test::path_image(backend, builder.scene, test::look_at({0, 0, 3}, {0, 0, 0}, 0.6),
                             test::path_settings(16, 16, samples, seed));
 }
@@ -177,7 +177,7 @@ TEST(PathSurfaces, GlassInGlassOfTheSameIndexIsInvisible) {
         builder.add(box, add_surface(builder, glass(1.5)),
                     glm::scale(glm::dmat4(1.0), glm::dvec3(30.0, 30.0, 0.5)));
         if (inner)
-            builder.add(test::icosphere(2, true), add_surface(builder, glass(1.5)),
+            builder.add(test::icosphere(2, false), add_surface(builder, glass(1.5)),
                         test::placement(0.3, {0, 0, 0.1}));
         const double f = reflectance(1.5);
         for (const TestBackend backend : test::light_backends())
@@ -227,9 +227,9 @@ TEST(PathSurfaces, SameBitsOnAllBackendsAndInParts) {
     builder.add(test::room_mesh(), builder.material(glm::vec3(0.6F)));
     builder.add(test::quad_mesh({-0.3F, 0.9F, -0.3F}, {0.6F, 0, 0}, {0, 0, 0.6F}),
                 builder.material(glm::vec3(0.0F), glm::vec3(5.0F)));
-    builder.add(test::icosphere(2, true), add_surface(builder, metal(0.3F, {0.9F, 0.6F, 0.3F})),
+    builder.add(test::icosphere(2, false), add_surface(builder, metal(0.3F, {0.9F, 0.6F, 0.3F})),
                 test::placement(0.3, {-0.4, -0.5, 0}));
-    builder.add(test::icosphere(2, true), add_surface(builder, glass(1.5)),
+    builder.add(test::icosphere(2, false), add_surface(builder, glass(1.5)),
                 test::placement(0.3, {0.4, -0.5, 0}));
     builder.add(test::quad_mesh({-0.5F, -0.5F, 0.5F}, {1, 0, 0}, {0, 0.5F, 0}),
                 add_surface(builder, sheet(0.5F)));

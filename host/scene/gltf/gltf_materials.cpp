@@ -121,6 +121,13 @@ void GltfMaterials::describe(const JsonValue& value, Material& material, GltfSur
         surface.has_alpha = found.surface->opacity.mode != OpacityMode::opaque;
         const auto* const metallic = std::get_if<MetallicSurface>(&found.surface->model);
         surface.is_solid = metallic != nullptr && metallic->solid;
+        surface.is_wall = metallic != nullptr && !metallic->solid &&
+                          metallic->transmission.factor > 0.0F &&
+                          value.extension("KHR_materials_ior").has_value();
+        if (metallic != nullptr && metallic->transmission.factor > 0.0F &&
+            found.surface->opacity.mode == OpacityMode::blend)
+            report_.count(value.place(), material_unit,
+                          "transmission together with alphaMode BLEND, both let light pass");
     }
     material.description = std::move(found.surface);
 }

@@ -27,6 +27,7 @@ struct GltfSurface {
     std::optional<std::uint32_t> tangent_set{};
     bool has_alpha = false;  ///< alpha of the vertices counts
     bool is_solid = false;   ///< encloses a volume of glass
+    bool is_wall = false;    ///< lets light pass without a volume, though it has an index
 };
 
 /// Reads the materials that primitives refer to, each once: a diffuse surface, and by `detail` what

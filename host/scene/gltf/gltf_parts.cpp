@@ -85,6 +85,10 @@ std::vector<GltfParts::Primitive> GltfParts::read(const JsonValue& mesh, std::si
             report_.count(value.place(), {"primitive", "primitives"},
                           "glass with a volume on a mesh that is not closed, it is taken as thin");
             primitive.part.material = materials_.thin(surface.material);
+        } else if (surface.is_wall && is_closed(primitive.mesh)) {
+            report_.count(value.place(), {"primitive", "primitives"},
+                          "glass without a volume on a closed mesh, it is taken as thin walls and "
+                          "does not refract");
         }
         if (found->shape) {
             for (const std::uint16_t joint : found->shape->influences.joints)
