@@ -147,7 +147,8 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
             name == "time" || name == "frame_time" || name == "samples" || name == "target_error" ||
             name == "resume" || name == "frames" || name == "edits" || name == "cache_records" ||
             name == "cache_rays" || name == "cache_error" || name == "preset" ||
-            name == "background" || name == "light" || name == "environment";
+            name == "background" || name == "max_bounces" || name == "light" ||
+            name == "environment";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
     EXPECT_EQ(chosen.at("algorithm"), "ais");
