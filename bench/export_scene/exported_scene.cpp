@@ -196,7 +196,8 @@ json lights_json(const Scene& scene) {
                         {"direction", vector_json(light.direction)},
                         {"intensity", vector_json(light.intensity)},
                         {"cos_inner", light.cos_inner},
-                        {"cos_outer", light.cos_outer}});
+                        {"cos_outer", light.cos_outer},
+                        {"linear_edge", light.linear_edge}});
     }
     return list;
 }

@@ -282,6 +282,8 @@ class Cycles(Renderer):
 
     def shape_spot(self, data, light):
         """Gives a light the fall-off of the scene's; its own has another form, and lies beyond."""
+        if light.get("linear_edge"):
+            raise NotExpressible("spot lights that fall off linearly with the angle")
         data.spot_size = 2.0 * exported_scene.spot_angle(light)
         data.spot_blend = 0.0
         data.use_nodes = True

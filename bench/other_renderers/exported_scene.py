@@ -99,7 +99,12 @@ def spot_rim(light):
 
 
 def spot_falloff(light, cosine):
-    """Of a spot light's intensity, at cosines of angles to its axis: glTF's, as in Weft."""
+    """Of a spot light's intensity, at cosines of angles to its axis, as in Weft: glTF's, or linear
+    with the angle."""
+    if light.get("linear_edge"):
+        outer, inner = np.arccos(light["cos_outer"]), np.arccos(light["cos_inner"])
+        angle = np.arccos(np.clip(cosine, -1.0, 1.0))
+        return np.clip((outer - angle) / max(outer - inner, 2.0**-20), 0.0, 1.0)
     return np.clip((cosine - light["cos_outer"]) / spot_rim(light), 0.0, 1.0) ** 2
 
 

@@ -118,17 +118,25 @@ json light_json(const std::string& name, std::string_view kind, const glm::dvec3
             {"default", is_default}};
 }
 
+/// The integral of a spot light's falloff over all directions, in sr.
+double spot_solid_angle(const PunctualLight& light) {
+    const double inner = light.cos_inner;
+    const double outer = light.cos_outer;
+    // Between the cones glTF's falls off with the square of the share of the cosine.
+    if (!light.linear_edge) return 2.0 * pi * (1.0 - inner + (inner - outer) / 3.0);
+    const double angle = std::acos(inner);
+    const double width = std::acos(outer) - angle;
+    if (!(width > 0.0)) return 2.0 * pi * (1.0 - outer);
+    return 2.0 * pi * (1.0 - (std::sin(angle + width) - std::sin(angle)) / width);
+}
+
 json punctual_json(const PunctualLight& light, bool is_default) {
     const glm::dvec3 intensity(light.intensity);
     if (light.type == LightType::directional)
         return light_json(light.name, "directional", intensity, "W/m^2", is_default);
     if (light.type == LightType::point)
         return light_json(light.name, "point", 4.0 * pi * intensity, "W", is_default);
-    // Between its cones the light falls off with the square of the share of the cosine.
-    const double inner = light.cos_inner;
-    const double outer = light.cos_outer;
-    const double solid_angle = 2.0 * pi * (1.0 - inner + (inner - outer) / 3.0);
-    return light_json(light.name, "spot", solid_angle * intensity, "W", is_default);
+    return light_json(light.name, "spot", spot_solid_angle(light) * intensity, "W", is_default);
 }
 
 /// Of an image the power is its mean radiance.

@@ -209,6 +209,13 @@ struct Collector {
         const bool spot = source.type == LightType::spot;
         light.kind = spot ? EMITTER_SPOT : EMITTER_POINT;
         if (!spot) light.axis = {0.0F, 0.0F, 1.0F, 0.0F};
+        if (spot && source.linear_edge) {
+            const double outer = std::acos(static_cast<double>(source.cos_outer));
+            const double width = outer - std::acos(static_cast<double>(source.cos_inner));
+            light.axis.w = static_cast<float>(outer);
+            // At least what rounding leaves of an angle: an edge without width is sharp.
+            light.position.w = std::max(static_cast<float>(width), 0x1p-20F);
+        }
         light.power = rgb(source.intensity, square);
         flat.extent = std::max({flat.extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         ++flat.punctual_lights;

@@ -77,7 +77,7 @@ struct PunctualLight {
     float cos_inner = 1.0F;     ///< spot: full intensity inside this cone
     float cos_outer = 0.0F;     ///< spot: dark outside this cone
     bool linear_edge = false;   ///< spot: falls off linearly with the angle between the cones, as
-                                ///< in Mitsuba; false: as in glTF, which is rendered for both
+                                ///< in Mitsuba; false: as in glTF
     Attachment motion{};  ///< the node that carries it, if any; the light travels along its -z
 };
 

@@ -209,11 +209,14 @@ typedef struct {
 
 // One light. `cumulative` is the inclusive sum of choice probabilities up to this light.
 typedef struct {
-    float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest one
-    float4 axis;      // spot, directional: direction of travel; area: xyz normal of one flat
-                      // panel (host/scene/area_light_bounds.h), else 0
-    float4 power;     // area: radiance, without texture; point, spot: W/sr in kernel units;
-                      // directional: W/m^2; environment: SceneParams::environment
+    float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest
+                      // one; of a spot w: the angle between its cones, in radians, where it falls
+                      // off linearly with the angle, or 0
+    float4 axis;   // spot, directional: direction of travel; area: xyz normal of one flat
+                   // panel (host/scene/area_light_bounds.h), else 0; of a spot that falls off
+                   // linearly w: the angle of its outer cone
+    float4 power;  // area: radiance, without texture; point, spot: W/sr in kernel units;
+                   // directional: W/m^2; environment: SceneParams::environment
     uint kind;
     uint first, count;  // emissive triangles
     float area;         // kernel units squared; of a textured one what shines
@@ -277,8 +280,10 @@ typedef struct {
     float4 normal;    // xyz unit, of VPL_MEDIUM the direction in which light came; w: kind (bits)
     float4 flux;  // rgb: reflected flux over pi, summed over all sets; 0: unused; w: of indirect
                   // VPLs their random number for roulette, in (0, 1]
-    float4 cone;  // spot: cos_inner, cos_outer; VPL_MEDIUM: x is the phase function's g; w: random
-                  // number of its place on view rays through media, in [0, 1)
+    float4 cone;  // spot: cos_inner, cos_outer, or where it falls off linearly with the angle the
+                  // angles of its outer cone and, in z, between its cones, which else is 0;
+                  // VPL_MEDIUM: x is the phase function's g; w: random number of its place on view
+                  // rays through media, in [0, 1)
 } Vpl;
 
 // An image of the environment: radiance by direction, over SceneParams::environment. A direction

@@ -8,6 +8,7 @@
 #include "kernels/bsdf/lambert.h"
 #include "kernels/bvh/trace.h"
 #include "kernels/core/receivers.h"
+#include "kernels/core/wide_maths.h"
 
 // The lanes' receivers.
 typedef struct {
@@ -42,8 +43,22 @@ static inline WFloat wide_dot_scalar(WFloat3 a, float3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Falloff of spot lights per lane; see spot_falloff.
-static inline WFloat wide_spot(WFloat cosine, float cos_inner, float cos_outer) {
+/// linear_falloff per lane, along `way` from the light, whose part along its axis is `along`.
+static inline WFloat wide_linear_spot(WFloat3 way, float3 axis, WFloat along, float outer,
+                                      float width) {
+    WFloat x = way.y * axis.z - way.z * axis.y;
+    WFloat y = way.z * axis.x - way.x * axis.z;
+    WFloat z = way.x * axis.y - way.y * axis.x;
+    WFloat across = wide_square_root(x * x + y * y + z * z);
+    WFloat share = (WIDE(outer) - wide_upper_angle(across, along)) * (1.0f / width);
+    WFloat zero = WIDE(0.0f);
+    WFloat one = WIDE(1.0f);
+    share = VMAX(share, zero);
+    return VMIN(share, one);
+}
+
+/// spot_falloff per lane.
+static inline WFloat wide_cosine_spot(WFloat cosine, float cos_inner, float cos_outer) {
     float width = m_max(0.001f, cos_inner - cos_outer);
     WFloat x = (cosine - cos_outer) * (1.0f / width);
     WFloat zero = WIDE(0.0f);
@@ -51,6 +66,14 @@ static inline WFloat wide_spot(WFloat cosine, float cos_inner, float cos_outer) 
     x = VMAX(x, zero);
     x = VMIN(x, one);
     return x * x;
+}
+
+/// Falloff of a spot light per lane, along `way` from the light, whose part along its axis is
+/// `along` and whose cosine to it is `cosine`.
+static inline WFloat wide_spot(GLOBAL const Vpl* vpl, WFloat3 way, WFloat along, WFloat cosine) {
+    if (vpl->cone.z > 0.0f)
+        return wide_linear_spot(way, xyz(vpl->normal), along, vpl->cone.x, vpl->cone.z);
+    return wide_cosine_spot(cosine, vpl->cone.x, vpl->cone.y);
 }
 
 /// phase_function per lane, of the cosine between the directions of travel.
@@ -100,7 +123,7 @@ static inline WFloat connection(const ReceiverPacket* packet, GLOBAL const Vpl* 
         return SELECT(g < bound, g, bound);
     }
     if (kind == VPL_SPOT) {
-        g = g * wide_spot(emitter / distance, vpl->cone.x, vpl->cone.y);
+        g = g * wide_spot(vpl, d, emitter, emitter / distance);
         *useful = *useful & (g > zero);
     }
     return g;

@@ -52,11 +52,13 @@ static inline void store_punctual(const RenderParams* params, LightRecord light,
                                   GLOBAL Vpl* vpl) {
     uint kind = light.kind == EMITTER_SPOT ? VPL_SPOT : VPL_POINT;
     float3 flux = xyz(light.power) * (1.0f / sets);
-    vpl->position = light.position;
+    vpl->position = f4(light.position.x, light.position.y, light.position.z, 0.0f);
     vpl->normal = f4(light.axis.x, light.axis.y, light.axis.z, from_bits(kind));
     vpl->flux = f4(flux.x, flux.y, flux.z, 0.0f);
+    int linear = kind == VPL_SPOT && light.position.w > 0.0f ? 1 : 0;
     vpl->cone =
-        f4(light.cos_inner, light.cos_outer, 0.0f,
+        f4(linear != 0 ? light.axis.w : light.cos_inner, light.cos_outer,
+           linear != 0 ? light.position.w : 0.0f,
            view_number(params, PRIME_POSITION_U, params->sampling.sample, params->sampling.seed));
 }
 

@@ -22,10 +22,11 @@ static inline float fraction(float x) {
 static inline WFloat light_on_places(const ViewPlaces* places, GLOBAL const Vpl* vpl, uint kind) {
     WFloat zero = WIDE(0.0f);
     if (kind == VPL_POINT) return places->weight;
-    WFloat cosine = wide_dot_scalar(places->d, xyz(vpl->normal)) / places->distance;
+    WFloat along = wide_dot_scalar(places->d, xyz(vpl->normal));
+    WFloat cosine = along / places->distance;
     // 0 / 0 where a place is that of the light.
     cosine = SELECT(places->distance > zero, cosine, zero);
-    if (kind == VPL_SPOT) return places->weight * wide_spot(cosine, vpl->cone.x, vpl->cone.y);
+    if (kind == VPL_SPOT) return places->weight * wide_spot(vpl, places->d, along, cosine);
     WFloat bound = places->square * vpl->position.w;
     if (kind == VPL_SURFACE) {
         WFloat share = cosine * places->nearer;

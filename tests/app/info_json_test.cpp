@@ -123,6 +123,17 @@ TEST(InfoJson, LightsHaveTheirPower) {
     EXPECT_NE(text.find("bulb         point, 62.8 W\n"), std::string::npos) << text;
 }
 
+TEST(InfoJson, SpotsOfALinearEdgeHaveTheirPower) {
+    test::SceneBuilder builder = square();
+    PunctualLight& spot = builder.light(LightType::spot, {0, 0, 2}, glm::vec3(1.0F));
+    spot.cos_inner = 1.0F;
+    spot.cos_outer = 0.0F;
+    spot.linear_edge = true;
+    // The integral of (1 - 2 a / pi) sin a over the angles from 0 to pi / 2 is 1 - 2 / pi.
+    const json list = info_of(builder.scene)["light_list"];
+    EXPECT_NEAR(list[0]["power"][0].get<double>(), 2.0 * pi * (1.0 - 2.0 / pi), 1e-5);
+}
+
 TEST(InfoJson, LargeNumbersHaveNoExponent) {
     test::SceneBuilder builder = square();
     builder.scene.instances[0].to_world = test::placement(25190.0, {0.0, 0.0, 0.0});

@@ -202,6 +202,11 @@ class SpotLight(unittest.TestCase):
         falloff = exported_scene.spot_falloff(self.LIGHT, cosines)
         numpy.testing.assert_allclose(falloff, [1.0, 1.0, 0.25, 0.0, 0.0], atol=1e-12)
 
+    def test_falls_off_linearly_with_the_angle(self):
+        cosines = numpy.cos([0.0, 0.3, 0.4, 0.45, 0.5, 1.0])
+        falloff = exported_scene.spot_falloff({**self.LIGHT, "linear_edge": True}, cosines)
+        numpy.testing.assert_allclose(falloff, [1.0, 1.0, 0.5, 0.25, 0.0, 0.0], atol=1e-12)
+
     def test_what_it_casts_is_its_falloff(self):
         texels = exported_scene.spot_texels(self.LIGHT)
         edge = exported_scene.SPOT_EDGE

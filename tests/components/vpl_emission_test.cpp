@@ -74,6 +74,20 @@ TEST(VplEmission, PointAndSpotLights) {
     }
 }
 
+TEST(VplEmission, SpotLightsOfALinearEdge) {
+    // The integral of the falloff is 1 - (sin b - sin a) / (b - a), times 2 pi.
+    SceneBuilder builder = sphere_scene();
+    PunctualLight& light =
+        builder.light(LightType::spot, {0.3, 0.2, -0.4}, glm::vec3(2.0F), {0.6, -0.8, 0.0});
+    const double a = 0.4;
+    const double b = 1.2;
+    light.cos_inner = static_cast<float>(std::cos(a));
+    light.cos_outer = static_cast<float>(std::cos(b));
+    light.linear_edge = true;
+    expect_flux(builder, 2.0 * pi * 2.0 * (1.0 - (std::sin(b) - std::sin(a)) / (b - a)),
+                facets + 0.01);
+}
+
 TEST(VplEmission, PathsThatSurviveToLateBouncesAreOfAllKinds) {
     // A wide falloff gives paths different weights. The few that survive to the third and fourth
     // bounce must be fair samples of all: if they were the same strata of a dimension in every set

@@ -111,6 +111,7 @@ Scene many_lights(std::size_t count, std::uint32_t seed) {
                 spot.direction = glm::dvec3(dice.direction());
                 spot.cos_outer = dice.between(-0.5F, 0.95F);
                 spot.cos_inner = spot.cos_outer + 0.04F;
+                spot.linear_edge = i % 2 == 0;
                 break;
             }
             case Kind::sun:

@@ -203,6 +203,31 @@ TEST(DirectLight, SpotFallsOffBetweenItsConesAndEndsAtTheOuterOne) {
         }
 }
 
+TEST(DirectLight, SpotOfALinearEdgeFallsOffWithTheAngle) {
+    const double height = 1.5;
+    const double inner = 0.3;
+    const double outer = 0.7;
+    SceneBuilder builder = floor_scene();
+    PunctualLight& spot =
+        builder.light(LightType::spot, {0.0, 0.0, height}, radiance, {0.0, 0.0, -1.0});
+    spot.cos_inner = static_cast<float>(std::cos(inner));
+    spot.cos_outer = static_cast<float>(std::cos(outer));
+    spot.linear_edge = true;
+    for (const TestBackend backend : test::light_backends())
+        for (const double angle : {0.0, 0.1, 0.29, 0.4, 0.5, 0.65, 0.699, 0.701, 1.0}) {
+            SCOPED_TRACE(angle);
+            const glm::dvec3 point(height * std::tan(angle), 0.0, 0.0);
+            const double falloff = std::clamp((outer - angle) / (outer - inner), 0.0, 1.0);
+            const glm::dvec3 found = floor_irradiance(backend, builder.scene, point);
+            const glm::dvec3 expected =
+                falloff * std::pow(std::cos(angle), 3.0) / (height * height) * glm::dvec3(radiance);
+            // Angles near the edge cancel; those of the cones are rounded as their cosines.
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(found[c], expected[c],
+                            exact_tolerance * expected[c] + (falloff > 0.0 ? 5e-6 : 0.0));
+        }
+}
+
 TEST(DirectLight, DirectionalLightIsExactAndCastsShadows) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.6, 0.2, -1.0));
     SceneBuilder builder = floor_scene();

@@ -46,7 +46,7 @@ PunctualLight read_point(Object& object) {
     return light;
 }
 
-PunctualLight read_spot(Object& object, Context& context) {
+PunctualLight read_spot(Object& object) {
     PunctualLight light;
     light.type = LightType::spot;
     light.intensity = object.colour("intensity", ColourUse::emission, glm::vec3(1.0F));
@@ -59,9 +59,6 @@ PunctualLight read_spot(Object& object, Context& context) {
     light.cos_inner = static_cast<float>(std::cos(glm::radians(beam)));
     light.cos_outer = static_cast<float>(std::cos(glm::radians(cutoff)));
     light.linear_edge = true;
-    if (beam < cutoff)
-        context.warnings.count(object.element(), {"spot light", "spot lights"},
-                               "the edge falls off in its own way, not linearly with the angle");
     const glm::dmat4 to_world = object.transform("to_world");
     light.position = position_of(object, to_world);
     light.direction = direction_of(object, to_world, {0.0, 0.0, 1.0});
@@ -130,7 +127,7 @@ void read_light(const Element& emitter, Context& context, Scene& scene) {
     if (type == "point") {
         light = read_point(object);
     } else if (type == "spot") {
-        light = read_spot(object, context);
+        light = read_spot(object);
     } else if (type == "directional") {
         light = read_directional(object);
     } else if (type == "constant") {

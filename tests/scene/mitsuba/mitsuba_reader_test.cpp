@@ -328,7 +328,7 @@ TEST(MitsubaReader, ReadsLightsWithoutArea) {
     EXPECT_NEAR(scene.lights[4].cos_inner, std::cos(glm::radians(30.0F)), 1e-6F);
     EXPECT_TRUE(scene.lights[4].linear_edge);
     EXPECT_EQ(scene.environment->radiance, glm::vec3(0.5F));
-    EXPECT_EQ(folder.warnings().size(), 1U) << "the edge of the spot";
+    EXPECT_TRUE(folder.warnings().empty());
 }
 
 TEST(MitsubaReader, ReadsOrthographicSensors) {
