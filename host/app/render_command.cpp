@@ -271,10 +271,6 @@ void warn_about_materials(const RenderSession& session, const RenderOptions& opt
                                      "diffuse, expected --algorithm path, or --materials diffuse "
                                      "for such images",
                                      to_string(options.algorithm)));
-    else if (flat.media.present())
-        diagnostics.warn(options.scene.string(),
-                         "some materials are more than diffuse, which are rendered as diffuse "
-                         "together with participating media");
 }
 
 /// Says where the image was left with its noise.

@@ -147,6 +147,7 @@ PathRenderer::PathRenderer(Executor& executor, const FlatScene& scene,
 KernelId PathRenderer::kernel() const noexcept {
     if (!scene_.media.present())
         return scene_.surfaces.present() ? KernelId::path_surfaces : KernelId::path;
+    if (scene_.surfaces.present()) return KernelId::path_media_surfaces;
     return scene_.media.grids.records.empty() ? KernelId::path_media : KernelId::path_grid;
 }
 
@@ -264,6 +265,21 @@ bool PathRenderer::continue_frame(const KeepGoing& keep_going, bool whole) {
                                              .film_sums = film_.buffer(),
                                              .counters = buffers_.counters,
                                              .nonfinite = buffers_.nonfinite},
+                      all);
+            break;
+        case KernelId::path_media_surfaces:
+            frame.run(Stage::paths, "",
+                      kernels::path_media_surfaces{.scene = *scene_buffers_->traced,
+                                                   .geometry = view(scene_buffers_->geometry),
+                                                   .light_table = view(scene_buffers_->light_table),
+                                                   .light_nodes = scene_buffers_->light_nodes,
+                                                   .environment = view(scene_buffers_->environment),
+                                                   .surface_tables = view(scene_buffers_->surfaces),
+                                                   .media_tables = view(*media_),
+                                                   .path_params = path_params_,
+                                                   .film_sums = film_.buffer(),
+                                                   .counters = buffers_.counters,
+                                                   .nonfinite = buffers_.nonfinite},
                       all);
             break;
         case KernelId::path_media:

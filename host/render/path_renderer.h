@@ -96,7 +96,8 @@ class PathRenderer : public ExactRenderer {
     void fit_film();
     /// Builds the kernel again where the scene or the camera needs other features.
     void set_features();
-    /// The kernel `path`, or `path_media` where the scene has media, `path_grid` where with grids.
+    /// The kernel `path`, or `path_surfaces` where the scene has materials; where it has media
+    /// `path_media`, or `path_grid` with grids, or `path_media_surfaces` with materials.
     [[nodiscard]] KernelId kernel() const noexcept;
     [[nodiscard]] std::uint32_t frame_samples() const noexcept;
 

@@ -124,6 +124,8 @@ struct Enclosure {
     std::uint32_t inside = NO_MEDIUM;
     std::uint32_t outside = NO_MEDIUM;
     double volume = 0.0;  ///< not negative
+    int surface = -1;     ///< see MediumBoundary
+    bool inwards = false;
 };
 
 double signed_volume(const Enclosure& enclosure) {
@@ -152,6 +154,8 @@ Enclosure enclosure_of(const Scene& scene, const MediumBoundary& boundary,
     made.inside = medium_or_none(boundary.interior);
     made.outside = medium_or_none(boundary.exterior);
     made.volume = signed_volume(made);
+    made.surface = boundary.surface;
+    made.inwards = made.volume < 0.0;
     if (made.volume < 0.0) {
         made.volume = -made.volume;
         std::swap(made.inside, made.outside);
@@ -276,6 +280,9 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
     std::fill(std::begin(media.space.interior), std::end(media.space.interior), NO_MEDIUM);
     std::uint32_t outside_largest = NO_MEDIUM;
     for (const Enclosure& enclosure : enclosures_of(scene, units)) {
+        if (enclosure.surface >= 0)
+            media.surfaces.push_back({static_cast<std::uint32_t>(enclosure.surface),
+                                      media.space.boundaries, enclosure.inwards});
         append(enclosure, media.space.boundaries++, media);
         outside_largest = enclosure.outside;
     }

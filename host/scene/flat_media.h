@@ -25,6 +25,13 @@ struct FlatMedia {
     std::vector<shared::Triangle> triangles;  ///< `instance` is the number of the boundary
     std::vector<shared::float4> normals;      ///< by triangle, outwards; w: the number, as bits
     FlatGrids grids;                          ///< to which records refer
+    /// A boundary that is a surface too, glass around a medium for instance.
+    struct SurfaceBoundary {
+        std::uint32_t instance = 0;
+        std::uint32_t number = 0;  ///< of the boundary
+        bool inwards = false;      ///< the normals of the mesh, as it is placed, point inwards
+    };
+    std::vector<SurfaceBoundary> surfaces;
     /// Approximate radiance of the brightest medium along a line through the scene; 0 where none
     /// emits.
     double radiance = 0.0;

@@ -383,6 +383,7 @@ FlatScene flatten(const Scene& scene) {
     build_light_table(scene, flat);
     flat.media = flatten_media(scene, flat.units);
     if (flat.media.present()) put_lights_in_media(flat);
+    link_boundaries(scene, flat.media, flat.surfaces);
     return flat;
 }
 

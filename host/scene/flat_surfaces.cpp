@@ -320,6 +320,7 @@ void append_coordinates(const Scene& scene, const FlatScene& flat, FlatSurfaces&
         std::uint32_t* const words = &surfaces.of_instances[i * SURFACE_INSTANCE_WORDS];
         words[SURFACE_INTERFACE] = INVALID_INDEX;
         words[SURFACE_VERTEX_ALPHA] = INVALID_INDEX;
+        words[SURFACE_BOUNDARY] = INVALID_INDEX;
         const Material& material = scene.materials[scene.instances[i].material];
         if (!scatters_by_record(material)) continue;
         const std::size_t number = scene.instances[i].mesh;
@@ -368,6 +369,15 @@ void place_tangents(const Scene& scene, std::size_t instance, std::size_t first_
         along = length > 0.0 ? along / length : glm::dvec3(0.0);
         surfaces.tangents[first_vertex + i] =
             packed(glm::vec3(along), mirrored ? -tangents[i].w : tangents[i].w);
+    }
+}
+
+void link_boundaries(const Scene& scene, const FlatMedia& media, FlatSurfaces& surfaces) {
+    if (!surfaces.present()) return;
+    for (const FlatMedia::SurfaceBoundary& boundary : media.surfaces) {
+        const bool inwards = boundary.inwards != scene.instances[boundary.instance].flip_normals;
+        surfaces.of_instances[boundary.instance * SURFACE_INSTANCE_WORDS + SURFACE_BOUNDARY] =
+            boundary.number | (inwards ? SURFACE_BOUNDARY_INWARDS : 0U);
     }
 }
 

@@ -11,6 +11,7 @@
 
 namespace weft {
 
+struct FlatMedia;
 struct FlatScene;
 
 /// What kernels read of materials with more than Lambert's lobe (kernels/bsdf/surface_maps.h).
@@ -20,8 +21,8 @@ struct FlatSurfaces {
     std::vector<shared::SurfaceMap> maps;
     std::vector<float> coordinates;  ///< 2 a vertex, one set of a mesh after the other
     /// SURFACE_INSTANCE_WORDS by instance: what leads from a vertex to its coordinates in each set,
-    /// then the number of the interface that it is, or INVALID_INDEX, and what leads to the alpha
-    /// of its vertices, likewise.
+    /// then the numbers of the interface and of the boundary of a medium that it is, and what leads
+    /// to the alpha of its vertices, each of which may be INVALID_INDEX.
     std::vector<std::uint32_t> of_instances;
     std::vector<shared::float4> tangents;  ///< by vertex; empty where nothing asks for them
     std::vector<shared::InterfaceRecord> interfaces;
@@ -35,6 +36,9 @@ struct FlatSurfaces {
 /// Places the tangents of one instance of a scene, where there is room for them.
 void place_tangents(const Scene& scene, std::size_t instance, std::size_t first_vertex,
                     FlatSurfaces& surfaces);
+
+/// Tells surfaces which boundaries of media they are.
+void link_boundaries(const Scene& scene, const FlatMedia& media, FlatSurfaces& surfaces);
 
 /// The surfaces of a scene whose instances have been flattened to `flat`.
 [[nodiscard]] FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat);

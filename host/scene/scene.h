@@ -128,6 +128,9 @@ struct MediumBoundary {
     glm::dmat4 to_world{1.0};
     int interior = -1;  ///< index into Scene::media, or -1
     int exterior = -1;
+    /// Index into Scene::instances of a surface of the same mesh and place, which light goes
+    /// through, or -1.
+    int surface = -1;
 };
 
 /// The size of the image in the file.

@@ -337,6 +337,9 @@ class Validator {
             check_placed_mesh(boundary.mesh, boundary.to_world, "medium boundary");
             require(exists(boundary.interior) && exists(boundary.exterior), "medium boundary",
                     "refers to a medium that does not exist");
+            require(boundary.surface >= -1 &&
+                        boundary.surface < static_cast<int>(scene_.instances.size()),
+                    "medium boundary", "refers to a surface that does not exist");
         }
         require(exists(scene_.outer_medium), "space",
                 "is filled with a medium that does not exist");

@@ -71,7 +71,7 @@ WEFT_KERNEL(hemisphere_rays)
     GEOMETRY_MAKE(geometry);
     ENVIRONMENT_MAKE(environment);
     PathScene world = {
-        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment, 0};
     float3 position = receiver_vector(receiver_planes, RECEIVER_X, stride, slot);
     float3 shading = receiver_vector(receiver_planes, RECEIVER_SHADING_X, stride, slot);
     float3 normal = shading;

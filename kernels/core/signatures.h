@@ -403,6 +403,19 @@
 
 #define ARGUMENTS_path_grid(X) ARGUMENTS_path_media(X)
 
+#define ARGUMENTS_path_media_surfaces(X)               \
+    X(TRACES, Scene, scene)                            \
+    X(GROUP, Geometry, geometry)                       \
+    X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
+    X(GROUP, EnvironmentImage, environment)            \
+    X(GROUP, SurfaceTables, surface_tables)            \
+    X(GROUP, MediaTables, media_tables)                \
+    X(VALUE, PathParams, path_params)                  \
+    X(WRITES, FilmSums, film_sums)                     \
+    X(WRITES, RayCounters, counters)                   \
+    X(WRITES, NonfiniteCounters, nonfinite)
+
 #define ARGUMENTS_resolve_display(X)                   \
     X(VALUE, uint, samples)                            \
     X(VALUE, float, exposure)                          \

@@ -126,11 +126,14 @@ typedef struct {
 
 #define SURFACE_UV_SETS 8u  // of a mesh
 // Words of an instance: what leads from a vertex to its coordinates in each set, then the number of
-// the interface that it is, and what leads to the alpha of vertices, in place of coordinates; both
-// may be INVALID_INDEX.
+// the interface that it is, what leads to the alpha of vertices, in place of coordinates, and the
+// number of the boundary of a medium that it is, where the flag tells that what is before its
+// normals is inside of that. Each of these three may be INVALID_INDEX.
 #define SURFACE_INTERFACE SURFACE_UV_SETS
 #define SURFACE_VERTEX_ALPHA (SURFACE_UV_SETS + 1u)
-#define SURFACE_INSTANCE_WORDS (SURFACE_UV_SETS + 2u)
+#define SURFACE_BOUNDARY (SURFACE_UV_SETS + 2u)
+#define SURFACE_BOUNDARY_INWARDS 0x80000000u
+#define SURFACE_INSTANCE_WORDS (SURFACE_UV_SETS + 3u)
 
 // Parameters that a map may multiply; a record's maps follow one another in this order.
 #define MAP_BASE 1u  // base colour, or diffuse reflectance
@@ -212,11 +215,11 @@ typedef struct {
     float4 position;  // punctual: xyz; area: middle of its corners, w: distance of the furthest
                       // one; of a spot w: the angle between its cones, in radians, where it falls
                       // off linearly with the angle, or 0
-    float4 axis;   // spot, directional: direction of travel; area: xyz normal of one flat
-                   // panel (host/scene/area_light_bounds.h), else 0; of a spot that falls off
-                   // linearly w: the angle of its outer cone
-    float4 power;  // area: radiance, without texture; point, spot: W/sr in kernel units;
-                   // directional: W/m^2; environment: SceneParams::environment
+    float4 axis;      // spot, directional: direction of travel; area: xyz normal of one flat
+                      // panel (host/scene/area_light_bounds.h), else 0; of a spot that falls off
+                      // linearly w: the angle of its outer cone
+    float4 power;     // area: radiance, without texture; point, spot: W/sr in kernel units;
+                      // directional: W/m^2; environment: SceneParams::environment
     uint kind;
     uint first, count;  // emissive triangles
     float area;         // kernel units squared; of a textured one what shines

@@ -13,7 +13,7 @@
 #include "kernels/path/path_media.h"
 
 static inline MediaPath camera_path(const RenderParams* params, const PathParams* path_params,
-                                    const Media* media, uint pixel, Random* random) {
+                                    uint enclosing_media, uint pixel, Random* random) {
     MediaPath path;
     float x, y;
     sample_film(params, path_params, pixel, random, &x, &y);
@@ -22,8 +22,11 @@ static inline MediaPath camera_path(const RenderParams* params, const PathParams
     path.origin = camera_origin(params, x, y);
     path.throughput = f3(1.0f, 1.0f, 1.0f);
     path.ratio = path.throughput;
-    path.enclosing_media = media->record->around_camera;
+    path.enclosing_media = enclosing_media;
     path.bounce = 0u;
+    path.smooth = 0u;
+    path.basic = 1.0f;
+    path.absorption = f3(0.0f, 0.0f, 0.0f);
     path.kind = RAY_OF_CAMERA;
     path.pdf = 0.0f;
     return path;
@@ -61,7 +64,7 @@ static inline int cross_segment(const RenderParams* params, const PathScene* wor
         return max_component(path->throughput) > 0.0f ? 0 : -1;
     }
     if (!(max_component(segment->sigma_t) > 0.0f && segment->length > 0.0f)) return 0;
-    int wanted = wants_bounce(params, path->bounce + 1u);
+    int wanted = wants_bounce(params, path->bounce + 1u, path->smooth);
     if (wanted != 0 && world->light_count != 0u && takes_angular(segment, random) != 0) {
         ChosenPoint chosen = choose_point(params, world, random);
         float u = next_random(random);
@@ -103,10 +106,12 @@ static inline int cross_media(const RenderParams* params, const PathScene* world
         segment.length = walk.end - walk.begin;
         segment.origin = walk.origin + walk.direction * walk.begin;
         segment.direction = walk.direction;
-        segment.throughput = path->throughput;
+        segment.throughput = path->throughput * path->basic;
         segment.ratio = path->ratio;
         segment.enclosing_media = walk.enclosing_media;
         segment.angular_share = path->bounce == 0u ? 1.0f : LATER_ANGULAR_SHARE;
+        segment.absorption = path->absorption;
+        segment.passed = walk.begin;
         int done = has_grid(params, media, &segment.medium) != 0
                        ? cross_grid(params, world, media, &segment, path, random, sample, rays)
                        : cross_segment(params, world, media, &segment, path, random, sample, rays);
@@ -125,7 +130,7 @@ static inline int scatter_on_surface(const RenderParams* params, const PathScene
     vertex.surface = path->surface;
     int goes_on = enter_surface(params, &vertex, path->throughput);
     path->bounce = vertex.bounce;
-    if (goes_on == 0 || wants_bounce(params, path->bounce) == 0) return 0;
+    if (goes_on == 0 || wants_bounce(params, path->bounce, path->smooth) == 0) return 0;
     *rays += surface_light(params, world, media, path, &vertex, random, sum);
     float u = next_random(random);
     float v = next_random(random);
@@ -189,7 +194,8 @@ static inline uint add_media_samples(const RenderParams* params, const PathParam
     for (uint i = 0u; i < path_params->samples; ++i) {
         Random random = make_random(params->sampling.seed, pixel, params->sampling.sample + i);
         PathSample sample = no_path_sample();
-        MediaPath path = camera_path(params, path_params, media, pixel, &random);
+        MediaPath path =
+            camera_path(params, path_params, media->record->around_camera, pixel, &random);
         while (advance(params, world, media, &path, &random, &sample, &rays) != 0) continue;
         add_sample(path_params->film_scale, film_sums, pixel, &sample, nonfinite);
     }

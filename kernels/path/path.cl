@@ -51,7 +51,7 @@ INLINES_ALL WEFT_KERNEL(path)
     GEOMETRY_MAKE(geometry);
     ENVIRONMENT_MAKE(environment);
     PathScene world = {
-        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment, 0};
     uint rays = 0u;
     for (uint i = 0u; i < path_params.samples; ++i) {
         Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);

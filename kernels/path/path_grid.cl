@@ -16,7 +16,7 @@ WEFT_KERNEL(path_grid)
     MEDIA_MAKE(through);
     ENVIRONMENT_MAKE(environment);
     PathScene world = {
-        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
+        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment, 0};
     uint rays =
         add_media_samples(&params, &path_params, &world, &through, pixel, film_sums, nonfinite);
     count_rays(counters + range.counter, rays);

@@ -35,6 +35,7 @@ static inline int clip_to_grid(const DensityGrid* grid, MediumSegment* segment) 
     if (enter_grid(grid, ray.origin, ray.direction, 0.0f, segment->length, &inside) == 0) return 0;
     segment->origin = segment->origin + segment->direction * inside.first;
     segment->length = inside.length;
+    segment->passed += inside.first;
     return 1;
 }
 
@@ -83,7 +84,7 @@ static inline float3 collision_light(const RenderParams* params, const PathScene
     ChosenPoint chosen = choose_point(params, world, random);
     ScatterPoint at;
     at.t = t;
-    at.value = path->throughput * path->ratio * xyz(segment->medium.albedo);
+    at.value = path->throughput * path->ratio * xyz(segment->medium.albedo) * path->basic;
     at.free = 1.0f;
     at.angular = segment->angular_share / free;
     return light_scattered_at(params, world, media, segment, &chosen, &at, random, rays);
@@ -108,7 +109,7 @@ static inline int cross_grid(const RenderParams* params, const PathScene* world,
             return max_component(path->throughput) > 0.0f ? 0 : -1;
         }
     }
-    int wanted = wants_bounce(params, path->bounce + 1u);
+    int wanted = wants_bounce(params, path->bounce + 1u, path->smooth);
     if (wanted != 0 && world->light_count != 0u && takes_angular(segment, random) != 0)
         add_scattered(params, sum, path->bounce + 1u,
                       grid_airlight(params, world, media, &grid, segment, random, rays));

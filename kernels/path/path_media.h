@@ -17,9 +17,11 @@
 #define WEFT_KERNELS_PATH_PATH_MEDIA_H
 
 #include "kernels/media/medium_walk.h"
+#include "kernels/path/light_passing.h"
 #include "kernels/path/path_film.h"
 
-// Where a ray of a path comes from.
+// Where a ray of a path comes from. What a ray of the camera meets counts in full; so does what one
+// meets that a smooth surface has mirrored or let through, which is taken for one.
 #define RAY_OF_CAMERA 0u
 #define RAY_OF_SURFACE 1u
 #define RAY_OF_MEDIUM 2u
@@ -48,6 +50,8 @@ typedef struct {
     MediumRecord medium;
     uint enclosing_media;
     float angular_share;  // probability of equi-angular sampling
+    float3 absorption;    // of the glass that the medium is in
+    float passed;         // from where the ray is in that glass on to the segment's start
 } MediumSegment;
 
 // A path under way.
@@ -55,7 +59,10 @@ typedef struct {
     float3 origin, direction;
     float3 throughput, ratio;
     uint enclosing_media;   // boundaries around the origin
-    uint bounce;            // scattered so far
+    uint bounce;            // scattered so far, but for smooth surfaces
+    uint smooth;            // by smooth surfaces
+    float basic;            // what light found here counts: 1 over the square of the glass's index
+    float3 absorption;      // of the glass that the ray is in
     uint kind;              // RAY_OF_*
     float pdf;              // of the direction
     Surface surface;        // that the ray meets, or before that, left
@@ -78,11 +85,17 @@ static inline void add_scattered(const RenderParams* params, PathLight* sum, uin
 /// has had.
 static inline void add_met(const RenderParams* params, const MediaPath* path, float3 light,
                            PathSample* sample) {
-    float3 arrives = light * path->throughput * path->ratio;
+    float3 arrives = light * path->throughput * path->ratio * path->basic;
     if (path->bounce == 0u)
         sample->emission += arrives;
     else
         add_scattered(params, &sample->light, path->bounce, arrives);
+}
+
+/// Transmittance of the glass that a segment is in, from where the ray is in it on to `t` of the
+/// segment.
+static inline float3 absorbed_before(const MediumSegment* segment, float t) {
+    return beer_transmittance(segment->absorption, segment->passed + t);
 }
 
 /// Whether a medium emits light.
@@ -109,13 +122,15 @@ static inline void add_emitted(const RenderParams* params, const MediumSegment* 
     add_met(params, path,
             f3(emitted1(emission.x, segment->sigma_t.x, depth),
                emitted1(emission.y, segment->sigma_t.y, depth),
-               emitted1(emission.z, segment->sigma_t.z, depth)),
+               emitted1(emission.z, segment->sigma_t.z, depth)) *
+                absorbed_before(segment, 0.0f),
             sample);
 }
 
-/// 1 where light that arrives after `bounce` scatterings is to be computed.
-static inline int wants_bounce(const RenderParams* params, uint bounce) {
-    if (bounce > params->sampling.most_bounces) return 0;
+/// 1 where light that arrives after `bounce` scatterings, and `smooth` by smooth surfaces, is to be
+/// computed.
+static inline int wants_bounce(const RenderParams* params, uint bounce, uint smooth) {
+    if (bounce + smooth > params->sampling.most_bounces) return 0;
     return HAS(params, FEATURE_INDIRECT) || bounce <= 1u ? 1 : 0;
 }
 
@@ -165,14 +180,23 @@ static inline float3 light_scattered_at(const RenderParams* params, const PathSc
     float phase = phase_function(segment->medium.anisotropy, segment->direction, light.direction);
     if (light.pdf > 0.0f) pdf += at->free * (phase / light.pdf);
     if (!(pdf > 0.0f)) return none;
-    ++*rays;
-    int seen = light.distance < RAY_INFINITY
-                   ? sees_point(world->scene, params, place, light.target - place)
-                   : sees_infinity(world->scene, params, place, light.direction);
-    if (seen == 0) return none;
+    float3 value = at->value;
+    int distant = light.distance < RAY_INFINITY ? 0 : 1;
+    if (world->tables != 0) {
+        value = value * absorbed_before(segment, at->t) *
+                light_passing(params, world, world->tables, place,
+                              distant != 0 ? light.direction : light.target - place, distant, rays);
+        if (distant == 0) value = value * beer_transmittance(segment->absorption, light.distance);
+        if (!(max_component(value) > 0.0f)) return none;
+    } else {
+        ++*rays;
+        int seen = distant == 0 ? sees_point(world->scene, params, place, light.target - place)
+                                : sees_infinity(world->scene, params, place, light.direction);
+        if (seen == 0) return none;
+    }
     float3 arrives = ray_transmittance(params, media, place, light.direction, light.distance,
                                        segment->enclosing_media, random);
-    return at->value * light.irradiance * arrives * (phase / pdf);
+    return value * light.irradiance * arrives * (phase / pdf);
 }
 
 /// The same in a homogeneous medium, where pdfs are known, and the transmittance of its first `t`.
@@ -252,7 +276,7 @@ static inline uint surface_light(const RenderParams* params, const PathScene* wo
 /// Leaves the segment at `t`, in a direction of the phase function.
 static inline void scatter_path(const MediumSegment* segment, float t, float u, float v,
                                 MediaPath* path) {
-    path->throughput = path->throughput * xyz(segment->medium.albedo);
+    path->throughput = path->throughput * xyz(segment->medium.albedo) * absorbed_before(segment, t);
     path->segment = *segment;
     path->along = t;
     path->origin = segment->origin + segment->direction * t;
@@ -265,7 +289,7 @@ static inline void scatter_path(const MediumSegment* segment, float t, float u, 
 /// Russian roulette. Returns 0 where the path ends.
 static inline int path_survives(MediaPath* path, float most, Random* random) {
     float draw = next_random(random);
-    if (path->bounce < ROULETTE_START) return 1;
+    if (path->bounce + path->smooth < ROULETTE_START) return 1;
     float q = m_clamp(max_component(path->throughput * path->ratio) / ROULETTE_LEVEL,
                       ROULETTE_LEAST, most);
     if (draw >= q) return 0;

@@ -2,26 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The reference for scenes with metals, plastics and glass: path tracing as in path.cl, by the
-// whole mixture of lobes that a material has (surface_path.h). Diffuse scenes run path.cl. A
+// whole mixture of lobes that a material has (surface_path.h). Diffuse scenes run path.cl, those
+// with media path_media_surfaces.cl. A
 // work-item traces PathParams::samples samples of one pixel.
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
-#include "kernels/film/camera.h"
-#include "kernels/path/path_film.h"
-#include "kernels/path/surface_path.h"
-
-/// Follows a ray of the camera; `*rays` is raised by the number of rays.
-static inline PathSample trace_surfaces(const RenderParams* params, const PathParams* path_params,
-                                        const PathScene* world, const SurfaceTables* tables,
-                                        uint pixel, Random* random, uint* rays) {
-    PathSample sample = no_path_sample();
-    float x, y;
-    sample_film(params, path_params, pixel, random, &x, &y);
-    SurfacePath path =
-        start_surface_path(camera_origin(params, x, y), camera_direction(params, x, y));
-    while (advance_surface_path(params, world, tables, &path, random, &sample, rays) != 0) continue;
-    return sample;
-}
+#include "kernels/path/surface_samples.h"
 
 WEFT_KERNEL(path_surfaces)
 {
@@ -31,14 +17,9 @@ WEFT_KERNEL(path_surfaces)
     GEOMETRY_MAKE(geometry);
     SURFACES_MAKE(tables);
     ENVIRONMENT_MAKE(environment);
-    PathScene world = {
-        scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment};
-    uint rays = 0u;
-    for (uint i = 0u; i < path_params.samples; ++i) {
-        Random random = make_random(params.sampling.seed, pixel, params.sampling.sample + i);
-        PathSample sample =
-            trace_surfaces(&params, &path_params, &world, &tables, pixel, &random, &rays);
-        add_sample(path_params.film_scale, film_sums, pixel, &sample, nonfinite);
-    }
+    PathScene world = {scene,       geometry,    lights,
+                       emissive,    light_nodes, params.scene.choice_lights,
+                       environment, &tables};
+    uint rays = add_surface_samples(&params, &path_params, &world, 0, pixel, film_sums, nonfinite);
     count_rays(counters + range.counter, rays);
 }

@@ -5,64 +5,57 @@
 // of the index where it is, so that boundaries of glass need no factor; what is found within the
 // index n counts by (n of the camera / n)^2.
 //
+// In scenes with media a ray goes through them as in media_samples.h. A medium inside of glass has
+// its boundary where the glass has its own (host/scene/flat_media.h): what is refracted crosses
+// both.
+//
 // Smooth parts have no value for light samples. What a ray meets after one of them has the weight
 // 1, and counts as seen by the point before it: light that is seen in a mirror is emission.
 #ifndef WEFT_KERNELS_PATH_SURFACE_PATH_H
 #define WEFT_KERNELS_PATH_SURFACE_PATH_H
 
-#include "kernels/bsdf/scattering.h"
-#include "kernels/film/film.h"
-#include "kernels/media/medium.h"
 #include "kernels/path/interfaces.h"
-#include "kernels/path/path.h"
-#include "kernels/path/path_film.h"
+#include "kernels/path/media_samples.h"
 
 // A path under way.
 typedef struct {
-    float3 origin, direction;
-    float3 throughput;
-    InterfaceSet around;  // the origin
-    uint bounce;          // scattered so far, by parts that are not smooth
-    uint length;          // surfaces so far
-    float passed;         // how far the ray has come, of which `origin` is a later point
-    float pdf;            // of the direction; 0 after the camera and smooth parts
-    LitPoint left;        // where it was scattered last
+    MediaPath ray;        // its `surface` is not used
+    InterfaceSet around;  // the ray's origin
+    float passed;         // how far the ray has come, of which its origin is a later point
 } SurfacePath;
 
-static inline SurfacePath start_surface_path(float3 origin, float3 direction) {
+/// Sets what the ray is in.
+static inline void enclose_path(const SurfaceTables* tables, InterfaceSet around,
+                                SurfacePath* path) {
+    float index = index_within(tables->interfaces, around);
+    path->around = around;
+    path->ray.basic = 1.0f / (index * index);
+    path->ray.absorption = absorption_within(tables->interfaces, around);
+}
+
+/// The start of a path of the camera, inside of these boundaries of media.
+static inline SurfacePath start_surface_path(const RenderParams* params,
+                                             const PathParams* path_params, uint enclosing_media,
+                                             uint pixel, Random* random) {
     SurfacePath path;
-    path.origin = origin;
-    path.direction = direction;
-    path.throughput = f3(1.0f, 1.0f, 1.0f);
+    path.ray = camera_path(params, path_params, enclosing_media, pixel, random);
     path.around = no_interfaces();
-    path.bounce = 0u;
-    path.length = 0u;
     path.passed = 0.0f;
-    path.pdf = 0.0f;
-    path.left.position = origin;
-    path.left.normal = direction;
-    path.left.shading = direction;
-    path.left.any_side = 0;
     return path;
 }
 
-/// Adds light that arrives after `bounce` scatterings.
-static inline void add_arriving(const RenderParams* params, PathSample* sample, uint bounce,
-                                float3 light) {
-    if (bounce == 0u)
-        sample->emission += light;
-    else if (bounce > 1u)
-        sample->light.indirect += light;
-    else if (HAS(params, FEATURE_SAMPLED_DIRECT))
-        sample->light.direct += light;
+/// Surfaces and media that the path has been scattered by.
+static inline uint path_length(const SurfacePath* path) {
+    return path->ray.bounce + path->ray.smooth;
 }
 
-/// Adds light that the path has found, which came through what these interfaces enclose.
-static inline void add_found(const RenderParams* params, const SurfaceTables* tables,
-                             const SurfacePath* path, InterfaceSet around, uint bounce,
-                             float3 light, PathSample* sample) {
-    float index = index_within(tables->interfaces, around);
-    add_arriving(params, sample, bounce, path->throughput * light * (1.0f / (index * index)));
+/// Adds light that arrives after `bounce` scatterings.
+static inline void add_arriving(const RenderParams* params, uint bounce, float3 light,
+                                PathSample* sample) {
+    if (bounce == 0u)
+        sample->emission += light;
+    else
+        add_scattered(params, &sample->light, bounce, light);
 }
 
 // What lies on both sides of a boundary of a solid dielectric.
@@ -71,7 +64,22 @@ typedef struct {
     IndexRatio ratio;     // beyond over before
     InterfaceSet beyond;  // around what is transmitted
     int absent;           // 1 where another that counts more is around on both sides
+    uint media_beyond;    // boundaries of media around what is transmitted
 } Crossing;
+
+/// Sets which boundaries of media are around a surface that is such a boundary itself, on both of
+/// its sides.
+static inline void cross_boundary(const SurfaceTables* tables, uint instance, int front,
+                                  SurfacePath* path, Crossing* crossing) {
+    uint number = tables->of_instances[instance * SURFACE_INSTANCE_WORDS + SURFACE_BOUNDARY];
+    crossing->media_beyond = path->ray.enclosing_media;
+    if (number == INVALID_INDEX) return;
+    uint bit = 1u << (number & ~SURFACE_BOUNDARY_INWARDS);
+    int outside = (number & SURFACE_BOUNDARY_INWARDS) != 0u ? 1 - front : front;
+    uint without = path->ray.enclosing_media & ~bit;
+    path->ray.enclosing_media = outside != 0 ? without : without | bit;
+    crossing->media_beyond = outside != 0 ? without | bit : without;
+}
 
 /// `front` tells whether the path comes from outside. Corrects the set of the path.
 static inline Crossing crossing_at(const SurfaceTables* tables, const SurfaceRecord* record,
@@ -81,6 +89,7 @@ static inline Crossing crossing_at(const SurfaceTables* tables, const SurfaceRec
     crossing.solid = number != INVALID_INDEX ? 1 : 0;
     crossing.absent = 0;
     crossing.beyond = path->around;
+    crossing.media_beyond = path->ray.enclosing_media;
     crossing.ratio.eta = front != 0 ? record->eta.x : 1.0f / record->eta.x;
     crossing.ratio.step = front != 0 ? record->k.x : record->k.y;
     if (crossing.solid == 0) {
@@ -106,76 +115,37 @@ static inline Crossing crossing_at(const SurfaceTables* tables, const SurfaceRec
     return crossing;
 }
 
-// Most surfaces that a shadow ray looks through.
-#define MOST_SEEN_THROUGH 64
-
-/// Share of the light that comes along a shadow ray from a point off a surface to the end of
-/// `towards`, or from infinity: what passes straight through surfaces. Solid glass blocks it.
-static inline float3 light_passing(const RenderParams* params, const PathScene* world,
-                                   const SurfaceTables* tables, float3 origin, float3 towards,
-                                   int distant, uint* rays) {
-    float3 passes = f3(1.0f, 1.0f, 1.0f);
-    float3 none = f3(0.0f, 0.0f, 0.0f);
-    if (!HAS(params, FEATURE_SEE_THROUGH)) {
-        ++*rays;
-        int seen = distant != 0 ? sees_infinity(world->scene, params, origin, towards)
-                                : sees_point(world->scene, params, origin, towards);
-        return seen != 0 ? passes : none;
-    }
-    const Geometry* geometry = &world->geometry;
-    float3 viewer = normalize3(-towards);
-    for (int i = 0; i < MOST_SEEN_THROUGH; ++i) {
-        float near = 4.0f * surface_offset(origin, params->scene.extent);
-        float3 ahead = towards * (near / length3(towards));
-        float3 way = distant != 0 ? towards : towards - ahead;
-        ++*rays;
-        Hit hit = trace_closest(world->scene, origin + ahead, way,
-                                distant != 0 ? RAY_INFINITY : SHADOW_END);
-        if (hit.triangle == INVALID_INDEX) return passes;
-        Surface surface = surface_at(params, geometry, hit, way, 0.0f);
-        SurfaceRecord record = tables->records[geometry->instances[surface.instance].material];
-        if ((record.flags & (SURFACE_THIN | SURFACE_MASK | SURFACE_BLEND)) == 0u) return none;
-        IndexRatio ratio;
-        ratio.eta = record.eta.x;
-        ratio.step = record.k.x;
-        SurfaceScattering met =
-            scattering_at(params, geometry, tables, &surface, hit, 0.0f, viewer, ratio);
-        passes = passes * met.straight;
-        if (!(max_component(passes) > 0.0f)) return none;
-        float3 behind = surface.position -
-                        surface.normal * surface_offset(surface.position, params->scene.extent);
-        if (distant == 0) {
-            towards = origin + towards - behind;
-            if (!(dot3(towards, way) > 0.0f)) return passes;
-        }
-        origin = behind;
-    }
-    return none;
-}
+// A surface that the path has met.
+typedef struct {
+    Surface surface;
+    SurfaceScattering scattering;
+    LitPoint lit;
+    Crossing crossing;
+} MetSurface;
 
 /// Next-event estimation: adds what one chosen light sends to the surface, and that scatters into
-/// the path. Returns the number of shadow rays.
+/// the path. `media` is 0 in scenes without. Returns the number of shadow rays.
 static inline uint light_surface(const RenderParams* params, const PathScene* world,
-                                 const SurfaceTables* tables, const SurfacePath* path,
-                                 const Surface* surface, const SurfaceScattering* scattering,
-                                 const LitPoint* lit, InterfaceSet beyond, Random* random,
+                                 const SurfaceTables* tables, const Media* media,
+                                 const SurfacePath* path, const MetSurface* met, Random* random,
                                  PathSample* sample) {
     float choice = next_random(random);
     float u = next_random(random);
     float v = next_random(random);
     if (world->light_count == 0u) return 0u;
     float probability;
-    uint chosen = choose_light_for(params, world, lit, choice, &probability);
+    uint chosen = choose_light_for(params, world, &met->lit, choice, &probability);
     if (!(probability > 0.0f)) return 0u;
+    const Surface* surface = &met->surface;
     // Cosines are in the values of materials.
-    LitPoint all = *lit;
+    LitPoint all = met->lit;
     all.any_side = 1;
     LightSample light =
         light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive,
                          &world->environment, &all, surface->position, probability, u, v);
     float3 irradiance = light.power * light.share;
     float3 in = normalize3(light.towards);
-    LayeredValue value = scattering_value(scattering, in);
+    LayeredValue value = scattering_value(&met->scattering, in);
     if (light.pdf > 0.0f)
         irradiance = light.power * (power_heuristic(light.pdf, value.pdf) / light.pdf);
     float3 arrives = irradiance * value.value;
@@ -184,7 +154,7 @@ static inline uint light_surface(const RenderParams* params, const PathScene* wo
     float offset = surface_offset(surface->position, params->scene.extent);
     int above = dot3(in, surface->normal) > 0.0f ? 1 : 0;
     float3 origin = surface->position + surface->normal * (above != 0 ? offset : -offset);
-    InterfaceSet around = above != 0 ? path->around : beyond;
+    InterfaceSet around = above != 0 ? path->around : met->crossing.beyond;
     float3 towards =
         light.distant != 0 ? light.towards : light.towards - (origin - surface->position);
     uint rays = 0u;
@@ -193,151 +163,198 @@ static inline uint light_surface(const RenderParams* params, const PathScene* wo
     float3 sigma = absorption_within(tables->interfaces, around);
     if (light.distant == 0 && max_component(sigma) > 0.0f)
         arrives = arrives * beer_transmittance(sigma, length3(light.towards));
-    add_found(params, tables, path, around, path->bounce + 1u, arrives, sample);
+    if (media != 0)
+        arrives = arrives * ray_transmittance(
+                                params, media, origin, normalize3(towards),
+                                light.distant != 0 ? RAY_INFINITY : length3(towards),
+                                above != 0 ? path->ray.enclosing_media : met->crossing.media_beyond,
+                                random);
+    float index = index_within(tables->interfaces, around);
+    add_arriving(params, path->ray.bounce + 1u,
+                 path->ray.throughput * path->ray.ratio * arrives * (1.0f / (index * index)),
+                 sample);
     return rays;
 }
 
 /// Adds the emission of a surface that the path has met after `t`.
 static inline void meet_emission(const RenderParams* params, const PathScene* world,
-                                 const SurfaceTables* tables, const SurfacePath* path,
-                                 const Surface* surface, float t, PathSample* sample) {
+                                 const SurfacePath* path, const Surface* surface, float t,
+                                 PathSample* sample) {
     if (!(max_component(surface->emission) > 0.0f)) return;
-    float weight = 1.0f;
-    if (path->pdf > 0.0f)
-        weight =
-            emission_weight(params, world, &path->left, surface, path->direction, t, path->pdf);
-    add_found(params, tables, path, path->around, path->bounce, surface->emission * weight, sample);
+    float weight = met_weight(params, world, &path->ray, surface, path->passed + t);
+    add_met(params, &path->ray, surface->emission * weight, sample);
 }
 
 /// Adds the light of the surroundings, which the path has met.
 static inline void meet_surroundings(const RenderParams* params, const PathScene* world,
-                                     const SurfaceTables* tables, const SurfacePath* path,
-                                     PathSample* sample) {
-    if (path->length == 0u) {
-        sample->emission +=
-            path->throughput * background_radiance(params, &world->environment, path->direction);
-        sample->alpha = background_alpha(params, path->throughput);
+                                     const SurfacePath* path, PathSample* sample) {
+    const MediaPath* ray = &path->ray;
+    if (path_length(path) == 0u) {
+        add_met(params, ray, background_radiance(params, &world->environment, ray->direction),
+                sample);
+        // Its mean over paths, those that end before included, is by what reaches the camera.
+        sample->alpha = background_alpha(params, ray->throughput * ray->ratio);
         return;
     }
     if (!HAS(params, FEATURE_ENVIRONMENT)) return;
-    float3 radiance =
-        path->pdf > 0.0f
-            ? weighted_environment(params, world, &path->left, path->direction, path->pdf)
-            : environment_radiance(params, &world->environment, path->direction);
-    add_found(params, tables, path, path->around, path->bounce, radiance, sample);
-}
-
-/// Goes on beyond or before the surface in direction `in`.
-static inline void leave_surface(const RenderParams* params, const Surface* surface, float3 in,
-                                 SurfacePath* path) {
-    float offset = surface_offset(surface->position, params->scene.extent);
-    float side = dot3(in, surface->normal) > 0.0f ? offset : -offset;
-    path->origin = surface->position + surface->normal * side;
-    path->direction = in;
-    path->passed = 0.0f;
+    float3 radiance = ray->kind == RAY_OF_CAMERA
+                          ? environment_radiance(params, &world->environment, ray->direction)
+                          : met_environment(params, world, ray);
+    add_met(params, ray, radiance, sample);
 }
 
 /// Lets the ray go on behind a surface.
 static inline void pass_surface(const RenderParams* params, const Surface* surface, float t,
-                                SurfacePath* path) {
+                                uint media_beyond, SurfacePath* path) {
     path->passed += t;
-    path->origin = surface->position -
-                   surface->normal * surface_offset(surface->position, params->scene.extent);
+    path->ray.enclosing_media = media_beyond;
+    path->ray.origin = surface->position -
+                       surface->normal * surface_offset(surface->position, params->scene.extent);
 }
 
-/// Roulette by what the path carries, from the third surface on. Returns 0 where it ends.
-static inline int surface_path_survives(SurfacePath* path, Random* random) {
-    float draw = next_random(random);
-    if (path->length < ROULETTE_START) return 1;
-    float q =
-        m_clamp(max_component(path->throughput) / ROULETTE_LEVEL, ROULETTE_LEAST, ROULETTE_MOST);
-    if (draw >= q) return 0;
-    path->throughput = path->throughput * (1.0f / q);
-    return 1;
+/// Scatters the path on the surface. Returns 0 where it ends.
+static inline int leave_surface(const RenderParams* params, const SurfaceTables* tables,
+                                const MetSurface* met, Random* random, SurfacePath* path) {
+    float choice = next_random(random);
+    float u = next_random(random);
+    float v = next_random(random);
+    BsdfSample scattered = scattering_sample(&met->scattering, choice, u, v);
+    if (!(max_component(scattered.weight) > 0.0f)) return 0;
+    const Surface* surface = &met->surface;
+    float offset = surface_offset(surface->position, params->scene.extent);
+    int beyond = dot3(scattered.in, surface->normal) < 0.0f ? 1 : 0;
+    MediaPath* ray = &path->ray;
+    ray->throughput = ray->throughput * scattered.weight;
+    ray->origin = surface->position + surface->normal * (beyond != 0 ? -offset : offset);
+    ray->direction = normalize3(scattered.in);
+    ray->pdf = scattered.pdf;
+    ray->left = met->lit;
+    path->passed = 0.0f;
+    if (beyond != 0) ray->enclosing_media = met->crossing.media_beyond;
+    if (beyond != 0 && met->crossing.solid != 0) enclose_path(tables, met->crossing.beyond, path);
+    if ((scattered.flags & BSDF_DELTA) != 0u) {
+        ray->kind = RAY_OF_CAMERA;
+        ++ray->smooth;
+    } else {
+        ray->kind = RAY_OF_SURFACE;
+        ++ray->bounce;
+    }
+    return path_survives(ray, ROULETTE_MOST, random);
 }
 
-/// Follows the path to the next surface and scatters it there. Returns 0 where it ends.
+/// Goes through the media and the glass that are before what the ray meets after `t`. Returns 1
+/// where a medium scatters the path, -1 where it ends.
+static inline int cross_segments(const RenderParams* params, const PathScene* world,
+                                 const Media* media, float t, SurfacePath* path, Random* random,
+                                 PathSample* sample, uint* rays) {
+    MediaPath* ray = &path->ray;
+    if (media != 0) {
+        int scattered = cross_media(params, world, media, ray, t, random, sample, rays);
+        if (scattered > 0) path->passed = 0.0f;
+        if (scattered != 0) return scattered;
+    }
+    if (t < RAY_INFINITY && max_component(ray->absorption) > 0.0f)
+        ray->throughput = ray->throughput * beer_transmittance(ray->absorption, t);
+    return 0;
+}
+
+/// Roulette after a medium has scattered the path.
+static inline int medium_path_survives(SurfacePath* path, Random* random) {
+    return path_survives(
+        &path->ray, path->ray.enclosing_media != 0u ? MEDIUM_ROULETTE_MOST : OUTER_ROULETTE_MOST,
+        random);
+}
+
+/// What the film shows of the first surface, which the camera sees at that depth.
+static inline void show_surface(const MetSurface* met, float depth, PathSample* sample) {
+    sample->albedo = met->scattering.albedo;
+    sample->normal = met->surface.shading;
+    sample->depth = depth;
+}
+
+/// Follows the path to the next surface, or to where a medium scatters it. `media` is 0 in scenes
+/// without. Returns 0 where it ends.
 static inline int advance_surface_path(const RenderParams* params, const PathScene* world,
-                                       const SurfaceTables* tables, SurfacePath* path,
-                                       Random* random, PathSample* sample, uint* rays) {
-    Hit hit = trace_closest(world->scene, path->origin, path->direction, RAY_INFINITY);
+                                       const SurfaceTables* tables, const Media* media,
+                                       SurfacePath* path, Random* random, PathSample* sample,
+                                       uint* rays) {
+    MediaPath* ray = &path->ray;
+    Hit hit = trace_closest(world->scene, ray->origin, ray->direction, RAY_INFINITY);
     ++*rays;
     if (hit.triangle == INVALID_INDEX) {
-        meet_surroundings(params, world, tables, path, sample);
+        int scattered =
+            cross_segments(params, world, media, RAY_INFINITY, path, random, sample, rays);
+        if (scattered > 0) return medium_path_survives(path, random);
+        if (scattered == 0) meet_surroundings(params, world, path, sample);
         return 0;
     }
     const Geometry* geometry = &world->geometry;
+    int first = path_length(path) == 0u ? 1 : 0;
     float angle =
-        path->length == 0u ? seen_texture_angle(params, params->camera.texture_angle, hit.t) : 0.0f;
+        first != 0 ? seen_texture_angle(params, params->camera.texture_angle, hit.t) : 0.0f;
     Facet facet = facet_of(geometry, hit.triangle);
-    Surface surface = surface_on(params, geometry, &facet, hit, path->direction, angle);
-    SurfaceRecord record = tables->records[geometry->instances[surface.instance].material];
-    Crossing crossing = crossing_at(tables, &record, surface.instance, surface.front, path);
-    float3 sigma = absorption_within(tables->interfaces, path->around);
-    if (max_component(sigma) > 0.0f)
-        path->throughput =
-            path->throughput * beer_transmittance(sigma, hit.t * length3(path->direction));
-    if (crossing.absent != 0) {
-        path->around = crossing.beyond;
-        pass_surface(params, &surface, hit.t, path);
+    float3 viewer = -ray->direction;
+    float footprint = texture_footprint(&facet, hit, ray->direction, angle);
+    float depth = camera_depth(
+        params, (path->passed + hit.t) * dot3(ray->direction, xyz(params->camera.forward)));
+    MetSurface met;
+    met.surface = surface_on(params, geometry, &facet, hit, ray->direction, angle);
+    const Surface* surface = &met.surface;
+    SurfaceRecord record = tables->records[geometry->instances[surface->instance].material];
+    met.crossing = crossing_at(tables, &record, surface->instance, surface->front, path);
+    enclose_path(tables, path->around, path);
+    int scattered = cross_segments(params, world, media, hit.t, path, random, sample, rays);
+    if (scattered < 0) return 0;
+    if (scattered > 0) {
+        if (first != 0 && met.crossing.absent == 0 && record.model != SURFACE_UNLIT) {
+            met.scattering = scattering_at(params, geometry, tables, surface, hit, footprint,
+                                           viewer, met.crossing.ratio);
+            show_surface(&met, depth, sample);
+        }
+        return medium_path_survives(path, random);
+    }
+    cross_boundary(tables, surface->instance, surface->front, path, &met.crossing);
+    if (met.crossing.absent != 0) {
+        enclose_path(tables, met.crossing.beyond, path);
+        pass_surface(params, surface, hit.t, met.crossing.media_beyond, path);
         return 1;
     }
-    float3 viewer = normalize3(-path->direction);
-    float footprint = texture_footprint(&facet, hit, path->direction, angle);
-    int first = path->length == 0u ? 1 : 0;
     if (record.model == SURFACE_UNLIT) {
-        meet_emission(params, world, tables, path, &surface, path->passed + hit.t, sample);
+        meet_emission(params, world, path, surface, hit.t, sample);
         SurfacePoint at = {facet.triangle, hit.u, hit.v, footprint};
         float3 colour = mapped_colour(geometry, tables, &record, MAP_BASE, &at, xyz(record.base));
-        if (path->bounce == 0u) add_found(params, tables, path, path->around, 0u, colour, sample);
+        if (ray->bounce == 0u) add_met(params, ray, colour, sample);
         if (first != 0) sample->albedo = colour;
         return 0;
     }
     // The back of a one-sided material is black, but for what it emits.
-    if (surface.front == 0 && crossing.solid == 0 && (record.flags & SURFACE_THIN) == 0u &&
+    if (surface->front == 0 && met.crossing.solid == 0 && (record.flags & SURFACE_THIN) == 0u &&
         HAS(params, FEATURE_ONE_SIDED) && (facet.material.flags & MATERIAL_TWO_SIDED) == 0u) {
-        meet_emission(params, world, tables, path, &surface, path->passed + hit.t, sample);
+        meet_emission(params, world, path, surface, hit.t, sample);
         return 0;
     }
-    SurfaceScattering scattering =
-        scattering_at(params, geometry, tables, &surface, hit, footprint, viewer, crossing.ratio);
-    if (max_component(scattering.straight) > 0.0f) {
+    met.scattering = scattering_at(params, geometry, tables, surface, hit, footprint, viewer,
+                                   met.crossing.ratio);
+    if (max_component(met.scattering.straight) > 0.0f) {
         // The ray goes on as it is, so that it meets lights with the pdf that it had.
-        float chance = m_min(max_component(scattering.straight), 1.0f);
+        float chance = m_min(max_component(met.scattering.straight), 1.0f);
         if (next_random(random) < chance) {
-            path->throughput = path->throughput * scattering.straight * (1.0f / chance);
-            pass_surface(params, &surface, hit.t, path);
+            ray->throughput = ray->throughput * met.scattering.straight * (1.0f / chance);
+            pass_surface(params, surface, hit.t, met.crossing.media_beyond, path);
             return 1;
         }
-        path->throughput = path->throughput * (scattering.coverage / (1.0f - chance));
+        ray->throughput = ray->throughput * (met.scattering.coverage / (1.0f - chance));
     }
-    meet_emission(params, world, tables, path, &surface, path->passed + hit.t, sample);
-    if (first != 0) {
-        sample->albedo = scattering.albedo;
-        sample->normal = surface.shading;
-        sample->depth = camera_depth(params, path->passed + hit.t);
-    }
-    if (path->length >= params->sampling.most_bounces) return 0;
-    ++path->length;
-    if (!HAS(params, FEATURE_INDIRECT) && path->bounce > 0u) return 0;
-    LitPoint lit = lit_point(&surface);
-    lit.any_side = (scattering.sides & SCATTERS_BELOW) != 0u ? 1 : 0;
-    if (scattering.sides != 0u)
-        *rays += light_surface(params, world, tables, path, &surface, &scattering, &lit,
-                               crossing.beyond, random, sample);
-    float choice = next_random(random);
-    float u = next_random(random);
-    float v = next_random(random);
-    BsdfSample scattered = scattering_sample(&scattering, choice, u, v);
-    if (!(max_component(scattered.weight) > 0.0f)) return 0;
-    path->throughput = path->throughput * scattered.weight;
-    int beyond = dot3(scattered.in, surface.normal) < 0.0f ? 1 : 0;
-    if (beyond != 0 && crossing.solid != 0) path->around = crossing.beyond;
-    leave_surface(params, &surface, scattered.in, path);
-    path->pdf = scattered.pdf;
-    path->left = lit;
-    if ((scattered.flags & BSDF_DELTA) == 0u) ++path->bounce;
-    return surface_path_survives(path, random);
+    meet_emission(params, world, path, surface, hit.t, sample);
+    if (first != 0) show_surface(&met, depth, sample);
+    // As many scatterings as are wanted, or light that is not.
+    if (path_length(path) >= params->sampling.most_bounces) return 0;
+    if (!HAS(params, FEATURE_INDIRECT) && ray->bounce > 0u) return 0;
+    met.lit = lit_point(surface);
+    met.lit.any_side = (met.scattering.sides & SCATTERS_BELOW) != 0u ? 1 : 0;
+    if (met.scattering.sides != 0u)
+        *rays += light_surface(params, world, tables, media, path, &met, random, sample);
+    return leave_surface(params, tables, &met, random, path);
 }
 
 #endif

@@ -120,7 +120,7 @@ class GltfReader {
                 // A mirrored mesh has its faces turned inwards.
                 const int inside = part.mirrored ? -1 : part.medium;
                 const int outside = part.mirrored ? part.medium : -1;
-                scene_.medium_boundaries.push_back({part.mesh, to_world, inside, outside});
+                scene_.medium_boundaries.push_back({part.mesh, to_world, inside, outside, -1});
                 continue;
             }
             Instance instance;

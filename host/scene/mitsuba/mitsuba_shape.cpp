@@ -104,8 +104,6 @@ void ShapeReader::read(const Element& element) {
         throw input_error(object.place(),
                           "the shape reaches too far out, expected coordinates "
                           "below 1e15");
-    if (boundary.interior >= 0 || boundary.exterior >= 0)
-        add_boundary(object, source, mesh, surface, boundary);
     if (surface.invisible && emitter != nullptr)
         context_.warnings.count(element, shape_unit,
                                 "an emitter has a null bsdf, it is rendered as opaque");
@@ -116,18 +114,22 @@ void ShapeReader::read(const Element& element) {
                                     materials_.material(bsdf, emitter), source.to_world,
                                     source.flip_normals});
     }
+    if (boundary.interior >= 0 || boundary.exterior >= 0)
+        add_boundary(object, source, mesh, surface, boundary);
     object.report_unused();
 }
 
 void ShapeReader::add_boundary(Object& object, const Source& source, std::uint32_t mesh,
                                const MitsubaSurface& surface, MediumBoundary boundary) {
-    if (!surface.invisible) {
+    const bool see_through = surface.description && transmits(*surface.description);
+    if (!surface.invisible && !see_through) {
         context_.warnings.count(object.element(), shape_unit,
                                 "a medium behind an opaque surface is ignored");
         return;
     }
     boundary.mesh = mesh;
     boundary.to_world = source.to_world;
+    if (!surface.invisible) boundary.surface = static_cast<int>(scene_.instances.size()) - 1;
     if (source.flip_normals) std::swap(boundary.interior, boundary.exterior);
     scene_.medium_boundaries.push_back(boundary);
 }

@@ -164,6 +164,20 @@ TEST(MitsubaMedia, MediaBehindOpaqueSurfacesAreNamed) {
               Strings{"1 shape: a medium behind an opaque surface is ignored; at s.xml:2"});
 }
 
+TEST(MitsubaMedia, GlassMayHoldAMedium) {
+    MitsubaFolder folder;
+    const Scene scene = folder.read(
+        "<medium type=\"homogeneous\" id=\"milk\"/><shape type=\"cube\"/>"
+        "<shape type=\"sphere\"><bsdf type=\"dielectric\"/><ref name=\"interior\" id=\"milk\"/>"
+        "</shape>");
+    EXPECT_TRUE(folder.warnings().empty());
+    ASSERT_EQ(scene.instances.size(), 2U);
+    ASSERT_EQ(scene.medium_boundaries.size(), 1U);
+    EXPECT_EQ(scene.medium_boundaries[0].surface, 1);
+    EXPECT_EQ(scene.medium_boundaries[0].interior, 0);
+    EXPECT_EQ(scene.medium_boundaries[0].mesh, scene.instances[1].mesh);
+}
+
 TEST(MitsubaMedia, RefusesWrongMedia) {
     MitsubaFolder folder;
     const auto error = [&](const std::string& medium) {

@@ -1,0 +1,26 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The reference for scenes with participating media and materials with more than Lambert's lobe:
+// path_surfaces.cl with the segments of path_grid.cl, media inside of glass included. A work-item
+// traces PathParams::samples samples of one pixel.
+#include "kernels/core/counters.h"
+#include "kernels/core/kernel.h"
+#include "kernels/path/surface_samples.h"
+
+WEFT_KERNEL(path_media_surfaces)
+{
+    if (WORK_ITEM(range) >= range.count) return;
+    uint pixel = range.first + WORK_ITEM(range);
+    SCENE_MAKE(scene);
+    GEOMETRY_MAKE(geometry);
+    SURFACES_MAKE(tables);
+    MEDIA_MAKE(through);
+    ENVIRONMENT_MAKE(environment);
+    PathScene world = {scene,       geometry,    lights,
+                       emissive,    light_nodes, params.scene.choice_lights,
+                       environment, &tables};
+    uint rays =
+        add_surface_samples(&params, &path_params, &world, &through, pixel, film_sums, nonfinite);
+    count_rays(counters + range.counter, rays);
+}
