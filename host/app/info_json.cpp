@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -221,8 +222,18 @@ json animation_list(const Scene& scene) {
 std::string density_of(const Scene& scene, const Medium& medium) {
     if (medium.grid < 0) return "homogeneous";
     const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.grid)];
-    return fmt::format("density grid of {} x {} x {} voxels up to {:g}", grid.size[0], grid.size[1],
-                       grid.size[2], greatest_density(grid));
+    return fmt::format("density grid of {} x {} x {} voxels{} up to {:g}", grid.size[0],
+                       grid.size[1], grid.size[2], grid.channels == 3 ? " of three channels" : "",
+                       greatest_density(grid));
+}
+
+/// Describes a medium's albedo: the mean of one that varies.
+std::string albedo_of(const Scene& scene, const Medium& medium,
+                      const std::function<std::string(const glm::vec3&)>& colour) {
+    if (medium.albedo_grid < 0) return colour(medium.albedo);
+    const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.albedo_grid)];
+    return fmt::format("{} on average, of {} x {} x {} voxels", colour(mean_density(grid)),
+                       grid.size[0], grid.size[1], grid.size[2]);
 }
 
 /// Describes a medium in one line.
@@ -234,7 +245,7 @@ std::string describe(const Scene& scene, const Medium& medium) {
     const bool emits = medium.emission != glm::vec3(0.0F);
     return fmt::format("{} ({}, extinction {}, albedo {}, g {:g}{})", medium.name,
                        density_of(scene, medium), colour(medium.sigma_t * medium.scale),
-                       colour(medium.albedo), medium.anisotropy,
+                       albedo_of(scene, medium, colour), medium.anisotropy,
                        emits ? ", emission " + colour(medium.emission) : "");
 }
 

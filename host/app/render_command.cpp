@@ -273,6 +273,16 @@ void warn_about_materials(const RenderSession& session, const RenderOptions& opt
                                      to_string(options.algorithm)));
 }
 
+/// Says where media are rendered with the mean of what varies in them.
+void warn_about_media(const RenderSession& session, const RenderOptions& options,
+                      Diagnostics& diagnostics) {
+    if (!session.scene().flat().media.coloured || is_reference(options.algorithm)) return;
+    diagnostics.warn(options.scene.string(),
+                     fmt::format("some media have an albedo or a colour that varies, {} renders "
+                                 "them with its mean, expected --algorithm path",
+                                 to_string(options.algorithm)));
+}
+
 /// Says where the image was left with its noise.
 void warn_about_denoiser(const RenderSession& session, const RenderOptions& options,
                          Denoiser applied, Diagnostics& diagnostics) {
@@ -450,6 +460,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
                                          options, settings, diagnostics);
     warn_about_paths(session, options, diagnostics);
     warn_about_materials(session, options, diagnostics);
+    warn_about_media(session, options, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
     session.set_mattes({options.object_mattes, options.material_mattes});

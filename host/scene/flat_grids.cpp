@@ -20,22 +20,32 @@ void append_shares(const std::vector<float>& values, float whole, std::vector<fl
                    [&](float value) { return value / whole; });
 }
 
-/// A grid's record without a place.
-shared::DensityGridRecord append(const DensityGrid& grid, FlatGrids& flat) {
-    const MajorantGrid majorants = make_majorant_grid(grid);
+/// The record of a grid whose voxels are the next in the list, without a place and without bounds.
+shared::DensityGridRecord record_of(const DensityGrid& grid, const FlatGrids& flat) {
     shared::DensityGridRecord record{};
     record.nx = grid.size[0];
     record.ny = grid.size[1];
     record.nz = grid.size[2];
     record.first = static_cast<std::uint32_t>(flat.densities.size());
+    record.block = 1;
+    record.greatest = 1.0F;
+    record.channels = grid.channels;
+    return record;
+}
+
+/// A grid's record without a place.
+shared::DensityGridRecord append(const DensityGrid& grid, FlatGrids& flat) {
+    const DensityGrid greatest_of_voxels = greatest_channels(grid);
+    const MajorantGrid majorants = make_majorant_grid(greatest_of_voxels);
+    shared::DensityGridRecord record = record_of(grid, flat);
     record.bx = majorants.size[0];
     record.by = majorants.size[1];
     record.bz = majorants.size[2];
     record.first_bound = static_cast<std::uint32_t>(flat.bounds.size());
     record.block = majorants.block;
-    record.greatest = 1.0F;
     const float greatest = greatest_density(grid);
-    append_shares(grid.densities, greatest, flat.densities);
+    append_shares(greatest_of_voxels.densities, greatest, flat.densities);
+    if (grid.channels == 3) append_shares(grid.densities, greatest, flat.densities);
     append_shares(majorants.bounds, greatest, flat.bounds);
     return record;
 }
@@ -48,6 +58,14 @@ shared::float4 row_of(const glm::dmat4& to_cube, const KernelUnits& units, int r
     return {scaled.x, scaled.y, scaled.z, static_cast<float>(moved)};
 }
 
+void place(const glm::dmat4& to_world, const KernelUnits& units,
+           shared::DensityGridRecord& record) {
+    const glm::dmat4 to_cube = glm::inverse(to_world);
+    record.to_x = row_of(to_cube, units, 0);
+    record.to_y = row_of(to_cube, units, 1);
+    record.to_z = row_of(to_cube, units, 2);
+}
+
 }  // namespace
 
 std::uint32_t FlatGrids::add(const Scene& scene, const Medium& medium, const KernelUnits& units) {
@@ -57,10 +75,25 @@ std::uint32_t FlatGrids::add(const Scene& scene, const Medium& medium, const Ker
         known = added_.emplace(medium.grid, append(grid, *this)).first;
     }
     shared::DensityGridRecord record = known->second;
-    const glm::dmat4 to_cube = glm::inverse(medium.grid_to_world);
-    record.to_x = row_of(to_cube, units, 0);
-    record.to_y = row_of(to_cube, units, 1);
-    record.to_z = row_of(to_cube, units, 2);
+    place(medium.grid_to_world, units, record);
+    records.push_back(record);
+    return static_cast<std::uint32_t>(records.size()) - 1;
+}
+
+std::uint32_t FlatGrids::add_albedo(const Scene& scene, const Medium& medium,
+                                    const KernelUnits& units) {
+    auto known = albedos_.find(medium.albedo_grid);
+    if (known == albedos_.end()) {
+        const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.albedo_grid)];
+        shared::DensityGridRecord made = record_of(grid, *this);
+        made.bx = made.by = made.bz = 1;
+        made.first_bound = static_cast<std::uint32_t>(bounds.size());
+        bounds.push_back(1.0F);
+        known = albedos_.emplace(medium.albedo_grid, made).first;
+        densities.insert(densities.end(), grid.densities.begin(), grid.densities.end());
+    }
+    shared::DensityGridRecord record = known->second;
+    place(medium.albedo_to_world, units, record);
     records.push_back(record);
     return static_cast<std::uint32_t>(records.size()) - 1;
 }

@@ -48,6 +48,12 @@ bool is_clear(const Scene& scene, const Medium& medium) {
            !(unit_density(scene, medium) > 0.0F);
 }
 
+/// Whether the medium's extinction has a colour that varies.
+bool has_coloured_grid(const Scene& scene, const Medium& medium) {
+    return medium.grid >= 0 && scene.grids[static_cast<std::size_t>(medium.grid)].channels == 3 &&
+           unit_density(scene, medium) > 0.0F;
+}
+
 shared::MediumRecord record_of(const Scene& scene, const Medium& medium, const KernelUnits& units) {
     shared::MediumRecord record{};
     glm::vec3 sigma(0.0F);
@@ -71,6 +77,18 @@ shared::MediumRecord record_of(const Scene& scene, const Medium& medium, const K
     record.albedo = {medium.albedo.r, medium.albedo.g, medium.albedo.b, 0.0F};
     record.anisotropy = medium.anisotropy;
     record.grid = INVALID_INDEX;
+    record.albedo_grid = INVALID_INDEX;
+    if (medium.albedo_grid >= 0) {
+        const glm::vec3 mean(
+            mean_density(scene.grids[static_cast<std::size_t>(medium.albedo_grid)]));
+        record.albedo = {mean.r, mean.g, mean.b, 0.0F};
+    }
+    if (has_coloured_grid(scene, medium)) {
+        const DensityGrid& grid = scene.grids[static_cast<std::size_t>(medium.grid)];
+        const double whole = mean_density(greatest_channels(grid)).r;
+        const glm::vec3 mean(mean_density(grid) / whole * static_cast<double>(sigma.r));
+        record.sigma_t = {mean.r, mean.g, mean.b, sigma.r};
+    }
     return record;
 }
 
@@ -306,6 +324,10 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
             radiance_of(record, endless ? std::numeric_limits<double>::infinity()
                                         : size_of(medium, static_cast<double>(extent), units)));
         if (medium.grid >= 0 && !clear[i]) record.grid = media.grids.add(scene, medium, units);
+        if (medium.albedo_grid >= 0 && !clear[i])
+            record.albedo_grid = media.grids.add_albedo(scene, medium, units);
+        media.coloured =
+            media.coloured || record.sigma_t.w > 0.0F || record.albedo_grid != INVALID_INDEX;
         media.records.push_back(record);
     }
     set_box(scene, units, media);

@@ -36,6 +36,9 @@ struct FlatMedia {
     /// emits.
     double radiance = 0.0;
 
+    /// Some have an albedo, or a colour of extinction, that varies, which path tracing alone knows.
+    bool coloured = false;
+
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
     /// Whether any medium scatters light.
     [[nodiscard]] bool scatters() const;

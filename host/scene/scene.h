@@ -109,7 +109,8 @@ struct Camera {
 
 /// A participating medium. Its extinction is `sigma_t` times `scale`, 1 / scene unit, times the
 /// density of its grid where it has one; outside of the grid it is 0. So is `emission`, but without
-/// `scale`.
+/// `scale`. A grid of three channels gives each its own density; then `sigma_t` is grey and
+/// `emission` 0.
 struct Medium {
     std::string name;
     std::string type;  ///< "homogeneous" or "heterogeneous"
@@ -120,6 +121,10 @@ struct Medium {
     float anisotropy = 0.0F;        ///< Henyey-Greenstein g
     int grid = -1;                  ///< index into Scene::grids, or -1: the same everywhere
     glm::dmat4 grid_to_world{1.0};  ///< from the grid's unit cube; its own placement is part of it
+    /// Index into Scene::grids of albedos in place of `albedo`, or -1: the same everywhere. The
+    /// outermost voxels go on outside of the grid.
+    int albedo_grid = -1;
+    glm::dmat4 albedo_to_world{1.0};  ///< as `grid_to_world`
 };
 
 /// A closed boundary of a medium, invisible by itself. The interior is behind its normals.

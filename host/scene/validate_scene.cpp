@@ -302,12 +302,29 @@ class Validator {
             check_motion(light.motion, "light " + quote(light.name));
     }
 
+    void check_albedo_grid(const Medium& medium, const std::string& object) const {
+        if (medium.albedo_grid < 0) return;
+        require(static_cast<std::size_t>(medium.albedo_grid) < scene_.grids.size(), object,
+                "refers to a grid of albedos that does not exist");
+        const DensityGrid& grid = scene_.grids[static_cast<std::size_t>(medium.albedo_grid)];
+        require(!grid.densities.empty(), object, "has a grid of albedos without voxels");
+        require(greatest_density(grid) <= 1.0F, object, "has an albedo above 1 in its grid");
+        check_transform(medium.albedo_to_world, object);
+        check_extent({glm::dvec3(0.0), glm::dvec3(1.0)}, medium.albedo_to_world, object);
+    }
+
     void check_grid(const Medium& medium, const std::string& object) const {
+        check_albedo_grid(medium, object);
         if (medium.grid < 0) return;
         require(static_cast<std::size_t>(medium.grid) < scene_.grids.size(), object,
                 "refers to a density grid that does not exist");
         check_transform(medium.grid_to_world, object);
         check_extent({glm::dvec3(0.0), glm::dvec3(1.0)}, medium.grid_to_world, object);
+        if (scene_.grids[static_cast<std::size_t>(medium.grid)].channels == 1) return;
+        require(medium.sigma_t.r == medium.sigma_t.g && medium.sigma_t.g == medium.sigma_t.b,
+                object, "has a colour of extinction beside a density grid of three channels");
+        require(medium.emission == glm::vec3(0.0F), object,
+                "emits with a density grid of three channels, expected one channel");
     }
 
     void check_media() const {

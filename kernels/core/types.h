@@ -313,7 +313,10 @@ typedef struct {
     uint first_bound;
     uint block;      // voxels along the edge of a block, a power of two
     float greatest;  // density
-    uint pad0, pad1;
+    // 3 where densities have a colour: the voxels' greatest of red, green and blue come first,
+    // which bounds refer to, then each of these; or of an albedo these alone. Else 1.
+    uint channels;
+    uint pad;
     float4 to_x, to_y, to_z;  // rows of the affine map from kernel space to the unit cube
 } DensityGridRecord;
 
@@ -327,12 +330,14 @@ typedef struct {
 #define CONVEX_PLANES 64u
 
 typedef struct {
-    float4 sigma_t;    // rgb extinction, 1 / kernel unit
-    float4 albedo;     // rgb share of it that is scattered
-    float4 emission;   // rgb radiance emitted per kernel unit of length
+    float4 sigma_t;   // rgb extinction, 1 / kernel unit; w: of a grid whose densities have a colour
+                      // that of all channels, of which rgb is the mean over the grid; else 0
+    float4 albedo;    // rgb share of it that is scattered; the mean of `albedo_grid`
+    float4 emission;  // rgb radiance emitted per kernel unit of length
     float anisotropy;  // Henyey-Greenstein g
     uint grid;         // of densities that multiply sigma_t and emission; INVALID_INDEX: none
-    uint pad0, pad1;
+    uint albedo_grid;  // likewise; INVALID_INDEX: the same everywhere
+    uint pad;
 } MediumRecord;
 
 typedef struct {

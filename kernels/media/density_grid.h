@@ -94,6 +94,28 @@ static inline float density_at(const DensityGrid* grid, float3 p) {
                                    p.z * (float)grid->record.nz));
 }
 
+/// One channel of a grid whose densities, or albedos, have a colour; `plane` counts what is stored,
+/// see DensityGridRecord::channels.
+static inline DensityGrid grid_plane(const DensityGrid* grid, uint plane) {
+    DensityGrid channel = *grid;
+    channel.densities += plane * (grid->record.nx * grid->record.ny * grid->record.nz);
+    channel.record.channels = 1u;
+    return channel;
+}
+
+/// Of a grid whose densities have a colour, the share of the greatest channel, of density
+/// `greatest` at `p` in voxels, that each channel has there.
+static inline float3 colour_inside(const DensityGrid* grid, float3 p, float greatest) {
+    DensityGrid red = grid_plane(grid, 1u);
+    DensityGrid green = grid_plane(grid, 2u);
+    DensityGrid blue = grid_plane(grid, 3u);
+    if (!(greatest > 0.0f)) return f3(0.0f, 0.0f, 0.0f);
+    // Interpolated, the greatest of the voxels is no less than any channel.
+    return f3(m_min(density_inside(&red, p) / greatest, 1.0f),
+              m_min(density_inside(&green, p) / greatest, 1.0f),
+              m_min(density_inside(&blue, p) / greatest, 1.0f));
+}
+
 static inline uint nearest_block(int index, uint size) {
     return index < 0 ? 0u : ((uint)index < size ? (uint)index : size - 1u);
 }

@@ -73,6 +73,60 @@ static inline int next_tentative(const DensityGrid* grid, float sigma, Random* r
 // ratio_i / 3 for each event makes a real collision of it with probability sum ratio_i p_i / sum
 // ratio_i. That decides at once, and no channel is chosen.
 
+// Where densities have a colour, `share` is multiplied with that at each tentative collision: its
+// densities are the greatest of the channels, and p_i differs from place to place.
+
+/// Extinctions of the channels at a place of the ray, over the greatest extinction for density 1
+/// times the density there.
+static inline float3 share_at(const DensityGrid* grid, const GridRay* ray, float s, float3 share) {
+    if (grid->record.channels != 3u) return share;
+    float3 p = grid_ray_at(ray, s);
+    return share * colour_inside(grid, p, density_inside(grid, p));
+}
+
+/// The integrals of each channel's density from `start` to `stop`.
+static inline float3 channel_depths(const DensityGrid* grid, const GridRay* ray, float start,
+                                    float stop) {
+    GridRay part = *ray;
+    part.length = stop;
+    float end;
+    float depths[3];
+    for (uint i = 0u; i < 3u; ++i) {
+        DensityGrid plane = grid_plane(grid, i + 1u);
+        depths[i] = density_integral(&plane, &part, start, M_INFINITY, &end);
+    }
+    return f3(depths[0], depths[1], depths[2]);
+}
+
+/// A free path of a channel that `choice` falls into, from `start` on, by integrating its density;
+/// see grid_collision. Returns whether it ends before the ray does, and where: *stop.
+static inline int integrated_path(const DensityGrid* grid, const GridRay* ray, float start,
+                                  float3 sigma, float3* ratio, float choice, float u, float* stop) {
+    int grey = grid->record.channels != 3u && sigma.x == sigma.y && sigma.y == sigma.z ? 1 : 0;
+    float3 share = sigma / max_component(sigma);
+    if (grid->record.channels != 3u) {
+        // At least a normal number: a depth of 0 is reached before the medium.
+        float target = m_max(free_path(sigma, *ratio, choice, u), 1.17549435e-38f);
+        float depth = density_integral(grid, ray, start, target, stop);
+        int collides = depth >= target ? 1 : 0;
+        float3 transmittance = beer_transmittance(sigma, depth);
+        if (grey == 0) update_ratio(ratio, collides != 0 ? share * transmittance : transmittance);
+        return collides;
+    }
+    float at = choice * (ratio->x + ratio->y + ratio->z);
+    uint channel = at < ratio->x ? 0u : (at < ratio->x + ratio->y ? 1u : 2u);
+    float chosen = channel == 0u ? sigma.x : (channel == 1u ? sigma.y : sigma.z);
+    float target = m_max(chosen > 0.0f ? -m_log1p(-u) / chosen : M_INFINITY, 1.17549435e-38f);
+    DensityGrid plane = grid_plane(grid, channel + 1u);
+    int collides = density_integral(&plane, ray, start, target, stop) >= target ? 1 : 0;
+    float3 depths = channel_depths(grid, ray, start, *stop);
+    float3 transmittance = f3(transmittance1(sigma.x, depths.x), transmittance1(sigma.y, depths.y),
+                              transmittance1(sigma.z, depths.z));
+    update_ratio(ratio,
+                 collides != 0 ? share_at(grid, ray, *stop, share) * transmittance : transmittance);
+    return collides;
+}
+
 /// Whether light collides on origin + t direction, first < t < last, in the unit cube's space, and
 /// at which *t, where the density is *density; *t is `last` where not. `sigma` is the extinction of
 /// each channel for density 1 and each unit of t. Channel i of *ratio, of mean 1 before and after,
@@ -89,30 +143,26 @@ static inline int grid_collision(const DensityGrid* grid, float3 origin, float3 
     if (start_tracker(grid, origin, direction, first, last, &tracker) == 0) return 0;
     float3 share = sigma / greatest;
     // Of equal channels the ratio stays what it is, to the bit.
-    int grey = share.x == share.y && share.y == share.z ? 1 : 0;
+    int grey = grid->record.channels != 3u && share.x == share.y && share.y == share.z ? 1 : 0;
     for (uint i = 0u; i < GRID_TENTATIVE; ++i) {
         if (next_tentative(grid, greatest, random, &tracker) == 0) return 0;
-        float chance = dot3(*ratio, share) / (ratio->x + ratio->y + ratio->z);
+        float3 here = share_at(grid, &tracker.ray, tracker.s, share);
+        float chance = dot3(*ratio, here) / (ratio->x + ratio->y + ratio->z);
         if (grey != 0) chance = 1.0f;
         if (next_random(random) * tracker.bound < tracker.density * chance) {
-            if (grey == 0) update_ratio(ratio, share);
+            if (grey == 0) update_ratio(ratio, here);
             *t = m_min(tracker.ray.first + tracker.s, last);
             *density = tracker.density;
             return 1;
         }
-        float3 passing = f3(1.0f, 1.0f, 1.0f) - share * (tracker.density / tracker.bound);
+        float3 passing = f3(1.0f, 1.0f, 1.0f) - here * (tracker.density / tracker.bound);
         if (grey == 0) update_ratio(ratio, passing);
     }
-    // At least a normal number: a depth of 0 is reached before the medium.
     float choice = next_random(random);
     float u = next_random(random);
-    float target = m_max(free_path(sigma, *ratio, choice, u), 1.17549435e-38f);
     float stop;
-    float depth = density_integral(grid, &tracker.ray, tracker.s, target, &stop);
-    int collides = depth >= target ? 1 : 0;
-    float3 transmittance = beer_transmittance(sigma, depth);
-    if (grey == 0) update_ratio(ratio, collides != 0 ? share * transmittance : transmittance);
-    if (collides == 0) return 0;
+    if (integrated_path(grid, &tracker.ray, tracker.s, sigma, ratio, choice, u, &stop) == 0)
+        return 0;
     *t = m_min(tracker.ray.first + stop, last);
     *density = density_on_ray(grid, &tracker.ray, stop);
     return 1;
@@ -137,8 +187,14 @@ static inline float3 grid_transmittance(const DensityGrid* grid, float3 origin, 
     for (uint i = 0u; i < GRID_TENTATIVE; ++i) {
         if (next_tentative(grid, greatest, random, &tracker) == 0) return result;
         float real = tracker.density / tracker.bound;
-        result *= f3(1.0f - share.x * real, 1.0f - share.y * real, 1.0f - share.z * real);
+        float3 here = share_at(grid, &tracker.ray, tracker.s, share);
+        result *= f3(1.0f - here.x * real, 1.0f - here.y * real, 1.0f - here.z * real);
         if (max_component(result) == 0.0f) return result;
+    }
+    if (grid->record.channels == 3u) {
+        float3 depths = channel_depths(grid, &tracker.ray, tracker.s, tracker.ray.length);
+        return result * f3(transmittance_of(sigma.x, depths.x), transmittance_of(sigma.y, depths.y),
+                           transmittance_of(sigma.z, depths.z));
     }
     float stop;
     float depth = density_integral(grid, &tracker.ray, tracker.s, M_INFINITY, &stop);

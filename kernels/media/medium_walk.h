@@ -25,7 +25,8 @@
     name.grids = grids;              \
     name.densities = densities;      \
     name.bounds = density_bounds;    \
-    name.any_grid = 1
+    name.any_grid = 1;               \
+    name.coloured = 0
 
 typedef struct {
     GLOBAL const BvhNode* nodes;  // of the boundaries
@@ -37,6 +38,7 @@ typedef struct {
     GLOBAL const float* densities;
     GLOBAL const float* bounds;
     int any_grid;  // 0 where the kernel is for homogeneous media alone
+    int coloured;  // 0 where it takes the mean colour of each grid, of densities or albedos
 } Media;
 
 // A ray on its way, and the segment of it in one medium that was reached last.
@@ -146,7 +148,26 @@ static inline int has_grid(const RenderParams* params, const Media* media,
 
 /// The grid of a medium that has one.
 static inline DensityGrid grid_of(const Media* media, const MediumRecord* medium) {
-    return density_grid(media->grids[medium->grid], media->densities, media->bounds);
+    DensityGrid grid = density_grid(media->grids[medium->grid], media->densities, media->bounds);
+    if (media->coloured == 0) grid.record.channels = 1u;
+    return grid;
+}
+
+/// The extinction of a medium, in a grid for density 1.
+static inline float3 extinction_of(const Media* media, const MediumRecord* medium) {
+    if (media->coloured != 0 && medium->sigma_t.w > 0.0f)
+        return f3(medium->sigma_t.w, medium->sigma_t.w, medium->sigma_t.w);
+    return xyz(medium->sigma_t);
+}
+
+/// The albedo of a medium at a place.
+static inline float3 albedo_at_place(const RenderParams* params, const Media* media,
+                                     const MediumRecord* medium, float3 place) {
+    if (!HAS(params, FEATURE_DENSITY_GRIDS)) return xyz(medium->albedo);
+    if (media->coloured == 0 || medium->albedo_grid == INVALID_INDEX) return xyz(medium->albedo);
+    DensityGrid grid =
+        density_grid(media->grids[medium->albedo_grid], media->densities, media->bounds);
+    return albedo_in_grid(&grid, place);
 }
 
 /// 0 where the first `length` of a ray surely stays clear of all media: outside of the box about
@@ -185,8 +206,8 @@ static inline float3 ray_transmittance(const RenderParams* params, const Media* 
         MediumRecord medium = media->media[walk.medium];
         if (has_grid(params, media, &medium) != 0) {
             DensityGrid grid = grid_of(media, &medium);
-            transmittance *= tracked_transmittance(&grid, xyz(medium.sigma_t), origin, direction,
-                                                   walk.begin, walk.end, random);
+            transmittance *= tracked_transmittance(&grid, extinction_of(media, &medium), origin,
+                                                   direction, walk.begin, walk.end, random);
         } else {
             transmittance *= beer_transmittance(xyz(medium.sigma_t), walk.end - walk.begin);
         }

@@ -47,7 +47,7 @@ static inline void scatter_in_medium(const RenderParams* params, const PathScene
     float u = next_random(random);
     float v = next_random(random);
     path->free_pdf = update_ratio(&path->ratio, segment->sigma_t * transmittance);
-    scatter_path(segment, t, u, v, path);
+    scatter_path(params, media, segment, t, u, v, path);
 }
 
 /// Goes through a segment of a homogeneous medium. Returns 1 where the path is scattered there, -1
@@ -102,7 +102,7 @@ static inline int cross_media(const RenderParams* params, const PathScene* world
         if (walk.medium == NO_MEDIUM) continue;
         MediumSegment segment;
         segment.medium = media->media[walk.medium];
-        segment.sigma_t = xyz(segment.medium.sigma_t);
+        segment.sigma_t = extinction_of(media, &segment.medium);
         segment.length = walk.end - walk.begin;
         segment.origin = walk.origin + walk.direction * walk.begin;
         segment.direction = walk.direction;

@@ -14,6 +14,7 @@ WEFT_KERNEL(path_grid)
     SCENE_MAKE(scene);
     GEOMETRY_MAKE(geometry);
     MEDIA_MAKE(through);
+    through.coloured = 1;
     ENVIRONMENT_MAKE(environment);
     PathScene world = {
         scene, geometry, lights, emissive, light_nodes, params.scene.choice_lights, environment, 0};

@@ -22,9 +22,14 @@
 
 #include "kernels/path/path_media.h"
 
-/// The stand-in for the pdf of free paths at a point of that density.
-static inline float stand_in(const MediumSegment* segment, float density) {
+/// The stand-in for the pdf of free paths at `t` of the segment, of that density.
+static inline float stand_in(const DensityGrid* grid, const MediumSegment* segment, float t,
+                             float density) {
     float3 source = segment->ratio * segment->sigma_t;
+    if (grid->record.channels == 3u)
+        return dot3(source,
+                    colour_at_place(grid, segment->origin + segment->direction * t, density)) *
+               0.333333333f;
     return (source.x + source.y + source.z) * 0.333333333f * density;
 }
 
@@ -62,14 +67,18 @@ static inline float3 grid_airlight(const RenderParams* params, const PathScene* 
     if (has_place(chosen.light) == 0 || !(view.distance > 0.0f)) return none;
     ScatterPoint at;
     at.t = angular_sample(view, segment->length, u);
-    float density = density_at_place(grid, segment->origin + segment->direction * at.t);
-    float free = stand_in(segment, density);
+    float3 place = segment->origin + segment->direction * at.t;
+    float density = density_at_place(grid, place);
+    float free = stand_in(grid, segment, at.t, density);
     if (!(free > 0.0f)) return none;
     float3 transmittance = tracked_transmittance(grid, segment->sigma_t, segment->origin,
                                                  segment->direction, 0.0f, at.t, random);
     // Pdfs are in units of the stand-in, which may be enormous.
-    at.value = segment->throughput * segment->ratio * (segment->sigma_t * (density / free)) *
-               transmittance * xyz(segment->medium.albedo);
+    float3 extinction = segment->sigma_t * (density / free);
+    if (grid->record.channels == 3u)
+        extinction = segment->sigma_t * (colour_at_place(grid, place, density) / free);
+    at.value = segment->throughput * segment->ratio * extinction * transmittance *
+               segment_albedo(params, media, segment, at.t);
     at.free = 1.0f;
     at.angular = segment->angular_share / free;
     return light_scattered_at(params, world, media, segment, &chosen, &at, random, rays);
@@ -84,7 +93,8 @@ static inline float3 collision_light(const RenderParams* params, const PathScene
     ChosenPoint chosen = choose_point(params, world, random);
     ScatterPoint at;
     at.t = t;
-    at.value = path->throughput * path->ratio * xyz(segment->medium.albedo) * path->basic;
+    at.value =
+        path->throughput * path->ratio * segment_albedo(params, media, segment, t) * path->basic;
     at.free = 1.0f;
     at.angular = segment->angular_share / free;
     return light_scattered_at(params, world, media, segment, &chosen, &at, random, rays);
@@ -100,6 +110,14 @@ static inline int cross_grid(const RenderParams* params, const PathScene* world,
     if (clip_to_grid(&grid, segment) == 0) return 0;
     int scatters = max_component(xyz(segment->medium.albedo)) > 0.0f ? 1 : 0;
     int emits = has_emission(params, &segment->medium);
+    if (scatters == 0 && grid.record.channels == 3u) {
+        float3 depths =
+            channel_depths_on_way(&grid, segment->origin, segment->direction, segment->length);
+        path->throughput = path->throughput * f3(transmittance1(segment->sigma_t.x, depths.x),
+                                                 transmittance1(segment->sigma_t.y, depths.y),
+                                                 transmittance1(segment->sigma_t.z, depths.z));
+        return max_component(path->throughput) > 0.0f ? 0 : -1;
+    }
     if (scatters == 0 || emits != 0) {
         float depth = depth_on_way(&grid, segment->origin, segment->direction, segment->length,
                                    scatters != 0 ? seen_depth(segment) : M_INFINITY);
@@ -121,14 +139,14 @@ static inline int cross_grid(const RenderParams* params, const PathScene* world,
     if (collides == 0) return 0;
     if (wanted == 0) return -1;
     ++path->bounce;
-    path->free_pdf = stand_in(segment, density);
+    path->free_pdf = stand_in(&grid, segment, t, density);
     if (world->light_count != 0u)
         add_scattered(
             params, sum, path->bounce,
             collision_light(params, world, media, segment, path, t, path->free_pdf, random, rays));
     float u = next_random(random);
     float v = next_random(random);
-    scatter_path(segment, t, u, v, path);
+    scatter_path(params, media, segment, t, u, v, path);
     return path->pdf > 0.0f ? 1 : -1;
 }
 

@@ -199,6 +199,13 @@ static inline float3 light_scattered_at(const RenderParams* params, const PathSc
     return value * light.irradiance * arrives * (phase / pdf);
 }
 
+/// The albedo at `t` of a segment.
+static inline float3 segment_albedo(const RenderParams* params, const Media* media,
+                                    const MediumSegment* segment, float t) {
+    return albedo_at_place(params, media, &segment->medium,
+                           segment->origin + segment->direction * t);
+}
+
 /// The same in a homogeneous medium, where pdfs are known, and the transmittance of its first `t`.
 static inline float3 scattered_light(const RenderParams* params, const PathScene* world,
                                      const Media* media, const MediumSegment* segment,
@@ -207,7 +214,7 @@ static inline float3 scattered_light(const RenderParams* params, const PathScene
     float3 source = segment->ratio * segment->sigma_t * transmittance;
     ScatterPoint at;
     at.t = t;
-    at.value = segment->throughput * source * xyz(segment->medium.albedo);
+    at.value = segment->throughput * source * segment_albedo(params, media, segment, t);
     at.free = (source.x + source.y + source.z) * 0.333333333f;
     at.angular = segment->angular_share;
     return light_scattered_at(params, world, media, segment, chosen, &at, random, rays);
@@ -274,9 +281,11 @@ static inline uint surface_light(const RenderParams* params, const PathScene* wo
 }
 
 /// Leaves the segment at `t`, in a direction of the phase function.
-static inline void scatter_path(const MediumSegment* segment, float t, float u, float v,
+static inline void scatter_path(const RenderParams* params, const Media* media,
+                                const MediumSegment* segment, float t, float u, float v,
                                 MediaPath* path) {
-    path->throughput = path->throughput * xyz(segment->medium.albedo) * absorbed_before(segment, t);
+    path->throughput =
+        path->throughput * segment_albedo(params, media, segment, t) * absorbed_before(segment, t);
     path->segment = *segment;
     path->along = t;
     path->origin = segment->origin + segment->direction * t;

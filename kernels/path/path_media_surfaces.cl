@@ -16,6 +16,7 @@ WEFT_KERNEL(path_media_surfaces)
     GEOMETRY_MAKE(geometry);
     SURFACES_MAKE(tables);
     MEDIA_MAKE(through);
+    through.coloured = 1;
     ENVIRONMENT_MAKE(environment);
     PathScene world = {scene,       geometry,    lights,
                        emissive,    light_nodes, params.scene.choice_lights,

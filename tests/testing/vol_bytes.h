@@ -33,8 +33,9 @@ inline std::string vol_header(const std::array<std::uint32_t, 3>& size, std::uin
 /// A Mitsuba grid volume.
 inline std::string vol_file(const std::array<std::uint32_t, 3>& size,
                             const std::vector<float>& densities,
-                            const std::array<float, 6>& box = {0, 0, 0, 1, 1, 1}) {
-    std::string bytes = vol_header(size, 1, box);
+                            const std::array<float, 6>& box = {0, 0, 0, 1, 1, 1},
+                            std::uint32_t channels = 1) {
+    std::string bytes = vol_header(size, channels, box);
     for (const float density : densities) put(bytes, density);
     return bytes;
 }

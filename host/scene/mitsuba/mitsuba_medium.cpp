@@ -50,8 +50,8 @@ void MediumReader::read_coefficients(Object& object, Medium& medium) {
             throw input_error(object.place(),
                               "heterogeneous medium without a density, expected a "
                               "<volume name=\"sigma_t\">");
-        read_grid(*density, medium);
-        medium.albedo = read_volume(object, "albedo", glm::vec3(0.75F));
+        read_density(*density, medium);
+        read_albedo(object, medium);
         return;
     }
     if (object.find("sigma_a") == nullptr && object.find("sigma_s") == nullptr) {
@@ -82,8 +82,8 @@ glm::vec3 MediumReader::read_volume(Object& object, const char* name, const glm:
     if (volume.type() == "constvolume") return volume.colour("value", ColourUse::medium, missing);
     if (volume.type() == "gridvolume")
         throw input_error(volume.place(),
-                          fmt::format("a grid for {}, expected a constant: only the "
-                                      "sigma_t of heterogeneous media may vary",
+                          fmt::format("a grid for {}, expected a constant: only the sigma_t and "
+                                      "the albedo of heterogeneous media may vary",
                                       quote(name)));
     context_.warnings.count(*found, {"volume", "volumes"},
                             fmt::format("type {} for {} is not supported, {} is used instead",
@@ -91,7 +91,7 @@ glm::vec3 MediumReader::read_volume(Object& object, const char* name, const glm:
     return missing;
 }
 
-void MediumReader::read_grid(const Element& volume, Medium& medium) {
+void MediumReader::read_density(const Element& volume, Medium& medium) {
     Object object(volume, context_);
     if (object.type() == "constvolume") {
         medium.sigma_t = object.colour("value", ColourUse::medium, glm::vec3(1.0F));
@@ -100,15 +100,36 @@ void MediumReader::read_grid(const Element& volume, Medium& medium) {
     if (object.type() != "gridvolume")
         throw input_error(object.place(), "volume " + quote(object.type()) +
                                               ", expected gridvolume or constvolume");
+    medium.grid = read_grid(object, volume, medium.grid_to_world);
+}
+
+void MediumReader::read_albedo(Object& object, Medium& medium) {
+    const Element* const found = object.find("albedo");
+    const bool is_grid = found != nullptr && found->tag == "volume" &&
+                         Object(*found, context_).type() == "gridvolume";
+    if (!is_grid) {
+        medium.albedo = read_volume(object, "albedo", glm::vec3(0.75F));
+        return;
+    }
+    Object volume(*found, context_);
+    medium.albedo_grid = read_grid(volume, *found, medium.albedo_to_world);
+    const DensityGrid& grid = scene_.grids[static_cast<std::size_t>(medium.albedo_grid)];
+    if (grid.densities.empty())
+        throw input_error(volume.place(), "a grid of albedos without voxels, expected some");
+    if (greatest_density(grid) > 1.0F)
+        throw input_error(volume.place(), "medium albedo above 1, expected 0 to 1");
+}
+
+int MediumReader::read_grid(Object& object, const Element& volume, glm::dmat4& to_world) {
     const std::filesystem::path path = object.file();
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
         throw input_error(object.place(),
                           "file " + quote(path.string()) + " is missing, expected a grid volume");
-    medium.grid = grids_.add(path, "", object.place());
-    medium.grid_to_world = object.transform("to_world");
+    const int grid = grids_.add(path, "", object.place());
+    to_world = object.transform("to_world");
     if (object.boolean("use_grid_bbox", false))
-        medium.grid_to_world *= scene_.grids[static_cast<std::size_t>(medium.grid)].placement;
+        to_world *= scene_.grids[static_cast<std::size_t>(grid)].placement;
     if (object.text("filter_type").value_or("trilinear") != "trilinear")
         context_.warnings.count(volume, {"volume", "volumes"},
                                 "filter_type is not supported, densities are trilinear");
@@ -117,6 +138,7 @@ void MediumReader::read_grid(const Element& volume, Medium& medium) {
                                 "wrap_mode is not supported, coordinates are clamped");
     object.ignore({"raw", "accel"});
     object.report_unused();
+    return grid;
 }
 
 void MediumReader::read_phase(Object& object, Medium& medium) {

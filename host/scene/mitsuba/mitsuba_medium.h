@@ -27,7 +27,10 @@ class MediumReader {
     void read_coefficients(Object& object, Medium& medium);
     void read_phase(Object& object, Medium& medium);
     [[nodiscard]] glm::vec3 read_volume(Object& object, const char* name, const glm::vec3& missing);
-    void read_grid(const Element& volume, Medium& medium);
+    void read_density(const Element& volume, Medium& medium);
+    void read_albedo(Object& object, Medium& medium);
+    /// Reads a gridvolume: its index in Scene::grids and where its unit cube is.
+    [[nodiscard]] int read_grid(Object& object, const Element& volume, glm::dmat4& to_world);
 
     Context& context_;
     Scene& scene_;

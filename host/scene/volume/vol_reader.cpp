@@ -47,9 +47,9 @@ void check_kind(std::span<const std::byte> bytes, const std::string& file) {
         throw input_error(file,
                           fmt::format("voxels of encoding {}, expected 1 (float32)", encoding));
     const std::uint32_t channels = word_at(bytes, channels_offset);
-    if (channels != 1)
-        throw input_error(
-            file, fmt::format("a grid volume of {} channels, expected 1 (density)", channels));
+    if (channels != 1 && channels != 3)
+        throw input_error(file,
+                          fmt::format("a grid volume of {} channels, expected 1 or 3", channels));
 }
 
 GridSize read_size(std::span<const std::byte> bytes, const std::string& file) {
@@ -98,16 +98,21 @@ DensityGrid decode_vol(std::span<const std::byte> bytes, const std::string& file
     check_kind(bytes, file);
     DensityGrid grid;
     grid.size = read_size(bytes, file);
-    const std::size_t count = checked_voxel_count(grid.size, file);
+    grid.channels = word_at(bytes, channels_offset);
+    const std::size_t voxels = checked_voxel_count(grid.size, file);
+    const std::size_t count = voxels * grid.channels;
     const std::size_t held = (bytes.size() - header_bytes) / sizeof(float);
     if (held < count)
-        throw input_error(file, fmt::format("the file holds {} of {} voxels", held, count));
+        throw input_error(
+            file, fmt::format("the file holds {} of {} voxels", held / grid.channels, voxels));
     if (bytes.size() - header_bytes > count * sizeof(float))
         WarningCollector(diagnostics).once(file, "data after the last voxel is ignored");
     grid.placement = read_placement(bytes, file, diagnostics);
     grid.densities.resize(count);
+    // The file has the channels of a voxel beside each other.
     for (std::size_t i = 0; i < count; ++i)
-        grid.densities[i] = float_at(bytes, header_bytes + i * sizeof(float));
+        grid.densities[i % grid.channels * voxels + i / grid.channels] =
+            float_at(bytes, header_bytes + i * sizeof(float));
     validate_density_grid(grid, file);
     return grid;
 }

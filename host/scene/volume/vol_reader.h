@@ -16,7 +16,8 @@ namespace weft {
 /// Whether the bytes of a file begin as those of a Mitsuba grid volume do.
 [[nodiscard]] bool is_vol(std::span<const std::byte> bytes);
 
-/// Reads a Mitsuba grid volume (`.vol`, version 3, float32, one channel) into a valid grid, which
+/// Reads a Mitsuba grid volume (`.vol`, version 3, float32, one or three
+/// channels) into a valid grid, which
 /// its bounding box places. An invalid bounding box counts as the unit cube, with a warning, since
 /// it seldom matters. Bytes behind the voxels are ignored with a warning. `file` names the file in
 /// errors (exit code 2).

@@ -134,7 +134,8 @@ TEST(MitsubaMedia, RefusesBrokenGrids) {
     folder.folder().write("grids/nan.vol", vol_file({2, 1, 2}, {0, 1, 2, nan}));
     folder.folder().write("grids/huge.vol", vol_header({65535, 65535, 65535}));
     folder.folder().write("grids/short.vol", vol_file({2, 2, 2}, {1, 1, 1}));
-    folder.folder().write("grids/colour.vol", vol_header({1, 1, 1}, 3));
+    folder.folder().write("grids/two.vol", vol_header({1, 1, 1}, 2));
+    folder.folder().write("grids/bright.vol", vol_file({1, 1, 1}, {1.5F}));
     folder.folder().write("grids/text.vol", "density");
     EXPECT_EQ(folder.error(smoke("none.vol")),
               "s.xml:2: file 'grids/none.vol' is missing, expected a grid volume");
@@ -142,17 +143,39 @@ TEST(MitsubaMedia, RefusesBrokenGrids) {
               "grids/nan.vol: voxel (1, 0, 1) is nan, expected a finite density of at least 0");
     EXPECT_EQ(folder.error(smoke("huge.vol")).rfind("grids/huge.vol: a grid of 65535 x", 0), 0U);
     EXPECT_EQ(folder.error(smoke("short.vol")), "grids/short.vol: the file holds 3 of 8 voxels");
-    EXPECT_EQ(folder.error(smoke("colour.vol")),
-              "grids/colour.vol: a grid volume of 3 channels, expected 1 (density)");
+    EXPECT_EQ(folder.error(smoke("two.vol")),
+              "grids/two.vol: a grid volume of 2 channels, expected 1 or 3");
     EXPECT_EQ(folder.error(smoke("text.vol")).rfind("grids/text.vol: not a density grid", 0), 0U);
     EXPECT_EQ(folder.error(smoke("../s.xml")).rfind("s.xml:2: reference ", 0), 0U);
-    const std::string albedo =
-        folder.error(cube("<bsdf type=\"null\"/>\n<medium name=\"interior\" type=\"heterogeneous\">"
-                          "<volume name=\"sigma_t\" type=\"constvolume\"/>\n"
-                          "<volume name=\"albedo\" type=\"gridvolume\"/></medium>"));
-    EXPECT_EQ(albedo,
-              "s.xml:4: a grid for 'albedo', expected a constant: only the sigma_t of "
-              "heterogeneous media may vary");
+    const auto albedo = [&](const std::string& type) {
+        return folder.error(
+            cube("<bsdf type=\"null\"/>\n<medium name=\"interior\" type=\"" + type +
+                 "\"><volume name=\"sigma_t\" type=\"constvolume\"/>\n<volume name=\"albedo\" "
+                 "type=\"gridvolume\"><string name=\"filename\" value=\"grids/bright.vol\"/>"
+                 "</volume></medium>"));
+    };
+    EXPECT_EQ(albedo("homogeneous"),
+              "s.xml:4: a grid for 'albedo', expected a constant: only the sigma_t and the albedo "
+              "of heterogeneous media may vary");
+    EXPECT_EQ(albedo("heterogeneous"), "s.xml:4: medium albedo above 1, expected 0 to 1");
+}
+
+TEST(MitsubaMedia, AlbedosAndColoursMayHaveGrids) {
+    MitsubaFolder folder;
+    folder.folder().write("grids/rgb.vol", vol_file({1, 1, 1}, {1, 2, 3}, {0, 0, 0, 1, 1, 1}, 3));
+    folder.folder().write("grids/white.vol", vol_file({1, 1, 2}, {1, 0.5F}));
+    const Scene scene = folder.read(
+        cube("<bsdf type=\"null\"/><medium name=\"interior\" type=\"heterogeneous\">"
+             "<volume name=\"sigma_t\" type=\"gridvolume\"><string name=\"filename\" "
+             "value=\"grids/rgb.vol\"/></volume><volume name=\"albedo\" type=\"gridvolume\">"
+             "<string name=\"filename\" value=\"grids/white.vol\"/><transform name=\"to_world\">"
+             "<scale value=\"3\"/></transform></volume></medium>"));
+    EXPECT_TRUE(folder.warnings().empty());
+    const Medium& medium = scene.media.at(0);
+    ASSERT_EQ(scene.grids.size(), 2U);
+    EXPECT_EQ(scene.grids.at(static_cast<std::size_t>(medium.grid)).channels, 3U);
+    EXPECT_EQ(scene.grids.at(static_cast<std::size_t>(medium.albedo_grid)).channels, 1U);
+    EXPECT_EQ(medium.albedo_to_world[1][1], 3.0);
 }
 
 TEST(MitsubaMedia, MediaBehindOpaqueSurfacesAreNamed) {

@@ -70,6 +70,15 @@ TEST(VolReader, ABoundingBoxThatIsNoneCountsAsTheUnitCube) {
     }
 }
 
+TEST(VolReader, ThreeChannelsFollowOneAnother) {
+    const DensityGrid grid = decode(vol_file({2, 1, 1}, {1, 2, 3, 4, 5, 6}, {0, 0, 0, 1, 1, 1}, 3));
+    EXPECT_EQ(grid.channels, 3U);
+    EXPECT_EQ(grid.densities, (std::vector<float>{1, 4, 2, 5, 3, 6}));
+    EXPECT_EQ(greatest_density(grid), 6.0F);
+    EXPECT_EQ(mean_density(grid), glm::dvec3(2.5, 3.5, 4.5));
+    EXPECT_EQ(greatest_channels(grid).densities, (std::vector<float>{3, 6}));
+}
+
 TEST(VolReader, TakesAnEmptyGrid) {
     for (const std::array<std::uint32_t, 3>& size :
          {std::array<std::uint32_t, 3>{0, 0, 0}, {5, 0, 5}, {2147483647, 2147483647, 0}})
@@ -94,10 +103,12 @@ TEST(VolReader, RefusesOtherFiles) {
     std::string encoding = vol_file({1, 1, 1}, {1});
     encoding[4] = 3;
     EXPECT_EQ(error_of(encoding), "smoke.vol: voxels of encoding 3, expected 1 (float32)");
-    EXPECT_EQ(error_of(vol_header({1, 1, 1}, 3) + std::string(12, '\0')),
-              "smoke.vol: a grid volume of 3 channels, expected 1 (density)");
+    EXPECT_EQ(error_of(vol_header({1, 1, 1}, 2) + std::string(8, '\0')),
+              "smoke.vol: a grid volume of 2 channels, expected 1 or 3");
     EXPECT_EQ(error_of(vol_header({1, 1, 1}, 0)),
-              "smoke.vol: a grid volume of 0 channels, expected 1 (density)");
+              "smoke.vol: a grid volume of 0 channels, expected 1 or 3");
+    EXPECT_EQ(error_of(vol_header({2, 1, 1}, 3) + std::string(20, '\0')),
+              "smoke.vol: the file holds 1 of 2 voxels");
 }
 
 TEST(VolReader, RefusesSizesThatTheFileDoesNotHold) {
