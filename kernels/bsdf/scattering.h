@@ -18,6 +18,7 @@ typedef struct {
     uint model;          // SURFACE_*
     uint sides;          // SCATTERS_*; 0 where all is smooth
     SurfaceFrame frame;  // of the facets
+    float3 outside;      // geometric normal on the viewer's side
     float3 v;            // direction of the viewer in that frame
     float3 albedo;       // diffuse colour and what facets reflect, for layers of the image
     float coverage;      // share of the light that meets the surface at all
@@ -141,31 +142,6 @@ static inline LayeredMaterial layered_at(const SurfaceLookup* look, const Surfac
     return material;
 }
 
-/// A Lambertian surface as a layered material.
-static inline LayeredMaterial lambertian_layers(const Surface* surface, const SurfaceFrame* frame) {
-    LayeredMaterial material;
-    float3 black = f3(0.0f, 0.0f, 0.0f);
-    material.flags = 0u;
-    material.metallic = 0.0f;
-    material.transmission = 0.0f;
-    material.base = surface->bsdf.albedo;
-    material.f0 = black;
-    material.f90 = 0.0f;
-    material.facets = make_facets(1.0f, 1.0f, 0u);
-    material.sheet = material.facets;
-    material.ratio.eta = 1.0f;
-    material.ratio.step = 0.0f;
-    material.glass_albedo = 1.0f;
-    material.eta = black;
-    material.k = black;
-    material.coat = 0.0f;
-    material.coat_facets = material.facets;
-    material.coat_normal = f3(0.0f, 0.0f, 1.0f);
-    material.diffuse_normal = into_frame(frame, surface->shading);
-    material.geometric_normal = into_frame(frame, surface->normal);
-    return material;
-}
-
 static inline uint sides_of_layers(const LayeredBsdf* bsdf) {
     uint sides = bsdf->p_diffuse > 0.0f ? SCATTERS_ABOVE : 0u;
     if (bsdf->p_coat > 0.0f && !facets_are_smooth(bsdf->coat_facets)) sides |= SCATTERS_ABOVE;
@@ -231,6 +207,7 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     look.at.v = hit.v;
     look.at.footprint = footprint;
     found.model = record.model;
+    found.outside = surface->normal;
     found.coverage = HAS(params, FEATURE_SEE_THROUGH) ? coverage_at(&look) : 1.0f;
     float gaps = 1.0f - found.coverage;
     found.straight = f3(gaps, gaps, gaps);
@@ -243,13 +220,10 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
         coat_normal = mapped_normal(geometry, tables, &record, MAP_COAT_NORMAL, &look.at,
                                     record.coat_normal_scale, surface->shading, surface->front);
     if (record.model == SURFACE_LAMBERT) {
-        found.frame =
-            frame_about(bent_normal(viewer, at.shading, surface->normal), f3(0.0f, 0.0f, 0.0f));
+        found.frame = frame_about(at.shading, f3(0.0f, 0.0f, 0.0f));
         found.v = into_frame(&found.frame, viewer);
-        LayeredMaterial diffuse = lambertian_layers(surface, &found.frame);
-        found.layered = make_layered(&diffuse, found.v);
-        found.sides = sides_of_layers(&found.layered);
-        found.albedo = found.layered.albedo;
+        found.albedo = surface->bsdf.albedo;
+        found.sides = max_component(found.albedo) > 0.0f ? SCATTERS_ABOVE : 0u;
         return found;
     }
     float along, across;
@@ -289,21 +263,40 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
 /// Value times cosine and pdf for light from `in`, a unit vector in the world.
 static inline LayeredValue scattering_value(const SurfaceScattering* scattering, float3 in) {
     float3 l = into_frame(&scattering->frame, in);
+    if (scattering->model != SURFACE_LAMBERT && scattering->model != SURFACE_PLASTIC)
+        return layered_eval(&scattering->layered, scattering->v, l);
+    LayeredValue value;
+    value.value = f3(0.0f, 0.0f, 0.0f);
+    value.pdf = 0.0f;
+    // What does not let light through gets none from behind, whatever its shading normal.
+    if (!(l.z > 0.0f && dot3(in, scattering->outside) > 0.0f)) return value;
     if (scattering->model == SURFACE_PLASTIC) {
-        LayeredValue value;
         value.value = plastic_eval(&scattering->plastic, scattering->v, l, &value.pdf);
-        return value;
+    } else {
+        value.pdf = cosine_pdf(l.z);
+        value.value = scattering->albedo * value.pdf;
     }
-    return layered_eval(&scattering->layered, scattering->v, l);
+    return value;
 }
 
 /// Chooses where light comes from, in the world, by three numbers in [0, 1); see layered_sample.
 static inline BsdfSample scattering_sample(const SurfaceScattering* scattering, float choice,
                                            float u, float w) {
-    BsdfSample sample = scattering->model == SURFACE_PLASTIC
-                            ? plastic_sample(&scattering->plastic, scattering->v, choice, u, w)
-                            : layered_sample(&scattering->layered, scattering->v, choice, u, w);
+    BsdfSample sample;
+    if (scattering->model == SURFACE_LAMBERT) {
+        sample.in = cosine_direction(u, w);
+        sample.weight = scattering->albedo;
+        sample.pdf = cosine_pdf(sample.in.z);
+        sample.flags = BSDF_DIFFUSE | BSDF_REFLECTION;
+    } else if (scattering->model == SURFACE_PLASTIC) {
+        sample = plastic_sample(&scattering->plastic, scattering->v, choice, u, w);
+    } else {
+        sample = layered_sample(&scattering->layered, scattering->v, choice, u, w);
+    }
     sample.in = normalize3(out_of_frame(&scattering->frame, sample.in));
+    if ((scattering->model == SURFACE_LAMBERT || scattering->model == SURFACE_PLASTIC) &&
+        !(dot3(sample.in, scattering->outside) > 0.0f))
+        sample.weight = f3(0.0f, 0.0f, 0.0f);
     return sample;
 }
 

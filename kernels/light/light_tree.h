@@ -35,7 +35,9 @@ typedef struct {
 static inline float light_importance(const LightNode* node, const LitPoint* lit, float least) {
     float3 axis = xyz(node->axis);
     if (node->shape == LIGHT_ALL_AROUND)
-        return node->intensity * m_max(1.0f + dot3(lit->shading, axis), LEAST_FROM_AROUND);
+        return node->intensity * (lit->any_side != 0
+                                      ? 1.0f
+                                      : m_max(1.0f + dot3(lit->shading, axis), LEAST_FROM_AROUND));
     if (node->shape == LIGHT_DISTANT || node->shape == LIGHT_ALL_DISTANT) {
         float cosine =
             node->shape == LIGHT_DISTANT && lit->any_side == 0 ? -dot3(lit->shading, axis) : 1.0f;

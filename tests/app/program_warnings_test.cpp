@@ -21,12 +21,12 @@ using test::RunningProgram;
 using test::shipped_scene;
 using Strings = std::vector<std::string>;
 
-/// A triangle of three materials, all shiny, and one that is transparent besides.
-std::string shiny_scene(const TemporaryFolder& folder) {
-    folder.write("shiny.mtl",
-                 "newmtl a\nKs 1 1 1\nnewmtl b\nKs 1 1 1\nd 0.5\nnewmtl c\nKs 1 1 1\n");
-    return folder.write("shiny.obj",
-                        "mtllib shiny.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+/// A triangle of three materials, all bumpy, and one that has a sheen besides.
+std::string bumpy_scene(const TemporaryFolder& folder) {
+    folder.write("bumpy.mtl",
+                 "newmtl a\nbump b.png\nnewmtl b\nbump b.png\nPs 0.5\nnewmtl c\nbump b.png\n");
+    return folder.write("bumpy.obj",
+                        "mtllib bumpy.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
                         "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
 }
 
@@ -45,41 +45,41 @@ Strings messages(std::string text, const TemporaryFolder& folder) {
     return lines_of(text);
 }
 
-const std::string specular = "weft: warning: 3 materials: specular reflection is not simulated";
-const std::string transparency =
-    "weft: warning: 1 material: transparency is not simulated, surfaces are opaque; at shiny.mtl:5";
+const std::string bumps =
+    "weft: warning: 3 materials: bump and displacement maps are not simulated";
+const std::string sheen = "weft: warning: 1 material: sheen is not simulated; at bumpy.mtl:5";
 
 TEST(ProgramWarnings, ComeWhileRenderingHasNotEnded) {
     const TemporaryFolder folder;
-    RunningProgram program({"render", shiny_scene(folder), "--spp", "10000000", "--size", "64x64",
+    RunningProgram program({"render", bumpy_scene(folder), "--spp", "10000000", "--size", "64x64",
                             "--backend", "embree", "--progress", "none", "-o",
                             folder.path() / "x.png"});
     ASSERT_TRUE(program.wait_for_lines(3));
     const Strings lines = messages(program.err(), folder);
-    EXPECT_EQ(lines[0], specular + "; first: shiny.mtl:2");
-    EXPECT_EQ(lines[1], transparency);
+    EXPECT_EQ(lines[0], bumps + "; first: bumpy.mtl:2");
+    EXPECT_EQ(lines[1], sheen);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "x.png"));
 }
 
 TEST(ProgramWarnings, AreOneLineAKindForInfoAndNoneOfAGoodScene) {
     const TemporaryFolder folder;
-    const ProgramResult info = run_program({"info", shiny_scene(folder)});
+    const ProgramResult info = run_program({"info", bumpy_scene(folder)});
     EXPECT_EQ(info.exit_code, 0);
     const Strings lines = messages(info.err, folder);
     ASSERT_GE(lines.size(), 2U);
-    EXPECT_EQ(lines[0], specular + "; first: shiny.mtl:2");
-    EXPECT_EQ(lines[1], transparency);
+    EXPECT_EQ(lines[0], bumps + "; first: bumpy.mtl:2");
+    EXPECT_EQ(lines[1], sheen);
     EXPECT_EQ(run_program({"info", shipped_scene("cornell-box.gltf")}).err, "");
 }
 
 TEST(ProgramWarnings, NameEveryPlaceWithVerbose) {
     const TemporaryFolder folder;
-    const ProgramResult info = run_program({"info", "--verbose", shiny_scene(folder)});
+    const ProgramResult info = run_program({"info", "--verbose", bumpy_scene(folder)});
     const Strings lines = messages(info.err, folder);
     ASSERT_GE(lines.size(), 5U);
     EXPECT_EQ(Strings(lines.begin(), lines.begin() + 5),
-              (Strings{specular, "weft:   shiny.mtl:2", "weft:   shiny.mtl:4",
-                       "weft:   shiny.mtl:7", transparency}));
+              (Strings{bumps, "weft:   bumpy.mtl:2", "weft:   bumpy.mtl:4", "weft:   bumpy.mtl:7",
+                       sheen}));
 }
 
 TEST(ProgramWarnings, FitIntoALineWhateverTheFolder) {
@@ -87,26 +87,26 @@ TEST(ProgramWarnings, FitIntoALineWhateverTheFolder) {
     std::string deep = "a-folder-with-a-long-name/";
     deep += deep + deep + deep;
     std::filesystem::create_directories(folder.path() / deep);
-    const std::filesystem::path scene = folder.path() / deep / "shiny.obj";
-    (void)shiny_scene(folder);
-    std::filesystem::rename(folder.path() / "shiny.obj", scene);
-    std::filesystem::rename(folder.path() / "shiny.mtl", scene.parent_path() / "shiny.mtl");
+    const std::filesystem::path scene = folder.path() / deep / "bumpy.obj";
+    (void)bumpy_scene(folder);
+    std::filesystem::rename(folder.path() / "bumpy.obj", scene);
+    std::filesystem::rename(folder.path() / "bumpy.mtl", scene.parent_path() / "bumpy.mtl");
     const Strings lines = lines_of(run_program({"info", scene.string()}).err);
     ASSERT_GE(lines.size(), 2U);
     for (const std::string& line : lines) EXPECT_LE(count_characters(line), longest_warning_line);
-    EXPECT_TRUE(lines[0].starts_with(specular + "; first: .../")) << lines[0];
-    EXPECT_TRUE(lines[0].ends_with("/shiny.mtl:2")) << lines[0];
+    EXPECT_TRUE(lines[0].starts_with(bumps + "; first: .../")) << lines[0];
+    EXPECT_TRUE(lines[0].ends_with("/bumpy.mtl:2")) << lines[0];
 }
 
 TEST(ProgramWarnings, PrecedeAnError) {
     const TemporaryFolder folder;
-    const std::string scene = shiny_scene(folder);
+    const std::string scene = bumpy_scene(folder);
     const ProgramResult result = run_program(
         {"render", scene, "--camera", "none", "--progress", "none", "-o", folder.path() / "x.png"});
     EXPECT_EQ(result.exit_code, 1);
     const Strings lines = messages(result.err, folder);
     ASSERT_GE(lines.size(), 3U);
-    EXPECT_EQ(lines[0], specular + "; first: shiny.mtl:2");
+    EXPECT_EQ(lines[0], bumps + "; first: bumpy.mtl:2");
     EXPECT_TRUE(lines.back().starts_with("weft: --camera")) << lines.back();
 }
 

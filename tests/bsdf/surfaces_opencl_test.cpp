@@ -102,14 +102,16 @@ KERNEL_ENTRY void evaluate(GLOBAL const LightRecord* lights,
     put(r + 40, found.towards);
     r[43] = (float)found.distant;
     const ChosenPoint at =
-        point_on_light(&params, &geometry, lights[other], emissive, &image, probability, x[0], x[1]);
+        point_on_light(&params, &geometry, lights[other], emissive, &image, probability, x[0],
+                       x[1]);
     const PlaceLight place = light_at_place(&params, &at, surface.position);
     put(r + 44, place.irradiance);
     put(r + 47, place.direction);
     put(r + 50, place.target);
     r[53] = place.distance;
     r[54] = place.pdf;
-    put(r + 55, environment_radiance(&params, &image, in) * environment_local_direction(x[0], x[1]));
+    put(r + 55,
+        environment_radiance(&params, &image, in) * environment_local_direction(x[0], x[1]));
 }
 )
 // clang-format on

@@ -94,11 +94,11 @@ class GltfBuilder {
     }
 
     /// Reads and validates what was built; warnings go to `diagnostics`.
-    Scene read() {
+    Scene read(MaterialDetail detail = MaterialDetail::full) {
         const TemporaryFolder folder;
         for (const auto& [name, content] : files) folder.write(name, content);
         diagnostics = {};
-        Scene scene = read_gltf(folder.write("scene.gltf", text()), diagnostics);
+        Scene scene = read_gltf(folder.write("scene.gltf", text()), diagnostics, detail);
         validate_scene(scene);
         return scene;
     }

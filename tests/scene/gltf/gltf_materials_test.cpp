@@ -197,13 +197,29 @@ TEST(GltfMaterials, NamesEachUnsimulatedPropertyOnce) {
     builder.json["materials"].push_back(material);
     builder.json["meshes"][0]["primitives"].push_back(builder.primitive());
     builder.json["meshes"][0]["primitives"][1]["material"] = 1;
-    builder.read();
+    builder.read(MaterialDetail::diffuse);
     for (const char* text : {"alphaMode BLEND is not simulated", "normal maps are not simulated",
                              "unlit material is not simulated", "transmission is not simulated",
                              "clear coat is not simulated", "metallic reflection is not simulated",
                              "roughness below 1 is not"})
         EXPECT_TRUE(builder.warned(text)) << text;
     EXPECT_EQ(builder.diagnostics.warnings().size(), 7U) << "occlusion needs no texture";
+    builder.diagnostics = {};
+    builder.read();
+    EXPECT_TRUE(builder.diagnostics.warnings().empty()) << "all is described";
+}
+
+TEST(GltfMaterials, NamesWhatNoAlgorithmRenders) {
+    GltfBuilder builder = textured_triangle();
+    Json& material = builder.json["materials"][0];
+    for (const char* name : {"KHR_materials_sheen", "KHR_materials_iridescence",
+                             "KHR_materials_dispersion", "KHR_materials_diffuse_transmission"})
+        material["extensions"][name] = Json::object();
+    builder.read();
+    for (const char* text :
+         {"sheen is not", "iridescence is not", "dispersion is not", "diffuse transmission is not"})
+        EXPECT_TRUE(builder.warned(text)) << text;
+    EXPECT_EQ(builder.diagnostics.warnings().size(), 4U);
 }
 
 TEST(GltfMaterials, RefusesBrokenTexturesWithTheirPlace) {

@@ -33,7 +33,8 @@ struct Reading {
 
 /// A square with texture coordinates, drawn with material `a`, next to the files given.
 Reading read(const std::map<std::string, std::string>& files,
-             const std::string& head = "mtllib m.mtl\nusemtl a\n") {
+             const std::string& head = "mtllib m.mtl\nusemtl a\n",
+             MaterialDetail detail = MaterialDetail::full) {
     const TemporaryFolder folder;
     for (const auto& [name, text] : files) folder.write(name, text);
     const auto path =
@@ -42,7 +43,7 @@ Reading read(const std::map<std::string, std::string>& files,
                                   "vt 0 1\nf 1/1 2/2 3/3 4/4\n");
     Diagnostics diagnostics;
     Reading reading;
-    reading.scene = read_obj(path, diagnostics);
+    reading.scene = read_obj(path, diagnostics, detail);
     validate_scene(reading.scene);
     const std::string prefix = folder.path().string() + "/";
     for (std::string text : diagnostics.warnings()) {
@@ -89,15 +90,19 @@ TEST(ObjMaterial, RefusesWrongNumbers) {
 }
 
 TEST(ObjMaterial, SaysOnceWhatIsNotSimulated) {
-    const Reading reading =
-        read({{"m.mtl",
-               "newmtl a\nKa 1 1 1\nNs 10\nillum 2\nNi 1.5\nd 1\nTr 0\nKs 0 0 0\nKs 0.5 0.5 0.5\n"
-               "map_Ks x.png\nd 0.5\nTr 0.5\nbump b.png\nmap_Bump b.png\nPm 0\nPm 1\nwhat 1\n"}});
-    EXPECT_EQ(reading.warnings,
+    const std::map<std::string, std::string> files{
+        {"m.mtl",
+         "newmtl a\nKa 1 1 1\nNs 10\nillum 2\nNi 1.5\nd 1\nTr 0\nKs 0 0 0\nKs 0.5 0.5 0.5\n"
+         "map_Ks x.png\nd 0.5\nTr 0.5\nbump b.png\nmap_Bump b.png\nPm 0\nPm 1\nwhat 1\n"}};
+    EXPECT_EQ(read(files).warnings,
+              (std::vector<std::string>{
+                  "1 material: bump and displacement maps are not simulated; at m.mtl:13",
+                  "m.mtl:17: statement 'what' is not known, ignored"}));
+    EXPECT_EQ(read(files, "mtllib m.mtl\nusemtl a\n", MaterialDetail::diffuse).warnings,
               (std::vector<std::string>{
                   "1 material: specular reflection is not simulated; at m.mtl:9",
                   "1 material: transparency is not simulated, surfaces are opaque; at m.mtl:11",
-                  "1 material: bump, normal and displacement maps are not simulated; at m.mtl:13",
+                  "1 material: bump and displacement maps are not simulated; at m.mtl:13",
                   "1 material: metals are not simulated, a diffuse surface is rendered instead; at "
                   "m.mtl:16",
                   "m.mtl:17: statement 'what' is not known, ignored"}));
