@@ -6,6 +6,11 @@
 # them for the choice at run time, generated/native_kernels.def includes the kernels.
 include(CheckCXXCompilerFlag)
 
+# A build that is not made for speed compiles faster with less.
+set(WEFT_NATIVE_OPTIMIZATION
+    -O3
+    CACHE STRING "Optimization of native kernels")
+
 # weft_native_variant(<target> <isa> <lanes> [compiler flags...])
 function(weft_native_variant target isa lanes)
   set(variant "weft_native_${isa}_${lanes}")
@@ -18,7 +23,7 @@ function(weft_native_variant target isa lanes)
                        WEFT_NATIVE_TABLE=weft_native_table_${isa}_${lanes})
   target_compile_options(${variant} PRIVATE ${ARGN})
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
-    target_compile_options(${variant} PRIVATE -O3)
+    target_compile_options(${variant} PRIVATE ${WEFT_NATIVE_OPTIMIZATION})
   endif()
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${variant}>)
   set_property(GLOBAL APPEND PROPERTY WEFT_NATIVE_OBJECTS $<TARGET_OBJECTS:${variant}>)
