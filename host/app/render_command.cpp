@@ -323,6 +323,7 @@ Camera camera_of_frame(const Scene& scene, const Camera& camera, const RenderOpt
 /// Reads the scene and its edits. Things move only where --frames is given.
 MovingScene read_moving_scene(const RenderOptions& options, Diagnostics& diagnostics) {
     Scene scene = load_scene(options.scene, diagnostics, options.reading);
+    if (!is_reference(options.algorithm)) empty_surfaces(scene);
     EditTimeline edits;
     if (!options.frames) hold_still(scene);
     if (options.edits) edits = read_scene_edits(*options.edits, scene);

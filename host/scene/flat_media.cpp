@@ -335,6 +335,11 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
     return media;
 }
 
+void empty_surfaces(Scene& scene) {
+    std::erase_if(scene.medium_boundaries,
+                  [](const MediumBoundary& boundary) { return boundary.surface >= 0; });
+}
+
 std::uint32_t boundaries_around(const FlatMedia& media, const glm::dvec3& point) {
     std::array<double, MAX_MEDIUM_BOUNDARIES> angles{};
     for (const shared::Triangle& t : media.triangles) {

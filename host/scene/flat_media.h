@@ -14,6 +14,7 @@
 namespace weft {
 
 struct KernelUnits;
+struct Scene;
 
 /// Participating media as kernels read them (kernels/media/medium_walk.h), in kernel units. Empty
 /// where no medium of the scene absorbs, scatters or emits light.
@@ -52,6 +53,10 @@ struct FlatMedia {
 /// boundaries than kernels can tell apart, and for a medium without end, grid or extinction that
 /// emits.
 [[nodiscard]] FlatMedia flatten_media(const Scene& scene, const KernelUnits& units);
+
+/// Removes the boundaries of media that are surfaces too: where those are rendered as diffuse,
+/// nothing is seen of what they enclose.
+void empty_surfaces(Scene& scene);
 
 /// The boundaries that enclose a point (kernel units), a bit each: those about which their
 /// triangles wind by more than half.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <string>
 

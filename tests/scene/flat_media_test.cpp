@@ -42,6 +42,23 @@ void place(Scene& scene, double size, const glm::dvec3& move, int interior, int 
     scene.medium_boundaries.push_back({mesh, test::placement(size, move), interior, exterior});
 }
 
+TEST(FlatMedia, SurfacesThatAreBoundariesKnowWhichAndMayBeEmptied) {
+    Scene scene = scene_of(2);
+    scene.materials.emplace_back();
+    place(scene, 2.0, {0, 0, 0}, 0);
+    place(scene, 1.0, {0, 0, 0}, 1);
+    scene.instances.push_back({"glass", 0, 0, test::placement(2.0, {0, 0, 0})});
+    scene.medium_boundaries[0].surface = 0;
+    const FlatMedia media = flatten_media(scene, {});
+    ASSERT_EQ(media.surfaces.size(), 1U);
+    EXPECT_EQ(media.surfaces[0].instance, 0U);
+    EXPECT_EQ(media.surfaces[0].number, 1U) << "the larger one";
+    EXPECT_FALSE(media.surfaces[0].inwards);
+    empty_surfaces(scene);
+    ASSERT_EQ(scene.medium_boundaries.size(), 1U);
+    EXPECT_EQ(scene.medium_boundaries[0].interior, 1);
+}
+
 TEST(FlatMedia, NothingWhereMediaAreClearOrUnused) {
     Scene scene = scene_of(1);
     EXPECT_FALSE(flatten(scene).media.present());
