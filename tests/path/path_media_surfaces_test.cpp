@@ -160,10 +160,13 @@ SceneBuilder white_things(bool grid) {
     if (grid)
         test::add_grid(builder.scene, 0,
                        make_grid({3, 4, 3}, [](auto i, auto, auto) { return i == 1 ? 1.0 : 0.4; }));
-    add_filled(builder, test::icosphere(2, true), glass(), test::placement(0.5, {-0.6, 0, 0}), 0);
+    add_filled(builder, test::icosphere(2, false), glass(), test::placement(0.5, {-0.6, 0, 0}), 0);
+    // A mesh with normals inwards that the instance turns outwards, as readers make of it.
     add_filled(builder, test::icosphere(2, true), glass(0.3F), test::placement(0.4, {0.5, 0.3, 0}),
-               0);
-    builder.add(test::icosphere(2, true), add_surface(builder, metal()),
+               -1);
+    builder.scene.instances.back().flip_normals = true;
+    builder.scene.medium_boundaries.back().exterior = 0;
+    builder.add(test::icosphere(2, false), add_surface(builder, metal()),
                 test::placement(0.3, {0.5, -0.5, 0.2}));
     add_boundary(builder.scene, cube_mesh(), test::placement(1.5, {0, 0, 0}), 1);
     return builder;
