@@ -304,6 +304,18 @@ def surfaces():
     return b
 
 
+def image_light():
+    """A cube of light from all around."""
+    b = Builder()
+    b.mesh()
+    b.json["images"] = [{"bufferView": b.view(png(2, 2, 6)), "mimeType": "image/png"}]
+    b.json["extensions"] = {"EXT_lights_image_based": {"lights": [
+        {"name": "sky", "intensity": 2, "rotation": [0, 1, 0, 1], "specularImageSize": 2,
+         "specularImages": [[0, 0, 0, 0, 0, 0]], "irradianceCoefficients": [[1, 1, 1]] * 9}]}}
+    b.json["scenes"][0]["extensions"] = {"EXT_lights_image_based": {"light": 0}}
+    return b
+
+
 def media():
     b = Builder()
     b.json["materials"] = [{"extensions": {
@@ -335,6 +347,7 @@ def files():
             "modes": modes(), "nodes": nodes(), "animation": animation(),
             "skin": skin(), "morph": morph(),
             "materials": materials(), "surfaces": surfaces(), "media": media(),
+            "image_light": image_light(),
             "outside": outside()}
     out = {name + ".gltf": builder.gltf() for name, builder in made.items()}
     binary = ("attributes", "sparse", "nodes", "animation", "skin", "morph", "surfaces")

@@ -14,7 +14,8 @@ namespace weft {
 namespace {
 
 /// Read in full, or named by a warning of their own where a material uses them.
-constexpr std::array<std::string_view, 20> understood = {
+constexpr std::array<std::string_view, 21> understood = {
+    "EXT_lights_image_based",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

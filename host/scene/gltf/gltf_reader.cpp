@@ -16,6 +16,7 @@
 #include "scene/gltf/gltf_data.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_extensions.h"
+#include "scene/gltf/gltf_image_light.h"
 #include "scene/gltf/gltf_influences.h"
 #include "scene/gltf/gltf_lights.h"
 #include "scene/gltf/gltf_materials.h"
@@ -60,6 +61,7 @@ class GltfReader {
             scene_.outer_medium = static_cast<int>(scene_.media.size());
             scene_.media.push_back(*std::move(fog));
         }
+        scene_.environment = read_gltf_image_light(root_, textures_);
         return std::move(scene_);
     }
 

@@ -80,6 +80,10 @@ Texture GltfTextures::decode(std::size_t image) {
     return texture;
 }
 
+Texture GltfTextures::image(const JsonValue& reference) {
+    return decode(reference.as_index(root_.size_of("images"), "images"));
+}
+
 std::optional<int> GltfTextures::add(const JsonValue& reference, const GltfTextureUse& use) {
     const std::size_t index = reference.as_index(root_.size_of("textures"), "textures");
     const JsonValue value = root_.at("textures").element(index);

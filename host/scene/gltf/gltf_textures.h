@@ -34,6 +34,10 @@ class GltfTextures {
     [[nodiscard]] std::optional<int> add(const JsonValue& reference,
                                          const GltfTextureUse& use = {});
 
+    /// The image whose index `reference` holds, which is no texture of the scene: decoded anew each
+    /// time. Throws Error (exit code 2).
+    [[nodiscard]] Texture image(const JsonValue& reference);
+
   private:
     [[nodiscard]] std::optional<std::size_t> image_of(const JsonValue& texture, std::size_t index);
     [[nodiscard]] Texture decode(std::size_t image);
