@@ -15,11 +15,11 @@ import sys
 sys.dont_write_bytecode = True  # a check leaves nothing behind in the source tree
 
 from generator import (  # noqa: E402 (after the line above, on purpose)
-    conference, cornell, desk, deskar, figure, gallery, office, shafts, shirley6, sibenik, smoke,
-    subdivided)
+    bathroom, car_paint, conference, cornell, desk, deskar, figure, gallery, office, shafts,
+    shirley6, sibenik, smoke, still_life, subdivided)
 
 SCENES = (cornell, gallery, shafts, smoke, figure, sibenik, subdivided, desk, deskar, shirley6,
-          office, conference)
+          office, conference, still_life, bathroom, car_paint)
 NAMES = {scene.__name__.rpartition(".")[2]: scene for scene in SCENES}
 
 

@@ -79,6 +79,8 @@ class Document:
         attributes = {"POSITION": self._floats(mesh.positions, "VEC3", bounds=True)}
         if mesh.normals:
             attributes["NORMAL"] = self._floats(mesh.normals, "VEC3")
+        if mesh.tangents:
+            attributes["TANGENT"] = self._floats(mesh.tangents, "VEC4")
         if mesh.uvs:
             attributes["TEXCOORD_0"] = self._floats(mesh.uvs, "VEC2")
         if mesh.colours:
@@ -151,6 +153,20 @@ class Document:
                 "emissiveStrength": round(peak, 6)}
         return self._add("materials", material)
 
+    def add_surface(self, name, colour, metallic=0.0, roughness=0.5, texture=None,
+                    **extensions):
+        """A metallic-roughness material. `extensions` gives the properties of KHR_materials_* by
+        what follows that in their names: `ior={"ior": 1.33}`."""
+        surface = {"baseColorFactor": [*(round(c, 6) for c in colour), 1],
+                   "metallicFactor": metallic, "roughnessFactor": roughness}
+        if texture is not None:
+            surface["baseColorTexture"] = {"index": texture}
+        material = {"name": name, "pbrMetallicRoughness": surface}
+        for extension, properties in sorted(extensions.items()):
+            self._extensions.add("KHR_materials_" + extension)
+            material.setdefault("extensions", {})["KHR_materials_" + extension] = properties
+        return self._add("materials", material)
+
     def _medium(self, scattering, absorption, anisotropy, density):
         """The JSON of WEFT_medium: coefficients per metre, the mean cosine g, a density grid."""
         self._extensions.add("WEFT_medium")
@@ -175,6 +191,26 @@ class Document:
         sampler = self._add("samplers", {"magFilter": 9729, "minFilter": 9987,
                                          "wrapS": wrap, "wrapT": wrap})
         return self._add("textures", {"name": name, "source": image, "sampler": sampler})
+
+    def add_image(self, name, png):
+        """An image within the buffer."""
+        self.binary += bytes(-len(self.binary) % 4)
+        view = self._add("bufferViews", {"buffer": 0, "byteOffset": len(self.binary),
+                                         "byteLength": len(png)})
+        self.binary += png
+        return self._add("images", {"name": name, "bufferView": view, "mimeType": "image/png"})
+
+    def set_image_light(self, name, size, faces, irradiance):
+        """The light from all around: PNG images in RGBD of a cube's faces +x, -x, +y, -y, +z, -z,
+        and nine spherical harmonics of the irradiance."""
+        self._extensions.add("EXT_lights_image_based")
+        images = [self.add_image(f"{name} {axis}", face)
+                  for axis, face in zip(("+x", "-x", "+y", "-y", "+z", "-z"), faces)]
+        self.json.setdefault("extensions", {})["EXT_lights_image_based"] = {"lights": [{
+            "name": name, "irradianceCoefficients": irradiance, "specularImageSize": size,
+            "specularImages": [images]}]}
+        self.json["scenes"][0].setdefault("extensions", {})["EXT_lights_image_based"] = {
+            "light": 0}
 
     def add_node(self, name, **fields):
         node = self._add("nodes", {"name": name, **fields})

@@ -10,9 +10,10 @@ SNAP = 1 << 20  # positions are rounded to 1/SNAP m: the same bytes from any C l
 class Mesh:
     """What a glTF primitive holds. Optional attributes are empty."""
 
-    def __init__(self, positions, triangles, normals=(), uvs=(), colours=()):
+    def __init__(self, positions, triangles, normals=(), uvs=(), colours=(), tangents=()):
         self.positions, self.triangles = positions, triangles
         self.normals, self.uvs, self.colours = normals, uvs, colours
+        self.tangents = tangents
 
 
 def cross(a, b):
@@ -67,10 +68,10 @@ def _corner_normal(unit_normal, neighbours, cos_crease):
     return unit([math.fsum(n[k] for n in near) for k in range(3)])
 
 
-def finish(solids, crease_degrees=35.0, uv=None, colour=None):
-    """A mesh of solids, smooth across edges flatter than the crease. `uv` and `colour` are
-    functions of position and normal."""
-    mesh = Mesh([], [], [], [], [])
+def finish(solids, crease_degrees=35.0, uv=None, colour=None, tangent=None):
+    """A mesh of solids, smooth across edges flatter than the crease. `uv`, `colour` and `tangent`
+    (x, y, z, handedness) are functions of position and normal."""
+    mesh = Mesh([], [], [], [], [], [])
     cos_crease = math.cos(math.radians(crease_degrees))
     for positions, triangles in map(snapped, solids):
         around = [[] for _ in positions]
@@ -94,6 +95,8 @@ def finish(solids, crease_degrees=35.0, uv=None, colour=None):
                         mesh.uvs.append(uv(positions[i], normal))
                     if colour:
                         mesh.colours.append(colour(positions[i], normal))
+                    if tangent:
+                        mesh.tangents.append(tangent(positions[i], normal))
                 corners.append(index[key])
             mesh.triangles.append(tuple(corners))
     return mesh

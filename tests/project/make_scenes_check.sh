@@ -17,7 +17,7 @@ python3 "$scenes/make_scenes.py" --check
 # A check that cannot fail would be worthless: spoil a copy and see it refused.
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
-cp "$scenes"/*.gltf "$scenes"/*.bin "$scenes"/*.png "$scenes"/*.vol "$copy"
+cp "$scenes"/*.gltf "$scenes"/*.bin "$scenes"/*.png "$scenes"/*.vol "$scenes"/*.hdr "$copy"
 printf 'X' | dd of="$copy/gallery.bin" bs=1 seek=1000 conv=notrunc 2>/dev/null
 rm "$copy/gallery-tiles.png"
 code=0
