@@ -22,6 +22,7 @@ struct Attributes {
     bool normals = false;
     bool uvs = false;
     bool emission_textures = false;
+    bool surface_textures = false;  ///< of materials that are more than diffuse
     bool colours = false;
     bool one_sided = false;
     bool lobes = false;  ///< other than Lambert's
@@ -37,6 +38,8 @@ Attributes attributes_of(const Scene& scene) {
         found.emission_textures |= material.emission.texture >= 0;
         found.uvs |=
             (!mesh.uvs.empty() && albedo_texture(material) >= 0) || material.emission.texture >= 0;
+        found.surface_textures |=
+            material.description.has_value() && !texture_maps(*material.description).empty();
         found.colours |= !mesh.colours.empty();
         found.one_sided |= !material.two_sided;
         found.lobes |= !is_lambertian(material);
@@ -353,7 +356,7 @@ FlatScene flatten(const Scene& scene) {
     flat.units = kernel_units(scene);
     const Attributes attributes = attributes_of(scene);
     append_instances(scene, attributes, flat);
-    if (attributes.uvs) append_textures(scene, flat);
+    if (attributes.uvs || attributes.surface_textures) append_textures(scene, flat);
     if (attributes.emission_textures) append_emission(scene, flat);
     for (const Material& material : scene.materials)
         flat.materials.push_back(material_record(material, attributes.uvs));

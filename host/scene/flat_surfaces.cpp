@@ -233,16 +233,31 @@ std::optional<shared::InterfaceRecord> inside_of(const Material& material, doubl
     return inside;
 }
 
+// LEAST_ALPHA of kernels/bsdf/microfacet.h: surfaces with less are smooth.
+constexpr float least_alpha = 0x1p-12F;
+
+/// Whether facets may be rough somewhere. Textures only make roughness less, but for scales that
+/// turn the other way.
+bool may_be_rough(const shared::SurfaceRecord& record) {
+    if (record.anisotropy > 0.0F) return true;
+    const float most = std::max(record.roughness_u, record.roughness_v);
+    switch (record.roughness_scale) {
+        case ROUGHNESS_SQUARED:
+            return most * most >= least_alpha;
+        case ROUGHNESS_ALPHA:
+            return most >= least_alpha;
+        default:
+            return true;
+    }
+}
+
 /// Adds the tables of albedos by which rough glass is divided, two for each index: from outside and
 /// from inside.
 void add_glass_tables(FlatSurfaces& surfaces) {
     std::map<float, std::uint32_t> known;
     for (shared::SurfaceRecord& record : surfaces.records) {
-        const bool rough = record.roughness_u > 0.0F || record.roughness_v > 0.0F ||
-                           record.roughness_scale == ROUGHNESS_GLOSS ||
-                           record.roughness_scale == ROUGHNESS_EXPONENT;
-        if (record.model != SURFACE_LAYERED || !(record.transmission > 0.0F) || !rough ||
-            (record.flags & (SURFACE_THIN | SURFACE_SINGLE_SCATTER)) != 0)
+        if (record.model != SURFACE_LAYERED || !(record.transmission > 0.0F) ||
+            !may_be_rough(record) || (record.flags & (SURFACE_THIN | SURFACE_SINGLE_SCATTER)) != 0)
             continue;
         const auto [at, is_new] =
             known.try_emplace(record.eta.x, static_cast<std::uint32_t>(surfaces.values.size()));

@@ -100,6 +100,20 @@ static inline IndexRatio inverse_ratio(IndexRatio ratio, float step) {
     return inverse;
 }
 
+/// Reflectance at normal incidence of a dielectric at `ratio`. The record has it for its own ratio,
+/// with the material's colour; where other glass is around it is as much less or more as by
+/// Fresnel's equations.
+static inline float3 reflectance_at_ratio(const SurfaceRecord* record, IndexRatio ratio,
+                                          float3 f0) {
+    if (ratio.eta == record->eta.x || ratio.eta == 1.0f / record->eta.x) return f0;
+    IndexRatio own;
+    own.eta = record->eta.x;
+    own.step = record->k.x;
+    float of_own = normal_reflectance(own);
+    float here = normal_reflectance(ratio);
+    return of_own > 0.0f ? f0 * (here / of_own) : f3(here, here, here);
+}
+
 /// The layered material of a record, in the frame of its facets. `ratio` is that of the indices
 /// beyond the surface and on the viewer's side.
 static inline LayeredMaterial layered_at(const SurfaceLookup* look, const Surface* surface,
@@ -113,7 +127,8 @@ static inline LayeredMaterial layered_at(const SurfaceLookup* look, const Surfac
     material.metallic = number_at(look, MAP_METALLIC, record->base.w);
     material.transmission = number_at(look, MAP_TRANSMISSION, record->transmission);
     float strength = number_at(look, MAP_SPECULAR, record->specular.w);
-    float3 f0 = colour_at(look, MAP_SPECULAR_COLOUR, xyz(record->specular));
+    float3 f0 = reflectance_at_ratio(record, ratio,
+                                     colour_at(look, MAP_SPECULAR_COLOUR, xyz(record->specular)));
     material.f0 = f3(m_min(f0.x, 1.0f), m_min(f0.y, 1.0f), m_min(f0.z, 1.0f)) * strength;
     material.f90 = strength;
     if ((record->flags & SURFACE_SPECULAR_SCALES) != 0u)
@@ -250,8 +265,10 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
         layered_at(&look, &at, vertex_colour, bent_normal(viewer, coat_normal, surface->normal),
                    &found.frame, found.v, facets, ratio);
     found.layered = make_layered(&material, found.v);
-    if (HAS(params, FEATURE_SEE_THROUGH) && found.layered.p_sheet > 0.0f &&
-        facets_are_smooth(found.layered.sheet)) {
+    // Solid glass of the index around it blocks shadow rays as all solid glass does, so that what
+    // passes it is a sample of a smooth part.
+    if (HAS(params, FEATURE_SEE_THROUGH) && (record.flags & SURFACE_THIN) != 0u &&
+        found.layered.p_sheet > 0.0f && facets_are_smooth(found.layered.sheet)) {
         found.straight += found.layered.sheet_colour * found.coverage;
         drop_sheet(&found.layered);
     }

@@ -44,6 +44,8 @@ static inline float3 mapped_normal(const Geometry* geometry, const SurfaceTables
     float3 colour = map_colour(geometry, tables, record, parameter, at);
     float3 slope = f3(scale * (2.0f * colour.x - 1.0f), scale * (2.0f * colour.y - 1.0f),
                       2.0f * colour.z - 1.0f);
+    // A map without slopes changes no bit.
+    if (slope.x == 0.0f && slope.y == 0.0f && slope.z > 0.0f) return shading;
     float3 normal = tangent * slope.x + bitangent * slope.y + outside * slope.z;
     float square = dot3(normal, normal);
     if (!(square > 0.0f && square < RAY_INFINITY)) return shading;

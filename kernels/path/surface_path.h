@@ -315,23 +315,12 @@ static inline int advance_surface_path(const RenderParams* params, const PathSce
     }
     cross_boundary(tables, surface->instance, surface->front, path, &met.crossing);
     if (met.crossing.absent != 0) {
+        // Shadow rays do not know which boundaries are absent, so that what lies behind one is
+        // found by scattered rays alone.
+        ray->kind = RAY_OF_CAMERA;
         enclose_path(tables, met.crossing.beyond, path);
         pass_surface(params, surface, hit.t, met.crossing.media_beyond, path);
         return 1;
-    }
-    if (record.model == SURFACE_UNLIT) {
-        meet_emission(params, world, path, surface, hit.t, sample);
-        SurfacePoint at = {facet.triangle, hit.u, hit.v, footprint};
-        float3 colour = mapped_colour(geometry, tables, &record, MAP_BASE, &at, xyz(record.base));
-        if (ray->bounce == 0u) add_met(params, ray, colour, sample);
-        if (first != 0) sample->albedo = colour;
-        return 0;
-    }
-    // The back of a one-sided material is black, but for what it emits.
-    if (surface->front == 0 && met.crossing.solid == 0 && (record.flags & SURFACE_THIN) == 0u &&
-        HAS(params, FEATURE_ONE_SIDED) && (facet.material.flags & MATERIAL_TWO_SIDED) == 0u) {
-        meet_emission(params, world, path, surface, hit.t, sample);
-        return 0;
     }
     met.scattering = scattering_at(params, geometry, tables, surface, hit, footprint, viewer,
                                    met.crossing.ratio);
@@ -346,7 +335,17 @@ static inline int advance_surface_path(const RenderParams* params, const PathSce
         ray->throughput = ray->throughput * (met.scattering.coverage / (1.0f - chance));
     }
     meet_emission(params, world, path, surface, hit.t, sample);
+    // The back of a one-sided material is black, but for what it emits.
+    int black = surface->front == 0 && met.crossing.solid == 0 &&
+                        (record.flags & SURFACE_THIN) == 0u && HAS(params, FEATURE_ONE_SIDED) &&
+                        (facet.material.flags & MATERIAL_TWO_SIDED) == 0u
+                    ? 1
+                    : 0;
+    int unlit = record.model == SURFACE_UNLIT ? 1 : 0;
+    if (black != 0) met.scattering.albedo = f3(0.0f, 0.0f, 0.0f);
     if (first != 0) show_surface(&met, depth, sample);
+    if (unlit != 0 && ray->bounce == 0u) add_met(params, ray, met.scattering.albedo, sample);
+    if (black != 0 || unlit != 0) return 0;
     // As many scatterings as are wanted, or light that is not.
     if (path_length(path) >= params->sampling.most_bounces) return 0;
     if (!HAS(params, FEATURE_INDIRECT) && ray->bounce > 0u) return 0;
