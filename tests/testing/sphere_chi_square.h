@@ -125,12 +125,12 @@ struct SphereComparison {
     double missing;   ///< found share of rejected samples
 };
 
-/// Compares `count` samples in 70 rows of equal height with 140 cells each. Those with fewer than 5
-/// expected samples are counted together.
+/// Compares `count` samples in rows of equal height with twice as many cells each. Those with fewer
+/// than 5 expected samples are counted together.
 inline SphereComparison compare_on_sphere(const SpherePdf& pdf, const std::vector<PdfPeak>& peaks,
-                                          const SphereSampler& sample, std::size_t count) {
-    constexpr std::size_t rows = 70;
-    constexpr std::size_t columns = 140;
+                                          const SphereSampler& sample, std::size_t count,
+                                          std::size_t rows = 70) {
+    const std::size_t columns = 2 * rows;
     struct Bin {
         double expected = 0.0;
         double found = 0.0;
@@ -141,10 +141,10 @@ inline SphereComparison compare_on_sphere(const SpherePdf& pdf, const std::vecto
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < columns; ++column) {
             const auto theta = [&](std::size_t i) {
-                return std::acos(1.0 - 2.0 * static_cast<double>(i) / rows);
+                return std::acos(1.0 - 2.0 * static_cast<double>(i) / static_cast<double>(rows));
             };
             const auto phi = [&](std::size_t i) {
-                return (2.0 * static_cast<double>(i) / columns - 1.0) * std::numbers::pi;
+                return (2.0 * static_cast<double>(i) / static_cast<double>(columns) - 1.0) * std::numbers::pi;
             };
             const double share =
                 integral.over(theta(row), theta(row + 1), phi(column), phi(column + 1));
@@ -158,8 +158,8 @@ inline SphereComparison compare_on_sphere(const SpherePdf& pdf, const std::vecto
             bins.back().found += 1.0;
             continue;
         }
-        const auto row = static_cast<std::size_t>(std::max(0.0, (1.0 - in->z) / 2.0 * rows));
-        const auto column = static_cast<std::size_t>(selftest::turn(in->x, in->y) * columns);
+        const auto row = static_cast<std::size_t>(std::max(0.0, (1.0 - in->z) / 2.0 * static_cast<double>(rows)));
+        const auto column = static_cast<std::size_t>(selftest::turn(in->x, in->y) * static_cast<double>(columns));
         bins[std::min(row, rows - 1) * columns + std::min(column, columns - 1)].found += 1.0;
     }
     result.missing = bins.back().found / static_cast<double>(count);
