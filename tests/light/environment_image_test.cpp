@@ -132,6 +132,7 @@ TEST(EnvironmentImage, OverAPoleComesTheOtherSide) {
     // Near the pole each way across is smooth: the values a little to both sides of it are alike.
     const EnvironmentImage image = rough_images()[6];
     ASSERT_EQ(image.width, 8U);
+    ASSERT_FALSE(image.rows_at_poles);
     const NativeImage made(image);
     for (const double u : {0.03, 0.2, 0.4})
         for (const double pole : {0.0, 1.0}) {

@@ -89,11 +89,10 @@ inline glm::dvec3 radiance_from(const EnvironmentImage& image, const glm::dvec3&
         for (std::uint32_t column = 0; column < image.width; ++column) {
             double weight = across(column) * tent(y - row);
             if (!image.rows_at_poles) {
-                // What lies over a pole is the same row on the other side. Half of an odd width
-                // lies between two texels, whose mean is taken.
-                const double half = std::floor(0.5 * width);
-                const double other =
-                    0.5 * across(column - half) + 0.5 * across(column - (width - half));
+                // What lies over a pole is the same row on the other side; half of an odd width lies
+                // between two texels.
+                const double other = 0.5 * (across(column + std::floor(0.5 * width)) +
+                                            across(column + std::ceil(0.5 * width)));
                 if (row == 0) weight += other * tent(y + 1.0);
                 if (row + 1 == image.height) weight += other * tent(y - image.height);
             }
