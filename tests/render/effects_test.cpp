@@ -9,9 +9,12 @@
 
 #include "components/component.h"
 #include "device/executor.h"
+#include "render/path_renderer.h"
 #include "tests/testing/counting_executor.h"
+#include "tests/testing/gltf_builder.h"
 #include "tests/testing/media_builder.h"
 #include "tests/testing/render_fixture.h"
+#include "tests/testing/surface_scenes.h"
 
 // A frame does what its scene needs, and nothing else: for each scene the kernels that its plan
 // builds, the stages that a frame runs, and the rays that components trace are written out here. A
@@ -287,6 +290,93 @@ TEST(Effects, AComponentThatIsAskedForLeavesTheOthersAlone) {
                                              without_requested(with.rendering.image)),
                       0U);
         }
+    }
+}
+
+/// The same of path tracing.
+Deeds path_deeds_of(const FlatScene& flat) {
+    test::CountingExecutor executor(test::make_executor(test::TestBackend::own_bvh));
+    PathSettings how;
+    how.width = how.height = 8;
+    how.samples = {0, 2};
+    PathRenderer renderer(executor, flat, test::look_at({0.1, 0.05, 0.9}, {0.0, 0.0, 0.0}, 1.2),
+                          how, {});
+    while (renderer.render_frame({})) continue;
+    return {executor.kernels(),
+            executor.features(),
+            executor.runs(),
+            executor.allocations(),
+            executor.allocated_bytes(),
+            {renderer.image(), renderer.stats(), renderer.plan()}};
+}
+
+constexpr std::uint32_t material_features = FEATURE_MATERIALS | FEATURE_SEE_THROUGH;
+
+TEST(Effects, PathsOfDiffuseScenesKnowNoMaterials) {
+    for (const Case& of : cases()) {
+        const Deeds deeds = path_deeds_of(flat_scene(of.contents));
+        EXPECT_EQ(deeds.kernels, std::vector<std::string>{of.contents.fog ? "path_media" : "path"})
+            << of.name;
+        for (const std::uint32_t features : deeds.features)
+            EXPECT_EQ(features & material_features, 0U) << of.name;
+        for (const auto& [what, bytes] : deeds.allocations) {
+            EXPECT_EQ(what.find("surface"), std::string::npos) << of.name << ": " << what;
+            EXPECT_NE(what, "tables of albedos");
+        }
+    }
+}
+
+/// A square of a glTF material in the room with an area light.
+FlatScene room_with(const nlohmann::json& material, MaterialDetail detail) {
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.json["materials"] = {material};
+    builder.primitive()["material"] = 0;
+    const TemporaryFolder folder;
+    Diagnostics diagnostics;
+    Scene scene = read_gltf(folder.write("scene.gltf", builder.text()), diagnostics, detail);
+    SceneBuilder room;
+    room.scene = std::move(scene);
+    room.add(test::room_mesh(), room.material(glm::vec3(0.6F)));
+    room.add(test::quad_mesh({-0.2F, 0.9F, -0.2F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.4F}),
+             room.material(glm::vec3(0.0F), glm::vec3(5.0F)));
+    validate_scene(room.scene);
+    return flatten(room.scene);
+}
+
+void expect_same_deeds(const Deeds& a, const Deeds& b) {
+    EXPECT_EQ(a.kernels, b.kernels);
+    EXPECT_EQ(a.features, b.features);
+    EXPECT_EQ(a.runs, b.runs);
+    EXPECT_EQ(a.allocations, b.allocations);
+    EXPECT_EQ(a.bytes, b.bytes);
+    EXPECT_EQ(rays_of(a.rendering), rays_of(b.rendering));
+    EXPECT_EQ(test::differing_values(a.rendering.image, b.rendering.image), 0U);
+}
+
+TEST(Effects, MaterialsThatAreReadAsDiffuseDoWhatDiffuseOnesDo) {
+    const nlohmann::json colour = {0.8, 0.5, 0.2, 1.0};
+    const nlohmann::json lambert = {
+        {"pbrMetallicRoughness",
+         {{"baseColorFactor", colour}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}},
+        {"extensions", {{"KHR_materials_specular", {{"specularFactor", 0.0}}}}}};
+    const nlohmann::json metal = {
+        {"pbrMetallicRoughness", {{"baseColorFactor", colour}, {"roughnessFactor", 0.1}}}};
+    const nlohmann::json glass = {
+        {"pbrMetallicRoughness", {{"baseColorFactor", colour}, {"metallicFactor", 0.0}}},
+        {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1.0}}}}}};
+    const FlatScene replaced = room_with(lambert, MaterialDetail::full);
+    const Deeds path = path_deeds_of(replaced);
+    const Deeds preview = deeds_of(replaced, settings());
+    EXPECT_EQ(path.kernels, std::vector<std::string>{"path"});
+    for (const nlohmann::json& material : {metal, glass}) {
+        const FlatScene diffuse = room_with(material, MaterialDetail::diffuse);
+        expect_same_deeds(path_deeds_of(diffuse), path);
+        expect_same_deeds(deeds_of(diffuse, settings()), preview);
+        // Read in full they call for more, or this would compare nothing.
+        const Deeds full = path_deeds_of(room_with(material, MaterialDetail::full));
+        EXPECT_EQ(full.kernels, std::vector<std::string>{"path_surfaces"});
+        EXPECT_NE(full.features, path.features);
+        EXPECT_GT(test::differing_values(full.rendering.image, path.rendering.image), 0U);
     }
 }
 
