@@ -27,6 +27,7 @@ namespace weft::selftest {
 [[nodiscard]] std::vector<SelftestCase> metric_cases();         ///< 32
 [[nodiscard]] std::vector<SelftestCase> parity_cases();         ///< 33
 [[nodiscard]] std::vector<SelftestCase> roulette_cases();       ///< 35
+[[nodiscard]] std::vector<SelftestCase> surface_cases();        ///< 36 to 41
 
 }  // namespace weft::selftest
 

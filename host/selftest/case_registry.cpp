@@ -16,7 +16,7 @@ const std::vector<SelftestCase>& selftest_cases() {
              {furnace_cases, form_factor_cases, area_light_cases, exact_light_cases, media_cases,
               airlight_cases, sampler_cases, ray_cases, place_cases, virtual_light_cases,
               record_cases, change_cases, interleaving_cases, degenerate_cases, metric_cases,
-              parity_cases, roulette_cases})
+              parity_cases, roulette_cases, surface_cases})
             std::ranges::move(group(), std::back_inserter(cases));
         std::ranges::stable_sort(cases, {}, &SelftestCase::number);
         return cases;
