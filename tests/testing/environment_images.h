@@ -85,12 +85,14 @@ inline glm::dvec3 radiance_from(const EnvironmentImage& image, const glm::dvec3&
         return image.width == 1 ? 1.0 : tent(x - at - width * std::round((x - at) / width));
     };
     glm::dvec3 sum(0.0);
-    for (std::uint32_t row = 0; row < image.height; ++row)
+    for (std::uint32_t row = 0; row < image.height; ++row) {
+        const bool over_pole = !image.rows_at_poles && (row == 0 || row + 1 == image.height);
+        if (tent(y - row) == 0.0 && !over_pole) continue;
         for (std::uint32_t column = 0; column < image.width; ++column) {
             double weight = across(column) * tent(y - row);
-            if (!image.rows_at_poles) {
-                // What lies over a pole is the same row on the other side; half of an odd width lies
-                // between two texels.
+            if (over_pole) {
+                // What lies over a pole is the same row on the other side; half of an odd width
+                // lies between two texels.
                 const double other = 0.5 * (across(column + std::floor(0.5 * width)) +
                                             across(column + std::ceil(0.5 * width)));
                 if (row == 0) weight += other * tent(y + 1.0);
@@ -100,6 +102,7 @@ inline glm::dvec3 radiance_from(const EnvironmentImage& image, const glm::dvec3&
             sum += weight * glm::dvec3(image.radiance[texel], image.radiance[texel + 1],
                                        image.radiance[texel + 2]);
         }
+    }
     return sum;
 }
 
