@@ -25,7 +25,7 @@ namespace weft {
 struct SceneBuffers {
     owned::Geometry geometry;
     owned::LightTable light_table;
-    owned::SurfaceTables surfaces;  ///< of FEATURE_MATERIALS
+    owned::SurfaceTables surfaces;                ///< of FEATURE_MATERIALS
     DeviceBuffer<kinds::LightNodes> light_nodes;  ///< none where there is one light or none
     owned::EnvironmentImage environment;          ///< none without FEATURE_IMAGE_ENVIRONMENT
     std::unique_ptr<TracedScene> traced;

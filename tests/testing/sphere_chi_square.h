@@ -144,7 +144,8 @@ inline SphereComparison compare_on_sphere(const SpherePdf& pdf, const std::vecto
                 return std::acos(1.0 - 2.0 * static_cast<double>(i) / static_cast<double>(rows));
             };
             const auto phi = [&](std::size_t i) {
-                return (2.0 * static_cast<double>(i) / static_cast<double>(columns) - 1.0) * std::numbers::pi;
+                return (2.0 * static_cast<double>(i) / static_cast<double>(columns) - 1.0) *
+                       std::numbers::pi;
             };
             const double share =
                 integral.over(theta(row), theta(row + 1), phi(column), phi(column + 1));
@@ -158,8 +159,10 @@ inline SphereComparison compare_on_sphere(const SpherePdf& pdf, const std::vecto
             bins.back().found += 1.0;
             continue;
         }
-        const auto row = static_cast<std::size_t>(std::max(0.0, (1.0 - in->z) / 2.0 * static_cast<double>(rows)));
-        const auto column = static_cast<std::size_t>(selftest::turn(in->x, in->y) * static_cast<double>(columns));
+        const auto row = static_cast<std::size_t>(
+            std::max(0.0, (1.0 - in->z) / 2.0 * static_cast<double>(rows)));
+        const auto column =
+            static_cast<std::size_t>(selftest::turn(in->x, in->y) * static_cast<double>(columns));
         bins[std::min(row, rows - 1) * columns + std::min(column, columns - 1)].found += 1.0;
     }
     result.missing = bins.back().found / static_cast<double>(count);
