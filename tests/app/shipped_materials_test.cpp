@@ -14,10 +14,13 @@ namespace weft::shipped_materials_test {
 namespace {
 
 using nlohmann::json;
+using test::ProgramResult;
+using test::run_program;
+using test::shipped_scene;
 
 /// What `weft info` says of a scene, which loads without a word.
 json info_of(const std::string& scene) {
-    const ProgramResult result = run_program({"info", "--json", test::shipped_scene(scene)});
+    const ProgramResult result = run_program({"info", "--json", shipped_scene(scene)});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.err, "");
     return json::parse(result.out);
