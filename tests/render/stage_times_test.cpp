@@ -29,7 +29,7 @@ TEST(StageTimes, OfRecordsAddUpToNoMoreThanTheFrame) {
              {Algorithm::ic, Algorithm::tic, Algorithm::irradiance_cache}) {
             test::MovingRoom room = test::moving_room(2);
             Renderer renderer(test::shared_executor(backend), room.flat, test::room_camera(),
-                              test::small_settings(algorithm, 160, 120));
+                              test::small_settings(algorithm, 96, 72));
             const std::string name =
                 std::string(to_string(algorithm)) + " on " + test::backend_name(backend);
             ASSERT_TRUE(renderer.render_frame({}));
