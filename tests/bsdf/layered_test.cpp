@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -411,6 +412,50 @@ TEST(Layered, ConductorsReflectByTheirIndex) {
     const float3 colour = native::conductor_fresnel(gold.eta, gold.k, native::facet_cosine(h));
     EXPECT_NEAR(native::layered_eval(&rough, v, l).value.x, shape * colour.x, 1e-6F);
     EXPECT_NEAR(native::layered_eval(&rough, v, l).value.z, shape * colour.z, 1e-6F);
+}
+
+TEST(Layered, FacetsAreReciprocal) {
+    // Without the light of later reflections, whose factor goes by the viewer alone.
+    struct Case {
+        native::Facets facets;
+        std::uint32_t flags;
+    };
+    const Case cases[] = {
+        {make_facets(LEAST_ALPHA, LEAST_ALPHA, 0), 0},
+        {make_facets(0.05F, 0.05F, 0), 0},
+        {make_facets(0.6F, 0.2F, 0), 0},
+        {make_facets(1.0F, 1.0F, FACETS_BECKMANN | FACETS_SEPARABLE), LAYERED_CONDUCTOR},
+        {make_facets(0.3F, 0.1F, FACETS_SEPARABLE), LAYERED_CONDUCTOR}};
+    native::Random random = native::make_random(10, 11, 12);
+    for (const auto& [facets, flags] : cases) {
+        LayeredMaterial material = white(0.5);
+        material.flags = LAYERED_SINGLE_SCATTER | flags;
+        material.metallic = 1.0F;
+        material.base = f3(0.9F, 0.5F, 0.2F);
+        material.eta = f3(0.2F, 1.5F, 3.0F);
+        material.k = f3(3.0F, 2.0F, 0.5F);
+        material.facets = facets;
+        int compared = 0;
+        for (int i = 0; i < 2'000; ++i) {
+            const float3 v = direction(0.05 + 0.95 * double(native::next_random(&random)),
+                                       6.28 * double(native::next_random(&random)));
+            // Directions that facets send light into, so that values of narrow lobes are not 0.
+            const float a = native::next_random(&random);
+            const float b = native::next_random(&random);
+            const float3 m = native::sample_facet(facets, v, 1.0F, a, b);
+            const float3 l = native::reflected_direction(v, m, dot3(v, m));
+            if (!(l.z > 0.05F)) continue;
+            const LayeredBsdf to_v = native::make_layered(&material, v);
+            const LayeredBsdf to_l = native::make_layered(&material, l);
+            for (int c = 0; c < 3; ++c) {
+                const double one = channel(native::layered_eval(&to_v, v, l).value, c) / l.z;
+                const double other = channel(native::layered_eval(&to_l, l, v).value, c) / v.z;
+                compared += one > 0.0 ? 1 : 0;
+                ASSERT_NEAR(other, one, 1e-5 * one) << facets.alpha_x << ' ' << v.z << ' ' << l.z;
+            }
+        }
+        EXPECT_GT(compared, 3'000) << facets.alpha_x;
+    }
 }
 
 TEST(Layered, DiffuseAlbedosAreMeans) {
