@@ -9,8 +9,8 @@
 #include "kernels/bsdf/scattering.h"
 #include "kernels/path/path_lights.h"
 
-// Most surfaces that a shadow ray looks through.
-#define MOST_SEEN_THROUGH 64
+// Most surfaces that a shadow ray looks through: more than any foliage has, but not endless.
+#define MOST_SEEN_THROUGH 4096
 
 /// Share of the light that comes along a shadow ray from a point off a surface, or in a medium, to
 /// the end of `towards`, or from infinity: what passes straight through surfaces. Solid glass
