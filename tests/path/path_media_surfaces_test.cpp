@@ -278,7 +278,7 @@ TEST(PathMediaSurfaces, SameBitsOnAllBackendsAndInParts) {
     FilmSums parts = sums(TestBackend::own_bvh, 0, 3);
     add_sums(parts, sums(TestBackend::own_bvh, 3, 8));
     test::expect_same_sums(whole, parts);
-    for (const TestBackend backend : test::light_backends())
+    for (const TestBackend backend : test::backends())
         test::expect_same_sums(whole, sums(backend, 0, 8));
 }
 
