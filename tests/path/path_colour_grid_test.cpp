@@ -231,7 +231,7 @@ TEST(PathColourGrid, SameBitsOnAllBackends) {
                                test::path_settings(24, 16, 8, 7));
     };
     const FilmSums own = sums(TestBackend::own_bvh);
-    for (const TestBackend backend : test::light_backends())
+    for (const TestBackend backend : test::backends())
         test::expect_same_sums(own, sums(backend));
 }
 
