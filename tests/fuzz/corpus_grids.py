@@ -17,7 +17,8 @@ def vol_files():
         "flatbox.vol": vol((2, 1, 1), [0, 1], box=(0, 0, 0, 1, 0, 1)) + b"rest",
         "badsize.vol": vol((2147483647, 2147483647, 4), [1, 2]),
         "badvoxel.vol": vol((2, 1, 1), [0, -1]),
-        "badcolour.vol": vol((1, 1, 1), [1, 2, 3], channels=3),
+        "badcolour.vol": vol((1, 1, 1), [1, 2], channels=2),
+        "colour.vol": vol((2, 1, 1), [1, 2, 3, 0, 0.5, 0.25], channels=3),
     }
 
 

@@ -171,7 +171,7 @@ Scene scene_of(Mesh mesh) {
 /// What a medium does with its densities.
 void use_grid(const DensityGrid& grid) {
     validate_density_grid(grid, "grid");
-    const MajorantGrid majorants = make_majorant_grid(grid);
+    const MajorantGrid majorants = make_majorant_grid(greatest_channels(grid));
     const float greatest = greatest_density(grid);
     require(majorants.bounds.empty() == grid.densities.empty(), "bounds of nothing, or none");
     for (const float bound : majorants.bounds)
