@@ -20,126 +20,36 @@ import json
 import math
 import os
 import pathlib
-import platform
-import statistics
-import subprocess
 import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 
 import media_scenes  # noqa: E402
-from mitsuba_scene import import_or_exit, load_scene  # noqa: E402
-from processor import processor  # noqa: E402
-
-mi, np, dr = import_or_exit("bench cross_validation", "mitsuba", "numpy", "drjit")
+from mitsuba_comparison import (ACCEPTED_SHARE, EXIT_OUTPUT, Mitsuba, choose_variant,  # noqa: E402
+                                mean_test, mi, np, render_weft, write_report, z_test)
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-ALPHA = 0.01  # of the whole image; Sidak-corrected over its pixels
-ACCEPTED_SHARE = 0.9975
 EVERY_SCENE = ("cornell-box", "sibenik", "conference", "office", "desk")
 FOG = "-fog"  # DIR/NAME/NAME-fog.xml
 EVERY_MEDIUM = ("cornell-box-fog", "office-fog", "sibenik-fog", *media_scenes.SCENES)
-EXIT_OUTPUT = 5  # as Weft's other programs say
 REFERENCE_PASSES = 32
 SHARED_PASSES = 16  # of an algorithm whose pixels share noise
 LEAST_COUNT = 256
 
 
-def normal_quantile(p):
-    return statistics.NormalDist().inv_cdf(p)
-
-
-def layers(path):
-    """The layers of an image by name, the image itself as ''."""
-    threads = dr.thread_count()
-    dr.set_thread_count(max(threads, 2))  # Mitsuba's EXR reader waits forever with one
-    bitmap = mi.Bitmap(str(path))
-    dr.set_thread_count(threads)
-    values = np.array(bitmap, dtype=np.float64)
-    found = {}
-    for index, field in enumerate(bitmap.struct_()):
-        name, _, _ = field.name.rpartition(".")
-        found.setdefault(name, []).append(values[..., index])
-    found = {name: np.stack(planes, axis=-1) for name, planes in found.items()}
-    found[""] = found[""][..., :3]  # without alpha
-    return found
-
-
-def render_weft(args, scene, samples, size, seed=0):
+def render(args, path, samples, size, seed=0):
     """The layers of an image by Weft."""
-    with tempfile.TemporaryDirectory() as folder:
-        output = os.path.join(folder, "ours.exr")
-        command = [args.weft, "render", scene, "-o", output, "--algorithm", args.algorithm,
-                   "--seed", seed,
-                   "--spp", samples, "--size", f"{size}x{size}", "--backend", args.backend,
-                   "--progress", "none"]
-        if args.threads:
-            command += ["--threads", args.threads]
-        done = subprocess.run([str(word) for word in command], stderr=subprocess.PIPE, check=False)
-        if done.returncode != 0:
-            sys.stderr.buffer.write(done.stderr)
-            sys.exit(done.returncode)
-        return layers(output)
-
-
-class Mitsuba:
-    """A scene in Mitsuba."""
-
-    def __init__(self, path, size):
-        self.scene = load_scene(mi, path, size)
-        self.seed = 1
-
-    def render(self, samples):
-        image = np.array(mi.render(self.scene, spp=samples, seed=self.seed), dtype=np.float64)
-        self.seed += 1
-        return image[..., :3]
-
-    def estimate(self, samples, passes):
-        """Mean of `passes` images of `samples` samples each, and its variance."""
-        total = squares = 0.0
-        for _ in range(passes):
-            image = self.render(samples)
-            total = total + image
-            squares = squares + image * image
-        mean = total / passes
-        variance = (squares / passes - mean * mean) / (passes - 1)
-        return mean, np.maximum(variance, 0.0)
-
-
-def z_test(ours, our_variance, theirs, their_variance):
-    """Share of pixels that agree in every channel, at the corrected level."""
-    variance = our_variance + their_variance
-    # Emitters seen directly have no variance; float rounding is what is left.
-    tolerance = 1e-5 * np.maximum(np.abs(ours), np.abs(theirs)) + 1e-30
-    difference = np.maximum(np.abs(ours - theirs) - tolerance, 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        z = np.where(difference > 0.0, difference / np.sqrt(variance), 0.0)
-    level = 1.0 - (1.0 - ALPHA) ** (1.0 / z.size)
-    limit = normal_quantile(1.0 - level / 2.0)
-    return float((z <= limit).all(axis=-1).mean()), float(limit), z
-
-
-def mean_test(ours, our_variance, theirs, their_variance, parts=()):
-    """Bias of our mean against theirs, and its standard error, both relative. `parts` are the
-    independent images that ours is the mean of, where its pixels share noise."""
-    scale = theirs.mean()
-    bias = ours.mean() / scale - 1.0
-    # Channels of a pixel come from the same paths: their errors add up, not their variances.
-    variance = their_variance if len(parts) else our_variance + their_variance
-    deviation = np.sqrt(variance).sum(axis=-1)
-    square = (deviation * deviation).sum() / (ours.size * ours.size)
-    if len(parts):
-        square += np.var([part.mean() for part in parts], ddof=1) / len(parts)
-    return float(bias), float(math.sqrt(square) / scale)
+    return render_weft(args.weft, path, samples, size, seed, args.algorithm, args.backend,
+                       args.threads)
 
 
 def render_parts(args, path):
     """The layers of an image by Weft, and the independent images that it is the mean of."""
     if args.algorithm == "path":
-        return render_weft(args, path, args.spp, args.size), ()
+        return render(args, path, args.spp, args.size), ()
     samples = max(2, args.spp // SHARED_PASSES)
-    parts = [render_weft(args, path, samples, args.size, seed) for seed in range(SHARED_PASSES)]
+    parts = [render(args, path, samples, args.size, seed) for seed in range(SHARED_PASSES)]
     found = {name: np.mean([part[name] for part in parts], axis=0) for name in parts[0]}
     found["variance"] = found["variance"] / SHARED_PASSES
     return found, [part[""] for part in parts]
@@ -211,7 +121,7 @@ def slope(args, name, path):
         repeats = args.slope // count
         pixels = 0.0
         for repeat in range(repeats):
-            ours = render_weft(args, path, count, args.slope_size, seed=100 * count + repeat)[""]
+            ours = render(args, path, count, args.slope_size, seed=100 * count + repeat)[""]
             pixels = pixels + ((np.square(ours - mean) - variance) / scale).mean(axis=-1) / repeats
         values.append(float(pixels.mean()))
         errors.append(float(pixels.std(ddof=1) / math.sqrt(pixels.size)))
@@ -311,13 +221,8 @@ def measure(args, folder):
 
 def main():
     args = parse()
-    if args.variant not in mi.variants():
-        print(f"bench cross_validation: Mitsuba has no variant '{args.variant}', expected one of: "
-              + " ".join(mi.variants()), file=sys.stderr)
+    if not choose_variant(args.variant, args.threads):
         return 1
-    if args.threads > 0:
-        dr.set_thread_count(args.threads)
-    mi.set_variant(args.variant)
     with tempfile.TemporaryDirectory() as folder:
         results = measure(args, pathlib.Path(folder))
     if not results:
@@ -325,31 +230,10 @@ def main():
               file=sys.stderr)
         return 1
     print(json.dumps(summary(results)))
-    if args.json and not write_report(args, results):
+    if args.json and not write_report(args, results, summary(results)):
         return EXIT_OUTPUT
     failed = [r for r in results if not r.get("test", {"accepted": True})["accepted"]]
     return 1 if failed else 0
-
-
-def write_report(args, results):
-    """Writes --json; whether that worked."""
-    machine = {"processor": processor(), "hardware_threads": os.cpu_count(),
-               "threads": args.threads}
-    versions = {"mitsuba": mi.__version__, "variant": mi.variant(), "numpy": np.__version__,
-                "python": platform.python_version(), "weft": weft_version(args)}
-    report = {"benchmark": "witness", "quick": args.quick, "machine": machine,
-              "versions": versions, "results": results, "summary": summary(results)}
-    try:
-        pathlib.Path(args.json).write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
-    except OSError as error:
-        print(f"bench cross_validation: {args.json}: {error.strerror}", file=sys.stderr)
-        return False
-    return True
-
-
-def weft_version(args):
-    shown = subprocess.run([args.weft, "--version"], capture_output=True, text=True, check=False)
-    return shown.stdout.strip()
 
 
 if __name__ == "__main__":

@@ -13,8 +13,11 @@ first, and answers `seconds processor-seconds`. Ends with its input. Where somet
 """
 
 import os
+import pathlib
 import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"))
 
 
 def serve(answers):

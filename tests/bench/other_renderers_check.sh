@@ -39,7 +39,6 @@ old_name() {
     fi
 }
 old_name peers other_renderers
-old_name witness cross_validation
 
 # An interpreter without packages and a PATH without programs: no other renderer is there.
 python=$(python3 -c 'import sys; print(sys.executable)')

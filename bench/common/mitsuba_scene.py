@@ -1,6 +1,6 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Mitsuba 3 as the programs of this folder use it."""
+"""Mitsuba 3 as several benchmarks use it."""
 
 import sys
 
@@ -21,9 +21,10 @@ def import_or_exit(program, *modules):
     return found
 
 
-def load_scene(mi, path, size):
-    """A scene of Mitsuba XML as an image of `size` squared, its paths of any length."""
-    scene = mi.load_file(str(path), max_depth=-1)
+def load_scene(mi, path, size, max_depth=-1):
+    """A scene of Mitsuba XML as an image of `size` squared, its paths of any length or as long as
+    its parameter `max_depth` lets them be."""
+    scene = mi.load_file(str(path), max_depth=max_depth)
     parameters = mi.traverse(scene)
     for key in parameters.keys():
         if key.endswith("film.size") or key.endswith("film.crop_size"):
