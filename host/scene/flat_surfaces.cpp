@@ -75,14 +75,13 @@ class RecordBuilder {
 
     shared::SurfaceRecord build(const SurfaceDescription& surface) {
         std::visit(*this, surface.model);
-        add(MAP_NORMAL, surface.normal_map.map);
+        add_normal_map(surface.normal_map);
         const Opacity& opacity = surface.opacity;
         record_.alpha = opacity.alpha.factor;
         record_.cutoff = opacity.cutoff;
         if (opacity.mode == OpacityMode::mask) record_.flags |= SURFACE_MASK;
         if (opacity.mode == OpacityMode::blend) record_.flags |= SURFACE_BLEND;
         if (opacity.mode != OpacityMode::opaque) add(MAP_ALPHA, opacity.alpha.map);
-        record_.normal_scale = surface.normal_map.scale;
         record_.first_map = static_cast<std::uint32_t>(maps_.size());
         // In the order of the bits.
         std::sort(found_.begin(), found_.end(),
@@ -150,10 +149,10 @@ class RecordBuilder {
         set_base(s.transmittance);
         record_.transmission = 1.0F;
         set_index(s.ior_inside, s.ior_outside);
-        const double root = (s.ior_inside - s.ior_outside) / (s.ior_inside + s.ior_outside);
-        record_.specular = packed(s.reflectance.factor * static_cast<float>(root * root), 1.0F);
-        record_.flags |= (s.thin ? SURFACE_THIN : 0U) | (s.local_index ? SURFACE_LOCAL_INDEX : 0U) |
-                         flags_of(s.microfacets);
+        record_.specular = packed(s.reflectance.factor, 1.0F);
+        add(MAP_SPECULAR_COLOUR, s.reflectance.map);
+        record_.flags |= SURFACE_EXACT_FRESNEL | (s.thin ? SURFACE_THIN : 0U) |
+                         (s.local_index ? SURFACE_LOCAL_INDEX : 0U) | flags_of(s.microfacets);
         set_roughness(s.roughness_u, s.roughness_v);
     }
     void operator()(const PlasticSurface& s) {
@@ -179,6 +178,13 @@ class RecordBuilder {
 
     void add(std::uint32_t bit, const TextureMap& map) {
         if (map.present()) found_.emplace_back(bit, map);
+    }
+    void add_normal_map(const NormalMap& normals) {
+        add(MAP_NORMAL, normals.map);
+        record_.normal_scale = normals.scale;
+        record_.flags |= (normals.mitsuba_frame ? SURFACE_MITSUBA_NORMALS : 0U) |
+                         (normals.mitsuba_shadowing ? SURFACE_NORMAL_SHADOWING : 0U) |
+                         (normals.mitsuba_flip ? SURFACE_NORMAL_FLIP : 0U);
     }
     void set_base(const ColourParameter& colour) {
         record_.base = packed(colour.factor, record_.base.w);
@@ -223,6 +229,7 @@ std::optional<shared::InterfaceRecord> inside_of(const Material& material, doubl
     if (const auto* const s = std::get_if<DielectricSurface>(&material.description->model)) {
         if (s->thin) return std::nullopt;
         inside.index = static_cast<float>(s->ior_inside / s->ior_outside);
+        inside.local = s->local_index ? 1 : 0;
         return inside;
     }
     const auto* const s = std::get_if<MetallicSurface>(&material.description->model);

@@ -19,6 +19,9 @@
 #define LAYERED_THIN 1u            // what is transmitted goes straight on; solid glass without it
 #define LAYERED_CONDUCTOR 2u       // the metal by its index, times the base colour
 #define LAYERED_SINGLE_SCATTER 4u  // light that is reflected twice between facets is lost
+// A clear dielectric whose f0 and base are factors of what Fresnel's equations say is reflected and
+// transmitted; where it is thin, with all reflections between its sides (pane_of_glass).
+#define LAYERED_EXACT_FRESNEL 16384u
 
 // What a material is at one point, with textures in it. Colours and shares are in [0, 1].
 typedef struct {
@@ -105,6 +108,13 @@ static inline DielectricMirror dielectric_mirror(const LayeredMaterial* material
     mirror.f0 = material->f0;
     mirror.f90 = f3(material->f90, material->f90, material->f90);
     mirror.albedo = schlick_albedo(albedo, mirror.f0, mirror.f90);
+    if ((material->flags & LAYERED_EXACT_FRESNEL) != 0u) {
+        // A pane reflects by the cosine of the viewer: it is smooth.
+        mirror.f0 = material->f0 * pane_of_glass(material->ratio, cosine).reflected;
+        mirror.f90 = mirror.f0;
+        mirror.albedo = mirror.f0;
+        return mirror;
+    }
     float3 factor = f3(1.0f, 1.0f, 1.0f);
     if ((material->flags & LAYERED_SINGLE_SCATTER) == 0u)
         factor = compensation(mirror.f0, mirror.f90, albedo, mean);
@@ -135,6 +145,13 @@ static inline ColouredFresnel boundary_fresnel(const LayeredBsdf* bsdf, float c)
     }
     f.reflected = schlick_fresnel(bsdf->f0, bsdf->f90, c);
     if (!(bsdf->glass > 0.0f)) return f;
+    if ((bsdf->flags & LAYERED_EXACT_FRESNEL) != 0u) {
+        DielectricFresnel exact = dielectric_fresnel(bsdf->ratio, c);
+        f.reflected += bsdf->glass_f0 * (exact.reflected * bsdf->glass);
+        f.transmitted = bsdf->tint * (exact.transmitted * bsdf->glass);
+        f.g = exact.g;
+        return f;
+    }
     ColouredFresnel glass = coloured_fresnel(bsdf->ratio, bsdf->glass_f0, bsdf->glass_f90, c);
     f.reflected += glass.reflected * bsdf->glass;
     f.transmitted = glass.transmitted * bsdf->tint * bsdf->glass;
@@ -203,7 +220,10 @@ static inline LayeredBsdf make_layered(const LayeredMaterial* material, float3 v
     float sheet_albedo = 1.0f;
     if (thin) {
         sheet_albedo = facet_albedo(material->sheet, cosine).all;
-        bsdf.sheet_colour = material->base * (one - mirror.albedo) * (clear / sheet_albedo);
+        float3 passes = one - mirror.albedo;
+        if ((material->flags & LAYERED_EXACT_FRESNEL) != 0u)
+            passes = one * pane_of_glass(material->ratio, cosine).transmitted;
+        bsdf.sheet_colour = material->base * passes * (clear / sheet_albedo);
     } else if (bends == false) {
         bsdf.sheet = make_facets(0.0f, 0.0f, 0u);
         bsdf.sheet_colour = material->base * solid;

@@ -18,11 +18,13 @@ typedef struct {
     uint model;          // SURFACE_*
     uint sides;          // SCATTERS_*; 0 where all is smooth
     SurfaceFrame frame;  // of the facets
-    float3 outside;      // geometric normal on the viewer's side
     float3 v;            // direction of the viewer in that frame
     float3 albedo;       // diffuse colour and what facets reflect, for layers of the image
     float coverage;      // share of the light that meets the surface at all
     float3 straight;     // and of what passes straight on: gaps, and clear glass without thickness
+    float3 smooth;       // unit vectors on the side of the viewer: normal without a map,
+    float3 outward;      // and that of the triangle
+    float shadowing;     // shadowing_roughness of a tilted normal, or 0
     LayeredBsdf layered;
     Plastic plastic;
 } SurfaceScattering;
@@ -122,7 +124,8 @@ static inline LayeredMaterial layered_at(const SurfaceLookup* look, const Surfac
                                          IndexRatio ratio) {
     const SurfaceRecord* record = look->record;
     LayeredMaterial material;
-    material.flags = record->flags & (SURFACE_THIN | SURFACE_CONDUCTOR | SURFACE_SINGLE_SCATTER);
+    material.flags = record->flags & (SURFACE_THIN | SURFACE_CONDUCTOR | SURFACE_SINGLE_SCATTER |
+                                      SURFACE_EXACT_FRESNEL);
     material.base = colour_at(look, MAP_BASE, xyz(record->base)) * vertex_colour;
     material.metallic = number_at(look, MAP_METALLIC, record->base.w);
     material.transmission = number_at(look, MAP_TRANSMISSION, record->transmission);
@@ -222,15 +225,23 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     look.at.v = hit.v;
     look.at.footprint = footprint;
     found.model = record.model;
-    found.outside = surface->normal;
     found.coverage = HAS(params, FEATURE_SEE_THROUGH) ? coverage_at(&look) : 1.0f;
     float gaps = 1.0f - found.coverage;
     found.straight = f3(gaps, gaps, gaps);
+    found.smooth = surface->shading;
+    found.outward = surface->normal;
+    found.shadowing = 0.0f;
     Surface at = *surface;
     float3 coat_normal = surface->shading;
+    // Mitsuba flips normals, or leaves them black, where others are bent.
+    bool bends = (record.flags & SURFACE_MITSUBA_NORMALS) == 0u;
     if ((record.maps & MAP_NORMAL) != 0u)
-        at.shading = mapped_normal(geometry, tables, &record, MAP_NORMAL, &look.at,
-                                   record.normal_scale, surface->shading, surface->front);
+        at.shading = bends ? mapped_normal(geometry, tables, &record, MAP_NORMAL, &look.at,
+                                           record.normal_scale, surface->shading, surface->front)
+                           : mitsuba_normal(geometry, tables, &record, &look.at, surface->shading,
+                                            surface->front, viewer);
+    if ((record.flags & SURFACE_NORMAL_SHADOWING) != 0u)
+        found.shadowing = shadowing_roughness(dot3(at.shading, surface->shading));
     if ((record.maps & MAP_COAT_NORMAL) != 0u)
         coat_normal = mapped_normal(geometry, tables, &record, MAP_COAT_NORMAL, &look.at,
                                     record.coat_normal_scale, surface->shading, surface->front);
@@ -246,7 +257,8 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     uint kind = ((record.flags & SURFACE_BECKMANN) != 0u ? FACETS_BECKMANN : 0u) |
                 ((record.flags & SURFACE_SEPARABLE) != 0u ? FACETS_SEPARABLE : 0u);
     Facets facets = make_facets(along, across, kind);
-    found.frame = frame_about(bent_normal(viewer, at.shading, surface->normal), direction);
+    found.frame = frame_about(bends ? bent_normal(viewer, at.shading, surface->normal) : at.shading,
+                              direction);
     found.v = into_frame(&found.frame, viewer);
     float3 vertex_colour = f3(1.0f, 1.0f, 1.0f);
     if (HAS(params, FEATURE_VERTEX_COLOURS)) {
@@ -257,7 +269,7 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     }
     if (record.model == SURFACE_PLASTIC) {
         found.plastic = plastic_at(&look, vertex_colour, facets);
-        found.sides = SCATTERS_ABOVE;
+        found.sides = found.v.z > 0.0f ? SCATTERS_ABOVE : 0u;
         found.albedo = found.plastic.body;
         return found;
     }
@@ -272,27 +284,35 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
         found.straight += found.layered.sheet_colour * found.coverage;
         drop_sheet(&found.layered);
     }
-    found.sides = sides_of_layers(&found.layered);
+    found.sides = found.v.z > 0.0f ? sides_of_layers(&found.layered) : 0u;
     found.albedo = found.layered.albedo;
     return found;
+}
+
+/// Share of the light from `in` that a tilted normal's facets leave.
+static inline float tilt_shadowing(const SurfaceScattering* scattering, float3 in) {
+    if (!(scattering->shadowing > 0.0f)) return 1.0f;
+    return normal_shadowing(scattering->shadowing, dot3(in, scattering->smooth));
 }
 
 /// Value times cosine and pdf for light from `in`, a unit vector in the world.
 static inline LayeredValue scattering_value(const SurfaceScattering* scattering, float3 in) {
     float3 l = into_frame(&scattering->frame, in);
-    if (scattering->model != SURFACE_LAMBERT && scattering->model != SURFACE_PLASTIC)
-        return layered_eval(&scattering->layered, scattering->v, l);
     LayeredValue value;
     value.value = f3(0.0f, 0.0f, 0.0f);
     value.pdf = 0.0f;
-    // What does not let light through gets none from behind, whatever its shading normal.
-    if (!(l.z > 0.0f && dot3(in, scattering->outside) > 0.0f)) return value;
-    if (scattering->model == SURFACE_PLASTIC) {
-        value.value = plastic_eval(&scattering->plastic, scattering->v, l, &value.pdf);
-    } else {
-        value.pdf = cosine_pdf(l.z);
-        value.value = scattering->albedo * value.pdf;
+    if (scattering->model != SURFACE_LAMBERT && scattering->model != SURFACE_PLASTIC) {
+        value = layered_eval(&scattering->layered, scattering->v, l);
+    } else if (l.z > 0.0f && dot3(in, scattering->outward) > 0.0f) {
+        // What does not let light through gets none from behind, whatever its shading normal.
+        if (scattering->model == SURFACE_PLASTIC) {
+            value.value = plastic_eval(&scattering->plastic, scattering->v, l, &value.pdf);
+        } else {
+            value.pdf = cosine_pdf(l.z);
+            value.value = scattering->albedo * value.pdf;
+        }
     }
+    value.value = value.value * tilt_shadowing(scattering, in);
     return value;
 }
 
@@ -312,8 +332,9 @@ static inline BsdfSample scattering_sample(const SurfaceScattering* scattering, 
     }
     sample.in = normalize3(out_of_frame(&scattering->frame, sample.in));
     if ((scattering->model == SURFACE_LAMBERT || scattering->model == SURFACE_PLASTIC) &&
-        !(dot3(sample.in, scattering->outside) > 0.0f))
+        !(dot3(sample.in, scattering->outward) > 0.0f))
         sample.weight = f3(0.0f, 0.0f, 0.0f);
+    sample.weight = sample.weight * tilt_shadowing(scattering, sample.in);
     return sample;
 }
 

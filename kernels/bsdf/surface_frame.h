@@ -53,6 +53,53 @@ static inline float3 mapped_normal(const Geometry* geometry, const SurfaceTables
     return front != 0 ? normal : -normal;
 }
 
+/// The normal that a map gives by the rules of Mitsuba's `normalmap`: the frame is orthonormal, its
+/// bitangent the normal times the tangent, and the back has it mirrored. With SURFACE_NORMAL_FLIP a
+/// normal that does not face `viewer`, a unit vector, is turned about `shading` until it does.
+static inline float3 mitsuba_normal(const Geometry* geometry, const SurfaceTables* tables,
+                                    const SurfaceRecord* record, const SurfacePoint* at,
+                                    float3 shading, int front, float3 viewer) {
+    float3 outside = front != 0 ? shading : -shading;
+    float3 tangent, bitangent;
+    tangents_at(tables, at, outside, &tangent, &bitangent);
+    tangent = tangent - outside * dot3(outside, tangent);
+    if (dot3(tangent, tangent) > 0.0f) {
+        tangent = normalize3(tangent);
+        bitangent = cross3(outside, tangent);
+    } else {
+        make_basis(outside, &tangent, &bitangent);
+    }
+    float3 colour = map_colour(geometry, tables, record, MAP_NORMAL, at);
+    float3 slope = f3(2.0f * colour.x - 1.0f, 2.0f * colour.y - 1.0f, 2.0f * colour.z - 1.0f);
+    float across = slope.x * dot3(viewer, tangent) + slope.y * dot3(viewer, bitangent);
+    if ((record->flags & SURFACE_NORMAL_FLIP) != 0u &&
+        !(across + slope.z * dot3(viewer, shading) > 0.0f)) {
+        slope.x = -slope.x;
+        slope.y = -slope.y;
+    }
+    float3 normal = tangent * slope.x + bitangent * slope.y + shading * slope.z;
+    float square = dot3(normal, normal);
+    return square > 0.0f && square < RAY_INFINITY ? normalize3(normal) : shading;
+}
+
+/// Square of the tangent of the angle whose cosine is `c`.
+static inline float tangent_square(float c) {
+    return m_max(1.0f - c * c, 0.0f) / (c * c);
+}
+
+/// Roughness, squared, of the facets by which a normal that is tilted by an angle of the cosine
+/// `tilt` is shaded (Conty Estevez, Lecocq and Stein 2019).
+static inline float shadowing_roughness(float tilt) {
+    // Of a normal along the surface the tangent is infinite.
+    return m_min(0.125f * tangent_square(tilt), 1.0f);
+}
+
+/// Share of the light that those facets leave, that comes at the cosine `c` with the surface's own
+/// normal.
+static inline float normal_shadowing(float roughness, float c) {
+    return 2.0f / (1.0f + square_root(1.0f + roughness * tangent_square(c)));
+}
+
 /// A frame about a normal whose tangent is as near as possible to `along`, or any where that is 0
 /// or along the normal.
 static inline SurfaceFrame frame_about(float3 normal, float3 along) {

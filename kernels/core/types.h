@@ -167,6 +167,12 @@ typedef struct {
 #define SURFACE_MASK 512u            // there where alpha is not below the cut-off
 #define SURFACE_BLEND 1024u          // there by the share alpha
 #define SURFACE_ROOT_TINT 256u       // each crossing is tinted by the root of the base
+// Colours of the reflection and of what is transmitted are factors of Fresnel's exact shares.
+#define SURFACE_EXACT_FRESNEL 16384u
+// Of normal maps as Mitsuba has them: mitsuba_normal, kernels/bsdf/surface_frame.h.
+#define SURFACE_MITSUBA_NORMALS 2048u
+#define SURFACE_NORMAL_SHADOWING 4096u  // tilted facets shade: normal_shadowing
+#define SURFACE_NORMAL_FLIP 8192u       // normals that face away are turned about the surface's
 
 // Scales of roughness.
 #define ROUGHNESS_SQUARED 0u   // alpha is its square
@@ -199,7 +205,8 @@ typedef struct {
 typedef struct {
     float4 sigma_a;  // rgb, absorption per kernel unit
     float index;
-    uint pad[3];
+    uint local;  // 1 where `index` is relative to what lies around, whatever that is
+    uint pad[2];
 } InterfaceRecord;
 
 // Kinds of lights. An area light is the emissive triangles [first, first + count) of the emitter

@@ -54,9 +54,15 @@ static inline InterfaceSet enter_interface(InterfaceSet around, uint number) {
     return all;
 }
 
-/// Index of refraction of the interface that counts; 1 outside of all.
+/// Index of refraction of the interface that counts; 1 outside of all. Indices that are given
+/// relative to what lies around an interface are multiplied from the outermost on.
 static inline float index_within(GLOBAL const InterfaceRecord* interfaces, InterfaceSet around) {
-    return around.number[0] != NO_INTERFACE ? interfaces[around.number[0]].index : 1.0f;
+    float index = 1.0f;
+    for (int i = 0; i < INTERFACES_HELD && around.number[i] != NO_INTERFACE; ++i) {
+        index *= interfaces[around.number[i]].index;
+        if (interfaces[around.number[i]].local == 0u) break;
+    }
+    return index;
 }
 
 /// Its absorption.

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "tests/testing/environment_images.h"
@@ -139,6 +142,36 @@ TEST(PathSurfaces, RoughAndSmoothlyCurvedGlassLosesLittleInAFurnace) {
         expect_between(sphere_in_a_furnace(backend, glass(1.5), 64, 4, true), 0.97, 1.0,
                        on(backend, "smooth glass"));
     }
+}
+
+TEST(PathSurfaces, IndicesRelativeToWhatLiesAroundMultiply) {
+    // A lamp in glass in glass, each of whose indices is relative to what it is in, as in Mitsuba's
+    // files. Light goes back and forth between the two boundaries; the lamp is black.
+    constexpr double outer = 1.4;
+    constexpr double inner = 1.8 / 1.4;
+    const auto local = [](double eta) {
+        SurfaceDescription description = glass(eta);
+        std::get<DielectricSurface>(description.model).local_index = true;
+        return description;
+    };
+    SceneBuilder builder;
+    builder.add(test::quad_mesh({-10, -10, 0}, {20, 0, 0}, {0, 20, 0}),
+                builder.material(glm::vec3(0.0F), glm::vec3(2.0F)));
+    Mesh box = test::room_mesh();
+    for (auto& triangle : box.triangles) std::swap(triangle[1], triangle[2]);
+    builder.add(box, add_surface(builder, local(outer)),
+                glm::scale(glm::dmat4(1.0), glm::dvec3(30.0, 30.0, 0.5)));
+    builder.add(box, add_surface(builder, local(inner)),
+                glm::scale(glm::dmat4(1.0), glm::dvec3(20.0, 20.0, 0.25)));
+    const double f = reflectance(outer);
+    const double g = reflectance(inner);
+    const double transmitted = (1.0 - f) * (1.0 - g) / (1.0 - f * g);
+    for (const TestBackend backend : test::light_backends())
+        expect_mean(
+            test::path_image(backend, builder.scene, test::look_at({0, 0, 5}, {0, 0, 0}, 0.01),
+                             test::path_settings(16, 16, 256, 12)),
+            2.0 * transmitted / (outer * inner * outer * inner), 0.01,
+            on(backend, "lamp in glass in glass"));
 }
 
 TEST(PathSurfaces, SheetsLetTheirShareOfLightPass) {
@@ -360,6 +393,142 @@ TEST(PathSurfaces, RoughnessCrossesTheSmoothLimitWithoutAStep) {
             EXPECT_LT(a.error, 0.02 * a.mean) << kind;
         }
     }
+}
+
+TEST(PathSurfaces, BacksOfOneSidedSheetsHaveGapsToo) {
+    constexpr float alpha = 0.3F;
+    for (const bool turned : {false, true}) {
+        SceneBuilder builder;
+        builder.add(test::quad_mesh({-40, -40, -3}, {80, 0, 0}, {0, 80, 0}),
+                    builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
+        const std::uint32_t number = add_surface(builder, sheet(alpha));
+        builder.scene.materials[number].two_sided = false;
+        const glm::vec3 u(80, 0, 0);
+        const glm::vec3 v(0, 80, 0);
+        builder.add(test::quad_mesh({-40, -40, 0}, turned ? v : u, turned ? u : v), number);
+        for (const TestBackend backend : test::light_backends())
+            expect_mean(
+                test::path_image(backend, builder.scene, test::look_at({0, 0, 5}, {0, 0, 0}, 0.01),
+                                 test::path_settings(16, 16, 256, 14)),
+                1.0 - static_cast<double>(alpha), 0.02,
+                on(backend, turned ? "sheet from behind" : "sheet"));
+    }
+}
+
+TEST(PathSurfaces, PanesReflectAndTransmitWithTheirColours) {
+    // A pane before a bright wall, with the camera in surroundings of the radiance that it
+    // reflects.
+    const double f = reflectance(1.5);
+    const double reflected = 2.0 * f / (1.0 + f);
+    for (const bool thin : {true, false}) {
+        DielectricSurface surface;
+        surface.ior_inside = 1.5;
+        surface.thin = thin;
+        surface.local_index = true;
+        surface.reflectance.factor = glm::vec3(0.5F);
+        surface.transmittance.factor = glm::vec3(0.8F);
+        SceneBuilder builder;
+        builder.scene.environment = Environment{glm::vec3(3.0F)};
+        builder.add(test::quad_mesh({-40, -40, -3}, {80, 0, 0}, {0, 80, 0}),
+                    builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
+        builder.add(test::quad_mesh({-35, -35, 0}, {70, 0, 0}, {0, 70, 0}),
+                    add_surface(builder, {surface, {}, {}}));
+        // Without a back, solid glass is its front alone: light comes out of the index 1.5.
+        const double expected = thin ? 3.0 * 0.5 * reflected + 0.8 * (1.0 - reflected)
+                                     : 3.0 * 0.5 * f + 0.8 * (1.0 - f) / (1.5 * 1.5);
+        for (const TestBackend backend : test::light_backends())
+            expect_mean(
+                test::path_image(backend, builder.scene, test::look_at({0, 0, 5}, {0, 0, 0}, 0.01),
+                                 test::path_settings(16, 16, 256, 15)),
+                expected, 0.02, on(backend, thin ? "pane" : "boundary"));
+    }
+}
+
+// A plate that is tilted about the x axis, with one normal everywhere, under light straight from
+// above, seen along `viewer`. A Lambertian plate has a closed form for each rule of normal maps.
+struct TiltedPlate {
+    NormalMap normals{};
+    bool mirrored = false;  // texture coordinates run the other way
+    bool back = false;      // light and viewer are at the plate's back
+    glm::dvec3 viewer{0.0, 0.0, 1.0};
+};
+
+constexpr double tilt_sine = 0.28;
+constexpr double tilt_cosine = 0.96;
+
+/// The normal that the texel is, in the frame of the plate.
+glm::dvec3 texel_normal() {
+    return glm::normalize(2.0 * glm::dvec3(179.0, 204.0, 220.0) / 255.0 - 1.0);
+}
+
+double plate_radiance(TestBackend backend, const TiltedPlate& plate) {
+    SceneBuilder builder;
+    Texture texture;
+    texture.width = texture.height = 1;
+    texture.rgba = {179, 204, 220, 255};
+    texture.srgb = false;
+    builder.scene.textures.push_back(texture);
+    LambertSurface surface;
+    surface.colour.factor = glm::vec3(0.5F);
+    SurfaceDescription description{surface, plate.normals, {}};
+    description.normal_map.map.texture = 0;
+    const glm::vec3 x(6.0F, 0.0F, 0.0F);
+    const glm::vec3 up(0.0F, 6.0F * static_cast<float>(tilt_cosine),
+                       6.0F * static_cast<float>(tilt_sine));
+    const glm::vec3 u = plate.back ? up : x;
+    const glm::vec3 v = plate.back ? x : up;
+    Mesh mesh = test::quad_mesh(-0.5F * (x + up), u, v);
+    const float sign = plate.mirrored ? -1.0F : 1.0F;
+    mesh.tangents.assign(mesh.positions.size(), glm::vec4(sign * glm::normalize(u), sign));
+    mesh.uv_sets = {std::vector<glm::vec2>(mesh.positions.size(), glm::vec2(0.5F))};
+    builder.add(mesh, add_surface(builder, description));
+    builder.light(LightType::directional, {}, glm::vec3(1.0F));
+    const Rendering image =
+        test::path_image(backend, builder.scene, test::look_at(5.0 * plate.viewer, {}, 0.01),
+                         test::path_settings(4, 4, 4, 13));
+    return test::beauty_of(image, 1).mean;
+}
+
+TEST(PathSurfaces, NormalMapsFollowTheRulesOfTheirFormat) {
+    const glm::dvec3 n = texel_normal();
+    const glm::dvec3 along_x(1.0, 0.0, 0.0);
+    const glm::dvec3 along_up(0.0, tilt_cosine, tilt_sine);
+    const glm::dvec3 normal(0.0, -tilt_sine, tilt_cosine);
+    NormalMap gltf;
+    NormalMap mitsuba;
+    mitsuba.mitsuba_frame = true;
+    NormalMap shadowed = mitsuba;
+    shadowed.mitsuba_shadowing = true;
+    NormalMap flipped = mitsuba;
+    flipped.mitsuba_flip = true;
+    // From here the plate is seen, but not along the texel's normal.
+    const glm::dvec3 low = glm::normalize(-0.7 * along_x - 0.6 * along_up + 0.3 * normal);
+    ASSERT_LT(dot(low, n.x * along_x + n.y * along_up + n.z * normal), 0.0);
+    const double tan_n = (1.0 - n.z * n.z) / (n.z * n.z);
+    const double tan_l = (1.0 - tilt_cosine * tilt_cosine) / (tilt_cosine * tilt_cosine);
+    const double shadowing = 2.0 / (1.0 + std::sqrt(1.0 + std::min(tan_n / 8.0, 1.0) * tan_l));
+    // Cosines of the light with the normal.
+    const double facing = n.y * tilt_sine + n.z * tilt_cosine;
+    const double turned = -n.y * tilt_sine + n.z * tilt_cosine;
+    const double behind = n.x * tilt_sine + n.z * tilt_cosine;
+    const double behind_gltf = -n.x * tilt_sine + n.z * tilt_cosine;
+    const auto check = [](const TiltedPlate& plate, double cosine, const char* what) {
+        for (const TestBackend backend : test::light_backends())
+            EXPECT_NEAR(plate_radiance(backend, plate), 0.5 / std::numbers::pi * cosine, 2e-6)
+                << on(backend, what);
+    };
+    const glm::dvec3 above(0.0, 0.0, 1.0);
+    check({gltf, false, false, above}, facing, "glTF");
+    check({mitsuba, false, false, above}, facing, "Mitsuba");
+    check({shadowed, false, false, above}, facing * shadowing, "shadowing");
+    // The bitangent of mirrored coordinates runs as the texture does, or turns with the tangent.
+    check({gltf, true, false, above}, facing, "glTF mirrored");
+    check({mitsuba, true, false, above}, turned, "Mitsuba mirrored");
+    check({gltf, false, true, above}, behind_gltf, "glTF from behind");
+    check({mitsuba, false, true, above}, behind, "Mitsuba from behind");
+    check({mitsuba, false, false, low}, 0.0, "facing away");
+    check({flipped, false, false, low}, turned, "flipped");
+    check({flipped, false, false, above}, facing, "nothing to flip");
 }
 
 TEST(PathSurfaces, SameBitsOnAllBackendsAndInParts) {
