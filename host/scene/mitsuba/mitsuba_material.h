@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/mesh_tangents.h"
 #include "scene/mitsuba/mitsuba_object.h"
 #include "scene/mitsuba/mitsuba_texture.h"
 #include "scene/scene.h"
@@ -32,6 +33,10 @@ struct MitsubaSurface {
     /// Whether the description needs texture coordinates.
     [[nodiscard]] bool has_maps() const {
         return description && !texture_maps(*description).empty();
+    }
+    /// Whether its lobes have a direction, along which u grows.
+    [[nodiscard]] bool has_direction() const {
+        return description && tangent_uv_set(*description).has_value();
     }
 };
 

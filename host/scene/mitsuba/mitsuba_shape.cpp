@@ -144,9 +144,9 @@ void ShapeReader::count_triangles(Object& object, std::uint32_t mesh) {
 
 std::uint32_t ShapeReader::add_mesh(Object& object, const Source& source,
                                     const MitsubaSurface& surface) {
-    const std::string key =
-        fmt::format("{}|{}|{}|{}|{}|{}|{}", source.type, source.path, source.face_normals,
-                    source.flip_v, source.mirrored, surface.texture >= 0, surface.has_maps());
+    const std::string key = fmt::format(
+        "{}|{}|{}|{}|{}|{}|{}|{}", source.type, source.path, source.face_normals, source.flip_v,
+        source.mirrored, surface.texture >= 0, surface.has_maps(), surface.has_direction());
     const auto shared = shared_meshes_.find(key);
     const bool plain_uvs = surface.to_uv == glm::dmat3(1.0);
     if (shared != shared_meshes_.end() && plain_uvs) return shared->second;
@@ -207,8 +207,11 @@ Mesh ShapeReader::make_mesh(Object& object, const Source& source) {
 
 void ShapeReader::fit_texture(Object& object, const MitsubaSurface& surface, Mesh& mesh) {
     const bool described = surface.has_maps();
-    if (surface.texture < 0 && !described) return;
     const bool bare = mesh.uvs.empty();
+    if (surface.texture < 0 && !described) {
+        if (surface.has_direction() && !bare) mesh.uv_sets = {mesh.uvs};
+        return;
+    }
     if (bare && !add_barycentric_uvs(mesh))
         throw input_error(object.place(),
                           "too many triangles for a texture without texture "

@@ -220,6 +220,21 @@ TEST(MitsubaBsdf, MeshesWithoutCoordinatesGetSomeForTheirTextures) {
     EXPECT_TRUE(scene.meshes.at(0).uvs.empty());
 }
 
+TEST(MitsubaBsdf, LobesWithADirectionKeepTheCoordinatesThatItFollows) {
+    MitsubaFolder folder;
+    const Scene scene = folder.read(
+        rectangle(bsdf("roughconductor", number("alpha_u", "0.1") + number("alpha_v", "0.3"))) +
+        rectangle(bsdf("roughconductor", number("alpha", "0.1"))) + "<shape type=\"ply\">" +
+        text("filename", "bare.ply") +
+        bsdf("roughconductor", number("alpha_u", "0.1") + number("alpha_v", "0.3")) + "</shape>");
+    validate_scene(scene);
+    const auto mesh_of = [&](std::size_t i) { return scene.meshes.at(scene.instances.at(i).mesh); };
+    ASSERT_EQ(mesh_of(0).uv_sets.size(), 1U);
+    EXPECT_EQ(mesh_of(0).uv_sets[0], mesh_of(0).uvs);
+    EXPECT_TRUE(mesh_of(1).uv_sets.empty());
+    EXPECT_TRUE(mesh_of(2).uv_sets.empty()) << "without coordinates there is none";
+}
+
 TEST(MitsubaBsdf, PrincipledSurfacesBecomeMetalAndDielectric) {
     const auto plain = model_of<MetallicSurface>(bsdf("principled"));
     EXPECT_EQ(plain.base_colour.factor, glm::vec3(0.5F));
