@@ -41,6 +41,15 @@ double beckmann_masking(FacetVector w, double alpha) {
     return height + 2 * slope * (1 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a);
 }
 
+/// The same without that fit.
+double exact_beckmann_masking(FacetVector w, double alpha) {
+    const double height = std::abs(w.z);
+    const double slope = alpha * std::sqrt(w.x * w.x + w.y * w.y);
+    if (!(slope > 0.0)) return height;
+    const double a = height / slope;
+    return height * std::erf(a) + slope * std::exp(-a * a) * std::numbers::inv_sqrtpi;
+}
+
 /// What a facet of glass lets through, and where to; a direction of 0 at total reflection.
 struct GlassFacet {
     double transmitted;
@@ -134,10 +143,11 @@ GlassShares FacetQuadrature::separable_albedo(double cosine, double alpha, doubl
     GlassShares sum = {0.0, 0.0};
     for_visible_facets(cosine, alpha, 1.0, [&](FacetVector m, double c, double weight) {
         if (beckmann) {
-            // Of facets that are chosen by the other distribution.
+            // Of facets that are chosen by the other distribution. Mitsuba's tables come of samples
+            // of the visible ones, whose density has exact masking.
             const double e = (m.x * m.x + m.y * m.y) / (m.z * m.z * alpha * alpha);
-            weight *=
-                std::exp(-e) * (1 + e) * (1 + e) * (v.z + sv) / (v.z + beckmann_masking(v, alpha));
+            weight *= std::exp(-e) * (1 + e) * (1 + e) * (v.z + sv) /
+                      (v.z + exact_beckmann_masking(v, alpha));
         }
         const GlassFacet glass = glass_facet(v, m, c, eta);
         const auto seen = [&](FacetVector l) {

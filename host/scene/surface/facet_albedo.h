@@ -39,7 +39,8 @@ class FacetQuadrature {
     [[nodiscard]] double glass_albedo(double cosine, double alpha, double eta) const;
 
     /// The shares apart, for facets with independent masking of both directions, of GGX or of
-    /// Beckmann's distribution with the masking of Walter et al. 2007.
+    /// Beckmann's distribution. Of the latter the direction has exact masking, those of what is
+    /// reflected and refracted the fit of Walter et al. 2007, as in Mitsuba's tables.
     [[nodiscard]] GlassShares separable_albedo(double cosine, double alpha, double eta,
                                                bool beckmann) const;
 
