@@ -7,7 +7,7 @@ import struct
 import zlib
 
 SEGMENTS, RINGS = 128, 64  # of a sphere
-MAP_EDGE = 128  # texels of textures
+MAP_EDGE = 24  # texels of textures: larger than pixels, so that nothing is averaged
 
 
 def _quads(columns, rows, at, texture):
@@ -95,7 +95,7 @@ def _png(pixel):
 def bumps_png():
     """Normals of bumps that lean up to some 30 degrees."""
     def pixel(u, v):
-        n = (0.55 * math.cos(16.0 * math.pi * u), 0.4 * math.cos(10.0 * math.pi * v), 1.0)
+        n = (0.6 * math.cos(8.0 * math.pi * u), 0.4 * math.cos(6.0 * math.pi * v), 1.0)
         length = math.sqrt(sum(x * x for x in n))
         return [0.5 + 0.5 * x / length for x in n]
     return _png(pixel)
@@ -104,7 +104,7 @@ def bumps_png():
 def waves_png():
     """Grey that runs smoothly from black to white, for opacity and roughness."""
     def pixel(u, v):
-        wave = 0.5 + 0.5 * math.sin(8.0 * math.pi * u) * math.sin(6.0 * math.pi * v)
+        wave = 0.5 + 0.5 * math.sin(6.0 * math.pi * u) * math.sin(4.0 * math.pi * v)
         return [wave, wave, wave]
     return _png(pixel)
 
