@@ -35,6 +35,7 @@ using namespace weft::bench;
 
 struct Settings {
     bool quick = false;
+    bool materials = false;
     std::string scenes = WEFT_SOURCE_DIR "/../shared/data/scenes";
     std::string json;
     std::string device;
@@ -72,6 +73,8 @@ std::optional<Settings> parse(int argc, char** argv, int& status) {
     settings.algorithms = names;
     CLI::App app{"Weft's path tracers against Mitsuba 3: variance times seconds"};
     app.add_flag("--quick", settings.quick, "a smaller image, fewer samples and images");
+    app.add_flag("--materials", settings.materials,
+                 "scenes with metals, plastics and glass instead, of bench witness");
     app.add_option("--scenes", settings.scenes, "folder of scenes, each DIR/NAME/NAME.xml");
     app.add_option("--json", settings.json, "write machine, versions, all figures and a summary");
     app.add_option("--threads", settings.threads, "threads of every candidate; 0: all")
@@ -174,10 +177,13 @@ void run(const Settings& settings) {
     const ScratchFolder scratch;
     Diagnostics diagnostics;
     Diagnostics problems;
-    std::string grid_problem;
-    const std::vector<PathScene> scenes = path_scenes(
-        settings.scenes, settings.only, settings.programs(), scratch.path(), grid_problem);
-    if (!grid_problem.empty()) problems.warn("the scene with a grid", "left out, " + grid_problem);
+    std::string problem;
+    const PythonPrograms programs = settings.programs();
+    const std::vector<PathScene> scenes =
+        settings.materials
+            ? path_material_scenes(settings.only, programs, scratch.path(), problem)
+            : path_scenes(settings.scenes, settings.only, programs, scratch.path(), problem);
+    if (!problem.empty()) problems.warn("scenes that the benchmark writes", "left out, " + problem);
     if (scenes.empty()) throw Error(ExitCode::usage, "--only names no scene that is there");
     const MitsubaChoice mitsuba = announced_mitsuba(settings);
     nlohmann::json json = header(settings, backends, mitsuba);

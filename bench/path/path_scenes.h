@@ -28,6 +28,13 @@ struct PathScene {
                                                  const std::filesystem::path& scratch,
                                                  std::string& problem);
 
+/// Scenes with metals, plastics and glass, which a program in Python writes into `scratch`; `only`
+/// and `problem` as above.
+[[nodiscard]] std::vector<PathScene> path_material_scenes(const std::vector<std::string>& only,
+                                                          const PythonPrograms& programs,
+                                                          const std::filesystem::path& scratch,
+                                                          std::string& problem);
+
 }  // namespace weft::bench
 
 #endif
