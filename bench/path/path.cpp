@@ -177,13 +177,14 @@ void run(const Settings& settings) {
     const ScratchFolder scratch;
     Diagnostics diagnostics;
     Diagnostics problems;
-    std::string problem;
+    std::string left_out;
     const PythonPrograms programs = settings.programs();
     const std::vector<PathScene> scenes =
         settings.materials
-            ? path_material_scenes(settings.only, programs, scratch.path(), problem)
-            : path_scenes(settings.scenes, settings.only, programs, scratch.path(), problem);
-    if (!problem.empty()) problems.warn("scenes that the benchmark writes", "left out, " + problem);
+            ? path_material_scenes(settings.only, programs, scratch.path(), left_out)
+            : path_scenes(settings.scenes, settings.only, programs, scratch.path(), left_out);
+    if (!left_out.empty())
+        problems.warn("scenes that the benchmark writes", "left out, " + left_out);
     if (scenes.empty()) throw Error(ExitCode::usage, "--only names no scene that is there");
     const MitsubaChoice mitsuba = announced_mitsuba(settings);
     nlohmann::json json = header(settings, backends, mitsuba);
