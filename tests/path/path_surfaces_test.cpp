@@ -144,6 +144,11 @@ TEST(PathSurfaces, RoughAndSmoothlyCurvedGlassLosesLittleInAFurnace) {
     }
 }
 
+/// Reflectance of a boundary at normal incidence.
+double reflectance(double eta) {
+    return test::fresnel_reflectance(1.0, eta, 1.0);
+}
+
 TEST(PathSurfaces, IndicesRelativeToWhatLiesAroundMultiply) {
     // A lamp in glass in glass, each of whose indices is relative to what it is in, as in Mitsuba's
     // files. Light goes back and forth between the two boundaries; the lamp is black.
