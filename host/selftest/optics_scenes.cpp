@@ -50,6 +50,24 @@ void add_target(SceneBuilder& builder, const glm::dvec3& centre, const glm::dvec
                 builder.material(glm::vec3(0.0F), glm::vec3(1.0F)));
 }
 
+/// Adds the things in the cell of the box that lies `cell` cells away, dimmed.
+void add_shining_things(SceneBuilder& builder, const glm::ivec3& cell, float share) {
+    const Mesh things[] = {quad_mesh({-0.6F, -0.5F, -0.4F}, {0.5F, 0.1F, 0}, {0, 0.7F, 0.2F}),
+                           quad_mesh({0.3F, -0.7F, 0.2F}, {0, 0, -0.6F}, {0.2F, 0.6F, 0}),
+                           quad_mesh({-0.2F, 0.6F, 0.3F}, {0.3F, 0, 0.3F}, {0.4F, 0.1F, -0.2F})};
+    const glm::vec3 colours[] = {{1.0F, 0.3F, 0.2F}, {0.2F, 0.8F, 0.4F}, {0.3F, 0.4F, 1.0F}};
+    glm::dmat4 place(1.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        place[axis][axis] = cell[axis] % 2 == 0 ? 1.0 : -1.0;
+        place[3][axis] = 2.0 * cell[axis];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t material = builder.material(glm::vec3(0.0F), share * colours[i]);
+        builder.scene.materials[material].emission.both_sides = true;
+        builder.add(things[i], material, place);
+    }
+}
+
 }  // namespace
 
 SeenByRay target_behind_a_prism(double aside) {
@@ -130,28 +148,6 @@ WaterInGlass water_in_glass(double overlap) {
     }
     return {std::move(builder.scene), radiance};
 }
-
-namespace {
-
-/// Adds the things in the cell of the box that lies `cell` cells away, dimmed.
-void add_shining_things(SceneBuilder& builder, const glm::ivec3& cell, float share) {
-    const Mesh things[] = {quad_mesh({-0.6F, -0.5F, -0.4F}, {0.5F, 0.1F, 0}, {0, 0.7F, 0.2F}),
-                           quad_mesh({0.3F, -0.7F, 0.2F}, {0, 0, -0.6F}, {0.2F, 0.6F, 0}),
-                           quad_mesh({-0.2F, 0.6F, 0.3F}, {0.3F, 0, 0.3F}, {0.4F, 0.1F, -0.2F})};
-    const glm::vec3 colours[] = {{1.0F, 0.3F, 0.2F}, {0.2F, 0.8F, 0.4F}, {0.3F, 0.4F, 1.0F}};
-    glm::dmat4 place(1.0);
-    for (int axis = 0; axis < 3; ++axis) {
-        place[axis][axis] = cell[axis] % 2 == 0 ? 1.0 : -1.0;
-        place[3][axis] = 2.0 * cell[axis];
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t material = builder.material(glm::vec3(0.0F), share * colours[i]);
-        builder.scene.materials[material].emission.both_sides = true;
-        builder.add(things[i], material, place);
-    }
-}
-
-}  // namespace
 
 Scene box_of_mirrors() {
     SceneBuilder builder;

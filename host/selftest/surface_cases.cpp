@@ -86,7 +86,7 @@ Estimate by_one_ray(Executor& executor, const SeenByRay& seen, std::uint32_t sam
     return by_one_ray(executor, seen.scene, seen.camera, samples);
 }
 
-SelftestCase slabs() {
+SelftestCase glass_slabs() {
     const std::string chance = "sides of boundaries are chosen by chance, by what they get";
     const double a = 0.5;
     const double f = fresnel_reflectance(1.0, 1.5, 1.0);
@@ -204,7 +204,7 @@ SelftestCase mirrors() {
 }  // namespace
 
 std::vector<SelftestCase> surface_cases() {
-    return {fresnel_means(), white_materials(),    slabs(),
+    return {fresnel_means(), white_materials(),    glass_slabs(),
             bent_light(),    transparent_sheets(), mirrors()};
 }
 
