@@ -73,14 +73,14 @@ def _parts(scene, name, parts, materials, at, rotation=None):
 
 def _things(scene):
     _parts(scene, "bottle", things.bottle(),
-           {"glass": "bottle glass", "wine": "wine", "cork": "cork"}, (-0.235, 0.0, -0.13))
+           {"glass": "bottle glass", "wine": "wine", "cork": "cork"}, (-0.2, 0.0, -0.135))
     _parts(scene, "wine glass", things.wine_glass(), {"glass": "clear glass", "wine": "wine"},
-           (0.205, 0.0, 0.0))
+           (0.185, 0.0, 0.01))
     _parts(scene, "jug", things.jug(), {"body": "copper", "handle": "brass", "rivets": "brass"},
            (-0.105, 0.0, -0.07), turn(y=-158.0))
     scene.solid("bowl", "silver", things.bowl(), (0.065, 0.0, -0.09), crease_degrees=40.0)
     _parts(scene, "pepper mill", things.pepper_mill(),
-           {"body": "red plastic", "metal": "chromium", "head": "red plastic"}, (0.305, 0.0, -0.1))
+           {"body": "red plastic", "metal": "chromium", "head": "red plastic"}, (0.248, 0.0, -0.1))
     scene.solid("plate", "glaze", things.plate(), (0.075, 0.0, 0.105), crease_degrees=40.0)
     blade = things.knife()
 
@@ -91,9 +91,9 @@ def _things(scene):
         mesh = scene.mesh(f"knife {part}", material, finish(
             blade[part], 40.0, tangent=along if part == "blade" else None))
         scene.place(f"knife {part}", mesh, (-0.035, 0.0205, 0.145), turn(y=14.0, z=0.5))
-    scene.solid("marble", "crystal", things.marble(0.03, 5), (-0.2, 0.03, 0.095),
+    scene.solid("marble", "crystal", things.marble(0.03, 5), (-0.172, 0.03, 0.085),
                 crease_degrees=60.0)
-    scene.solid("small marble", "frosted glass", things.marble(0.019, 4), (-0.137, 0.019, 0.135),
+    scene.solid("small marble", "frosted glass", things.marble(0.019, 4), (-0.118, 0.019, 0.132),
                 crease_degrees=60.0)
 
 
@@ -119,7 +119,7 @@ def build():
     _table(scene)
     _things(scene)
     _fruit(scene)
-    scene.document.add_camera("camera", (0.03, 0.3, 0.98), (0.03, 0.1, -0.05), math.radians(26.0))
+    scene.document.add_camera("camera", (0.025, 0.3, 0.98), (0.022, 0.105, -0.05), math.radians(29.0))
     sky = Sky(SUN)
     scene.document.set_image_light("sky", FACE, cube_images(sky, FACE),
                                    irradiance_coefficients(sky))
