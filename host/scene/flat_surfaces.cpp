@@ -229,7 +229,7 @@ std::optional<shared::InterfaceRecord> inside_of(const Material& material, doubl
     if (const auto* const s = std::get_if<DielectricSurface>(&material.description->model)) {
         if (s->thin) return std::nullopt;
         inside.index = static_cast<float>(s->ior_inside / s->ior_outside);
-        inside.local = s->local_index ? 1 : 0;
+        inside.is_local = s->local_index ? 1 : 0;
         return inside;
     }
     const auto* const s = std::get_if<MetallicSurface>(&material.description->model);

@@ -205,7 +205,7 @@ typedef struct {
 typedef struct {
     float4 sigma_a;  // rgb, absorption per kernel unit
     float index;
-    uint local;  // 1 where `index` is relative to what lies around, whatever that is
+    uint is_local;  // 1 where `index` is relative to what lies around, whatever that is
     uint pad[2];
 } InterfaceRecord;
 

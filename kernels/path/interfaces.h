@@ -60,7 +60,7 @@ static inline float index_within(GLOBAL const InterfaceRecord* interfaces, Inter
     float index = 1.0f;
     for (int i = 0; i < INTERFACES_HELD && around.number[i] != NO_INTERFACE; ++i) {
         index *= interfaces[around.number[i]].index;
-        if (interfaces[around.number[i]].local == 0u) break;
+        if (interfaces[around.number[i]].is_local == 0u) break;
     }
     return index;
 }
