@@ -101,8 +101,8 @@ SelftestCase glass_slabs() {
              {"cosine 0.5", stack_transmittance({{1.5}}, 0.5), by_chance(0.003, 2e-5), chance},
              {"half absorbed", a * (1.0 - f) * (1.0 - f) / (1.0 - a * a * f * f),
               by_chance(0.003, 2e-5), chance},
-             {"water that overlaps two of glass", water.radiance.x, by_chance(0.005, 2e-5), chance},
-             {"water with gaps to two of glass", gaps.radiance.x, by_chance(0.005, 2e-5), chance}},
+             {"water overlapping two of glass", water.radiance.x, by_chance(0.005, 2e-5), chance},
+             {"water between two of glass", gaps.radiance.x, by_chance(0.005, 2e-5), chance}},
             [](Executor& executor) -> std::vector<Measured> {
                 const auto clear = [&](double cosine) {
                     return by_one_ray(executor, slab_before_a_wall(glass(1.5)),
@@ -178,7 +178,7 @@ SelftestCase mirrors() {
             RunsOn::devices,
             {{"pixels unlike, of 1600", 0.0, within(16.0),
               "roulette ends one path of 1000 at a mirror; at edges rounding decides"},
-             {"light of one over that of the other", 1.0, share(0.01),
+             {"light of one over the other", 1.0, share(0.01),
               "roulette ends one path of 1000 at a mirror"}},
             [](Executor& executor) -> std::vector<Measured> {
                 PathSettings settings = path_settings(40, 40, 1, 3);

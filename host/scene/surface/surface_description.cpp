@@ -184,7 +184,7 @@ std::vector<const TextureMap*> texture_maps(const SurfaceDescription& surface) {
 }
 
 std::string surface_problem(const SurfaceDescription& surface) {
-    const std::string of_model =
+    std::string of_model =
         std::visit([](const auto& model) { return problem(model); }, surface.model);
     if (!of_model.empty()) return of_model;
     const Opacity& opacity = surface.opacity;
