@@ -129,7 +129,7 @@ void GltfMaterials::describe(const JsonValue& value, Material& material, GltfSur
             report_.count(value.place(), material_unit,
                           "transmission together with alphaMode BLEND, both let light pass");
     }
-    material.description = std::move(found.surface);
+    material.description = found.surface;
 }
 
 std::uint32_t GltfMaterials::thin(std::uint32_t material) {

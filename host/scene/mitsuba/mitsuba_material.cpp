@@ -100,7 +100,7 @@ bool MaterialReader::describe(Object& object, const std::vector<const Element*>&
                               MitsubaSurface& surface) {
     const bool adapts = object.type() == "mask" || object.type() == "normalmap";
     if (std::optional<SurfaceModel> model = read_bsdf_model(object, textures_, context_)) {
-        surface.description = SurfaceDescription{*std::move(model), {}, {}};
+        surface.description = SurfaceDescription{*model, {}, {}};
     } else if (adapts) {
         if (inner.size() != 1)
             throw input_error(object.place(), fmt::format("{} with {} nested bsdfs, expected 1",

@@ -386,10 +386,10 @@ const Element& Document::resolve(const Element& element) const {
 
 fs::path Document::find_file(const std::string& reference, const std::string& place) const {
     // Checks the reference, whichever folder has it.
-    const fs::path beside = resolve_reference(path, reference, place, false);
+    fs::path beside = resolve_reference(path, reference, place, false);
     std::error_code error;
     for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
-        const fs::path candidate = *folder / reference;
+        fs::path candidate = *folder / reference;
         if (fs::exists(candidate, error)) return candidate;
     }
     return beside;
