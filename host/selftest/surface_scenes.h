@@ -17,10 +17,10 @@
 namespace weft::selftest {
 
 /// Adds a material with that description; returns its index.
-inline std::uint32_t add_surface(SceneBuilder& builder, SurfaceDescription description,
+inline std::uint32_t add_surface(SceneBuilder& builder, const SurfaceDescription& description,
                                  const glm::vec3& emission = glm::vec3(0.0F)) {
     const std::uint32_t number = builder.material(glm::vec3(0.5F), emission);
-    builder.scene.materials[number].description = std::move(description);
+    builder.scene.materials[number].description = description;
     return number;
 }
 

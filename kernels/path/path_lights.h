@@ -8,10 +8,9 @@
 #define WEFT_KERNELS_PATH_PATH_LIGHTS_H
 
 #include "kernels/bsdf/surface.h"
+#include "kernels/bsdf/surface_maps.h"
 #include "kernels/bvh/visibility.h"
 #include "kernels/light/light.h"
-
-struct SurfaceTables;
 
 // What paths meet.
 typedef struct {
@@ -22,7 +21,7 @@ typedef struct {
     GLOBAL const LightNode* light_nodes;  // of FEATURE_LIGHT_TREE
     uint light_count;                     // that next-event estimation chooses from
     EnvironmentImage environment;         // of FEATURE_IMAGE_ENVIRONMENT
-    const struct SurfaceTables* tables;   // of materials; 0 where all surfaces are diffuse
+    const SurfaceTables* tables;          // of materials; 0 where all surfaces are diffuse
 } PathScene;
 
 /// Weight of a technique of pdf `own` beside one of pdf `other`.
