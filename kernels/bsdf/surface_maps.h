@@ -19,7 +19,7 @@
     name.tables = surface_values
 
 // What materials with more than Lambert's lobe are made of.
-typedef struct SurfaceTables {
+typedef struct {
     GLOBAL const SurfaceRecord* records;  // by material
     GLOBAL const SurfaceMap* maps;
     GLOBAL const float* coordinates;  // 2 a vertex, one set of a mesh after the other
