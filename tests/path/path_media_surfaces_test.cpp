@@ -28,7 +28,6 @@ using test::medium_of;
 using test::Rendering;
 using test::SceneBuilder;
 using test::TestBackend;
-using test::Tolerance;
 
 constexpr std::size_t comparisons = 300;
 
