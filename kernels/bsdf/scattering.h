@@ -53,6 +53,19 @@ typedef struct {
     SurfacePoint at;
 } SurfaceLookup;
 
+static inline SurfaceLookup lookup_at(const Geometry* geometry, const SurfaceTables* tables,
+                                      const SurfaceRecord* record, Hit hit, float footprint) {
+    SurfaceLookup look;
+    look.geometry = geometry;
+    look.tables = tables;
+    look.record = record;
+    look.at.triangle = geometry->triangles[hit.triangle];
+    look.at.u = hit.u;
+    look.at.v = hit.v;
+    look.at.footprint = footprint;
+    return look;
+}
+
 static inline float number_at(const SurfaceLookup* look, uint parameter, float factor) {
     return mapped_number(look->geometry, look->tables, look->record, parameter, &look->at, factor);
 }
@@ -216,14 +229,7 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     SurfaceScattering found;
     uint number = geometry->instances[surface->instance].material;
     SurfaceRecord record = tables->records[number];
-    SurfaceLookup look;
-    look.geometry = geometry;
-    look.tables = tables;
-    look.record = &record;
-    look.at.triangle = geometry->triangles[hit.triangle];
-    look.at.u = hit.u;
-    look.at.v = hit.v;
-    look.at.footprint = footprint;
+    SurfaceLookup look = lookup_at(geometry, tables, &record, hit, footprint);
     found.model = record.model;
     found.coverage = HAS(params, FEATURE_SEE_THROUGH) ? coverage_at(&look) : 1.0f;
     float gaps = 1.0f - found.coverage;
@@ -287,6 +293,22 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     found.sides = found.v.z > 0.0f ? sides_of_layers(&found.layered) : 0u;
     found.albedo = found.layered.albedo;
     return found;
+}
+
+/// `straight` of scattering_at in full detail, for shadow rays of a scene with FEATURE_SEE_THROUGH:
+/// whatever has gaps alone is not evaluated further. `record` is that of the surface's material.
+static inline float3 straight_at(const RenderParams* params, const Geometry* geometry,
+                                 const SurfaceTables* tables, const SurfaceRecord* record,
+                                 const Surface* surface, Hit hit, float3 viewer) {
+    if ((record->flags & SURFACE_THIN) != 0u) {
+        IndexRatio ratio;
+        ratio.eta = record->eta.x;
+        ratio.step = record->k.x;
+        return scattering_at(params, geometry, tables, surface, hit, 0.0f, viewer, ratio).straight;
+    }
+    SurfaceLookup look = lookup_at(geometry, tables, record, hit, 0.0f);
+    float gaps = 1.0f - coverage_at(&look);
+    return f3(gaps, gaps, gaps);
 }
 
 /// Share of the light from `in` that a tilted normal's facets leave.

@@ -39,12 +39,7 @@ static inline float3 light_passing(const RenderParams* params, const PathScene* 
         Surface surface = surface_at(params, geometry, hit, way, 0.0f);
         SurfaceRecord record = tables->records[geometry->instances[surface.instance].material];
         if ((record.flags & (SURFACE_THIN | SURFACE_MASK | SURFACE_BLEND)) == 0u) return none;
-        IndexRatio ratio;
-        ratio.eta = record.eta.x;
-        ratio.step = record.k.x;
-        SurfaceScattering met =
-            scattering_at(params, geometry, tables, &surface, hit, 0.0f, viewer, ratio);
-        passes = passes * met.straight;
+        passes = passes * straight_at(params, geometry, tables, &record, &surface, hit, viewer);
         if (!(max_component(passes) > 0.0f)) return none;
         float3 behind = surface.position -
                         surface.normal * surface_offset(surface.position, params->scene.extent);

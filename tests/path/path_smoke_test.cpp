@@ -78,12 +78,12 @@ TEST(PathSmoke, HostileGridsStayFinite) {
             for (const glm::dvec3& from : {room_eye, glm::dvec3(0.0, 0.0, 1.0)})
                 (void)test::path_image(TestBackend::own_bvh, scene,
                                        test::look_at(from, {0.0, 0.0, 0.0}, 1.0),
-                                       test::path_settings(9, 9, 3));
+                                       test::path_settings(9, 9, 8));
             scene.instances.clear();
             scene.lights.clear();
             (void)test::path_image(TestBackend::own_bvh, scene,
                                    test::look_at({0, 0, 1}, {0, 0, 0}, 1.0),
-                                   test::path_settings(9, 9, 3));
+                                   test::path_settings(9, 9, 8));
         }
 }
 

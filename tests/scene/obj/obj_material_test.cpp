@@ -98,13 +98,13 @@ TEST(ObjMaterial, SaysOnceWhatIsNotSimulated) {
               (std::vector<std::string>{
                   "1 material: bump and displacement maps are not simulated; at m.mtl:13",
                   "m.mtl:17: statement 'what' is not known, ignored"}));
+    const std::string metals =
+        "1 material: metals are not simulated, a diffuse surface is rendered instead; at m.mtl:16";
     EXPECT_EQ(read(files, "mtllib m.mtl\nusemtl a\n", MaterialDetail::diffuse).warnings,
               (std::vector<std::string>{
                   "1 material: specular reflection is not simulated; at m.mtl:9",
                   "1 material: transparency is not simulated, surfaces are opaque; at m.mtl:11",
-                  "1 material: bump and displacement maps are not simulated; at m.mtl:13",
-                  "1 material: metals are not simulated, a diffuse surface is rendered instead; at "
-                  "m.mtl:16",
+                  "1 material: bump and displacement maps are not simulated; at m.mtl:13", metals,
                   "m.mtl:17: statement 'what' is not known, ignored"}));
 }
 
