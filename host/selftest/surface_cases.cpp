@@ -93,7 +93,7 @@ SelftestCase glass_slabs() {
     const WaterInGlass water = water_in_glass(0.1);
     const WaterInGlass gaps = water_in_glass(-0.1);
     return {38,
-            "slabs of glass, with all reflections inside",
+            "slabs of glass, all reflections inside",
             RunsOn::devices,
             {{"cosine 1", stack_transmittance({{1.5}}), by_chance(0.003, 2e-5), chance},
              {"cosine 0.866", stack_transmittance({{1.5}}, std::sqrt(0.75)), by_chance(0.003, 2e-5),
