@@ -57,8 +57,10 @@ typedef struct {
     float3 sheet_colour;
     float3 diffuse;  // albedo
     float3 coat_normal, diffuse_normal, geometric_normal;
-    float under_coat;  // share of the light from below that the coat leaves
-    float3 albedo;     // of all together; an estimate where glass is rough
+    float under_coat;    // share of the light from below that the coat leaves
+    float glass_albedo;  // LayeredMaterial's
+    int alone;           // 1 for is_boundary_alone
+    float3 albedo;  // of all together; an estimate where glass is rough. Not of a lone boundary
     float p_coat, p_boundary, p_sheet,
         p_diffuse;  // with which samples choose; 0 where there is none
 } LayeredBsdf;
@@ -166,17 +168,45 @@ static inline float reflection_share(ColouredFresnel f) {
     return transmitted > 0.0f ? reflected / (reflected + transmitted) : 1.0f;
 }
 
+/// Whether a material is nothing but its boundary, by Fresnel's equations and without the light
+/// that facets reflect twice: Mitsuba's metals and solid glass.
+static inline bool is_boundary_alone(const LayeredMaterial* material) {
+    if ((material->flags & LAYERED_SINGLE_SCATTER) == 0u || material->coat > 0.0f) return false;
+    if ((material->flags & LAYERED_CONDUCTOR) != 0u) return true;
+    return (material->flags & (LAYERED_EXACT_FRESNEL | LAYERED_THIN)) == LAYERED_EXACT_FRESNEL &&
+           material->metallic == 0.0f && material->transmission >= 1.0f &&
+           bends_light(material->ratio);
+}
+
+/// make_layered of such a material, which shares its light with nothing, and so needs no albedo.
+static inline void make_boundary_alone(const LayeredMaterial* material, LayeredBsdf* bsdf) {
+    bool metal = (material->flags & LAYERED_CONDUCTOR) != 0u;
+    float3 black = f3(0.0f, 0.0f, 0.0f);
+    bsdf->alone = 1;
+    bsdf->f0 = metal ? material->base : black;
+    bsdf->f90 = black;
+    bsdf->glass = metal ? 0.0f : 1.0f / material->glass_albedo;
+    bsdf->coat = 0.0f;
+    bsdf->under_coat = 1.0f;
+    bsdf->sheet_colour = black;
+    bsdf->diffuse = black;
+    bsdf->albedo = black;
+    bsdf->p_coat = 0.0f;
+    bsdf->p_boundary = 1.0f;
+    bsdf->p_sheet = 0.0f;
+    bsdf->p_diffuse = 0.0f;
+}
+
+/// Share of the light that all parts together send towards v; an estimate where glass is rough.
+static inline float3 layered_albedo(const LayeredBsdf* bsdf, float3 v) {
+    if (bsdf->alone == 0) return bsdf->albedo;
+    ColouredFresnel f = boundary_fresnel(bsdf, m_clamp(v.z, 0.0f, 1.0f));
+    return (f.reflected + f.transmitted) * bsdf->glass_albedo;
+}
+
 /// The material as it sends light towards v; v.z > 0.
 static inline LayeredBsdf make_layered(const LayeredMaterial* material, float3 v) {
     LayeredBsdf bsdf;
-    float cosine = m_clamp(v.z, 0.0f, 1.0f);
-    bool thin = (material->flags & LAYERED_THIN) != 0u;
-    float body = 1.0f - material->metallic;
-    float clear = body * material->transmission;
-    float solid = thin ? 0.0f : clear;
-    FacetAlbedo albedo = facet_albedo(material->facets, cosine);
-    FacetAlbedo mean = mean_facet_albedo(material->facets);
-    float3 one = f3(1.0f, 1.0f, 1.0f);
     bsdf.flags = material->flags;
     bsdf.facets = material->facets;
     bsdf.sheet = material->sheet;
@@ -190,7 +220,21 @@ static inline LayeredBsdf make_layered(const LayeredMaterial* material, float3 v
     bsdf.coat_normal = material->coat_normal;
     bsdf.diffuse_normal = material->diffuse_normal;
     bsdf.geometric_normal = material->geometric_normal;
+    bsdf.glass_albedo = material->glass_albedo;
+    if (is_boundary_alone(material)) {
+        make_boundary_alone(material, &bsdf);
+        return bsdf;
+    }
+    bsdf.alone = 0;
 
+    float cosine = m_clamp(v.z, 0.0f, 1.0f);
+    bool thin = (material->flags & LAYERED_THIN) != 0u;
+    float body = 1.0f - material->metallic;
+    float clear = body * material->transmission;
+    float solid = thin ? 0.0f : clear;
+    FacetAlbedo albedo = facet_albedo(material->facets, cosine);
+    FacetAlbedo mean = mean_facet_albedo(material->facets);
+    float3 one = f3(1.0f, 1.0f, 1.0f);
     float coat_cosine = dot3(v, material->coat_normal);
     float coat = coat_reflectance(material->coat, coat_cosine);
     bsdf.coat = coat / facet_albedo(material->coat_facets, coat_cosine).all;
@@ -267,6 +311,27 @@ static inline LayeredValue coat_value(const LayeredBsdf* bsdf, float3 v, float3 
     return part;
 }
 
+/// What rough facets of the boundary with the normal h, of any length, and that reflectance reflect
+/// from l.
+static inline LayeredValue boundary_reflection(const LayeredBsdf* bsdf, float3 v, float3 l,
+                                               float3 h, ColouredFresnel f) {
+    LayeredValue part;
+    part.value = f.reflected * facet_reflection(bsdf->facets, v, l, h);
+    part.pdf = bsdf->p_boundary * reflection_share(f) *
+               facet_pdf(bsdf->facets, v, boundary_cap(bsdf, v), h);
+    return part;
+}
+
+/// What rough facets of glass that transmit as `f` says refract from l.
+static inline LayeredValue boundary_refraction(const LayeredBsdf* bsdf, float3 v, float3 l,
+                                               RefractingFacet facet, ColouredFresnel f) {
+    LayeredValue part;
+    part.value = f.transmitted * facet_refraction(bsdf->facets, v, l, facet);
+    part.pdf =
+        bsdf->p_boundary * (1.0f - reflection_share(f)) * refraction_pdf(bsdf->facets, v, facet);
+    return part;
+}
+
 static inline LayeredValue boundary_value(const LayeredBsdf* bsdf, float3 v, float3 l) {
     LayeredValue part;
     part.value = f3(0.0f, 0.0f, 0.0f);
@@ -274,19 +339,12 @@ static inline LayeredValue boundary_value(const LayeredBsdf* bsdf, float3 v, flo
     if (!(bsdf->p_boundary > 0.0f) || facets_are_smooth(bsdf->facets)) return part;
     if (l.z > 0.0f) {
         float3 h = v + l;
-        ColouredFresnel f = boundary_fresnel(bsdf, facet_cosine(h));
-        part.value = f.reflected * facet_reflection(bsdf->facets, v, l, h);
-        part.pdf = bsdf->p_boundary * reflection_share(f) *
-                   facet_pdf(bsdf->facets, v, boundary_cap(bsdf, v), h);
-    } else if (bsdf->glass > 0.0f) {
-        RefractingFacet facet = refracting_facet(bsdf->ratio, v, l);
-        if (!(facet.h.z > 0.0f)) return part;
-        ColouredFresnel f = boundary_fresnel(bsdf, facet.c);
-        part.value = f.transmitted * facet_refraction(bsdf->facets, v, l, facet);
-        part.pdf = bsdf->p_boundary * (1.0f - reflection_share(f)) *
-                   refraction_pdf(bsdf->facets, v, facet);
+        return boundary_reflection(bsdf, v, l, h, boundary_fresnel(bsdf, facet_cosine(h)));
     }
-    return part;
+    if (!(bsdf->glass > 0.0f)) return part;
+    RefractingFacet facet = refracting_facet(bsdf->ratio, v, l);
+    if (!(facet.h.z > 0.0f)) return part;
+    return boundary_refraction(bsdf, v, l, facet, boundary_fresnel(bsdf, facet.c));
 }
 
 static inline LayeredValue sheet_value(const LayeredBsdf* bsdf, float3 v, float3 l) {
@@ -301,6 +359,17 @@ static inline LayeredValue sheet_value(const LayeredBsdf* bsdf, float3 v, float3
     return part;
 }
 
+/// What a coat that is not smooth and the body reflect from l, on the side of the triangle.
+static inline LayeredValue coat_and_body(const LayeredBsdf* bsdf, float3 v, float3 l) {
+    LayeredValue both = coat_value(bsdf, v, l);
+    float cosine = dot3(l, bsdf->diffuse_normal);
+    if (bsdf->p_diffuse > 0.0f && cosine > 0.0f) {
+        both.value += bsdf->diffuse * (cosine * M_INV_PI);
+        both.pdf += bsdf->p_diffuse * cosine_pdf(cosine);
+    }
+    return both;
+}
+
 /// The value times the cosine of `l`, 1/sr, of all parts that are not smooth, and the pdf with
 /// which layered_sample chooses `l` by any of them.
 static inline LayeredValue layered_eval(const LayeredBsdf* bsdf, float3 v, float3 l) {
@@ -309,14 +378,7 @@ static inline LayeredValue layered_eval(const LayeredBsdf* bsdf, float3 v, float
     whole.pdf = 0.0f;
     if (!(v.z > 0.0f)) return whole;
     float side = dot3(l, bsdf->geometric_normal);
-    if (side > 0.0f) {
-        whole = coat_value(bsdf, v, l);
-        float cosine = dot3(l, bsdf->diffuse_normal);
-        if (cosine > 0.0f) {
-            whole.value += bsdf->diffuse * (cosine * M_INV_PI);
-            whole.pdf += bsdf->p_diffuse * cosine_pdf(cosine);
-        }
-    }
+    if (side > 0.0f) whole = coat_and_body(bsdf, v, l);
     // Facets reflect to the side of the triangle on which they are, and refract to the other.
     if (side * l.z > 0.0f) {
         LayeredValue boundary = boundary_value(bsdf, v, l);
@@ -341,26 +403,58 @@ static inline BsdfSample smooth_sample(const LayeredBsdf* bsdf, float3 in, float
     return sample;
 }
 
-/// A sample of a part that is not smooth: its weight and pdf are those of all parts. Only what its
-/// own part sends there counts as chosen by it: `height` is that of `in` in the frame of the part,
-/// which other parts must not get where facets reflect down or refract up.
-static inline BsdfSample rough_sample(const LayeredBsdf* bsdf, float3 v, float3 in, float height,
-                                      uint kind) {
+/// A sample of value and pdf `whole`; without weight where that is 0.
+static inline BsdfSample valued_sample(float3 in, LayeredValue whole, uint kind) {
     BsdfSample sample;
     sample.in = in;
     sample.pdf = 0.0f;
     sample.weight = f3(0.0f, 0.0f, 0.0f);
     sample.flags = 0u;
-    float side = dot3(in, bsdf->geometric_normal);
-    if ((kind & BSDF_REFLECTION) != 0u ? !(side > 0.0f && height > 0.0f)
-                                       : !(side < 0.0f && height < 0.0f))
-        return sample;
-    LayeredValue whole = layered_eval(bsdf, v, in);
     if (!(whole.pdf > 0.0f)) return sample;
     sample.pdf = whole.pdf;
     sample.weight = whole.value / whole.pdf;
     sample.flags = kind;
     return sample;
+}
+
+/// Whether what a part sends from `in` counts as chosen by it: `height` is that of `in` in the
+/// frame of the part, which other parts must not get where facets reflect down or refract up.
+static inline bool fits_kind(const LayeredBsdf* bsdf, float3 in, float height, uint kind) {
+    float side = dot3(in, bsdf->geometric_normal);
+    return (kind & BSDF_REFLECTION) != 0u ? side > 0.0f && height > 0.0f
+                                          : side < 0.0f && height < 0.0f;
+}
+
+/// A sample of a part that is not smooth: its weight and pdf are those of all parts.
+static inline BsdfSample rough_sample(const LayeredBsdf* bsdf, float3 v, float3 in, float height,
+                                      uint kind) {
+    LayeredValue whole;
+    whole.value = f3(0.0f, 0.0f, 0.0f);
+    whole.pdf = 0.0f;
+    if (fits_kind(bsdf, in, height, kind)) whole = layered_eval(bsdf, v, in);
+    return valued_sample(in, whole, kind);
+}
+
+/// rough_sample of the boundary, whose Fresnel's equations are solved.
+static inline BsdfSample rough_boundary_sample(const LayeredBsdf* bsdf, float3 v, float3 in,
+                                               ColouredFresnel f, uint kind) {
+    LayeredValue whole;
+    whole.value = f3(0.0f, 0.0f, 0.0f);
+    whole.pdf = 0.0f;
+    if (!fits_kind(bsdf, in, in.z, kind)) return valued_sample(in, whole, kind);
+    if (kind == BSDF_REFLECTION) {
+        LayeredValue boundary = boundary_reflection(bsdf, v, in, v + in, f);
+        if (bsdf->alone == 0) whole = coat_and_body(bsdf, v, in);
+        whole.value += boundary.value;
+        whole.pdf += boundary.pdf;
+        return valued_sample(in, whole, kind);
+    }
+    RefractingFacet facet = refracting_facet(bsdf->ratio, v, in);
+    if (facet.h.z > 0.0f) whole = boundary_refraction(bsdf, v, in, facet, f);
+    LayeredValue sheet = sheet_value(bsdf, v, in);
+    whole.value += sheet.value;
+    whole.pdf += sheet.pdf;
+    return valued_sample(in, whole, kind);
 }
 
 static inline BsdfSample sample_coat(const LayeredBsdf* bsdf, float3 v, float u, float w) {
@@ -387,11 +481,11 @@ static inline BsdfSample sample_boundary(const LayeredBsdf* bsdf, float3 v, floa
     float share = reflection_share(f);
     if (choice < share) {
         float3 in = reflected_direction(v, m, c);
-        if (rough) return rough_sample(bsdf, v, in, in.z, BSDF_REFLECTION);
+        if (rough) return rough_boundary_sample(bsdf, v, in, f, BSDF_REFLECTION);
         return smooth_sample(bsdf, in, f.reflected / (bsdf->p_boundary * share), BSDF_REFLECTION);
     }
     float3 in = refracted_direction(bsdf->ratio, v, m, c, f.g);
-    if (rough) return rough_sample(bsdf, v, in, in.z, BSDF_TRANSMISSION);
+    if (rough) return rough_boundary_sample(bsdf, v, in, f, BSDF_TRANSMISSION);
     return smooth_sample(bsdf, in, f.transmitted / (bsdf->p_boundary * (1.0f - share)),
                          BSDF_TRANSMISSION);
 }

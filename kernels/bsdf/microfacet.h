@@ -1,47 +1,14 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Surfaces made of tiny facets, each a mirror or a refracting boundary: the distributions of their
-// normals by GGX (Walter et al. 2007) and Beckmann, both anisotropic, masking by Smith (Heitz
-// 2014), and the choice of a facet among those that a direction sees.
-//
-// Directions are unit vectors about +z, the surface's normal, and the axes of roughness are x and
-// y. `v` leads to where the light goes, `l` to where it comes from. Values have the cosine of `l`
-// in them.
+// The distributions of facets' normals by GGX (Walter et al. 2007) and Beckmann, both anisotropic,
+// masking by Smith (Heitz 2014), and the choice of a facet among those that a direction sees.
+// Directions as in facets.h. Values have the cosine of `l` in them.
 #ifndef WEFT_KERNELS_BSDF_MICROFACET_H
 #define WEFT_KERNELS_BSDF_MICROFACET_H
 
+#include "kernels/bsdf/beckmann.h"
 #include "kernels/core/sampling.h"
-
-// Surfaces with less roughness are smooth: they reflect in one direction, have no value, and the
-// pdf of what they send is written as 0. An 8-bit roughness of 4 / 255 is the least that is not.
-#define LEAST_ALPHA 0.000244140625f  // 2^-12
-
-#define FACETS_BECKMANN 1u   // distribution of normals; GGX without it
-#define FACETS_SEPARABLE 2u  // masking of both directions independent; height-correlated without it
-
-// The facets at a point. Roughness by the usual parameter alpha, sqrt(2) times the deviation of
-// slopes for Beckmann's distribution; both are 0 for a smooth surface, and neither is below
-// LEAST_ALPHA else.
-typedef struct {
-    float alpha_x, alpha_y;
-    uint flags;  // FACETS_*
-} Facets;
-
-/// Facets with that roughness along x and y. They are smooth only where both are; where one is, it
-/// is raised to the least that is not.
-static inline Facets make_facets(float alpha_x, float alpha_y, uint flags) {
-    Facets facets;
-    bool smooth = !(alpha_x >= LEAST_ALPHA || alpha_y >= LEAST_ALPHA);
-    facets.alpha_x = smooth ? 0.0f : m_max(alpha_x, LEAST_ALPHA);
-    facets.alpha_y = smooth ? 0.0f : m_max(alpha_y, LEAST_ALPHA);
-    facets.flags = flags;
-    return facets;
-}
-
-static inline bool facets_are_smooth(Facets facets) {
-    return facets.alpha_x == 0.0f;
-}
 
 /// Density of GGX normals at h, which is not 0 and may have any length, 1/sr. Nothing cancels in
 /// sums of squares of its components: the cosine of a normal near +z has lost its angle (at
@@ -51,17 +18,6 @@ static inline float ggx_density(Facets facets, float3 h) {
     float y = h.y / facets.alpha_y;
     float ratio = dot3(h, h) / (x * x + y * y + h.z * h.z);
     return ratio * ratio * M_INV_PI / (facets.alpha_x * facets.alpha_y);
-}
-
-/// The same of Beckmann's normals, exp(-tan^2 / alpha^2) / (pi alpha^2 cos^4).
-static inline float beckmann_density(Facets facets, float3 h) {
-    float x = h.x / (facets.alpha_x * h.z);
-    float y = h.y / (facets.alpha_y * h.z);
-    float steepness = x * x + y * y;
-    // Where exp is 0 as a float; also where h.z is nearly 0.
-    if (!(steepness < 80.0f)) return 0.0f;
-    float ratio = dot3(h, h) / (h.z * h.z);
-    return ratio * ratio * m_exp(-steepness) * M_INV_PI / (facets.alpha_x * facets.alpha_y);
 }
 
 /// Density of the normals' distribution at h, which is not 0 and may have any length, 1/sr; 0 where
@@ -80,17 +36,10 @@ static inline float ggx_length(Facets facets, float3 w) {
 }
 
 /// s(w) = |w.z| (1 + 2 Lambda(w)), by which the share of facets that `w` sees of those that face it
-/// is 2 |w.z| / (|w.z| + s(w)) (Smith 1967). Finite along the surface, where Lambda is not. Of
-/// Beckmann's distribution the rational fit of Walter et al. 2007.
+/// is 2 |w.z| / (|w.z| + s(w)) (Smith 1967). Finite along the surface, where Lambda is not.
 static inline float masking_length(Facets facets, float3 w) {
-    if ((facets.flags & FACETS_BECKMANN) == 0u) return ggx_length(facets, w);
-    float x = facets.alpha_x * w.x;
-    float y = facets.alpha_y * w.y;
-    float height = absolute(w.z);
-    float slope = square_root(x * x + y * y);
-    if (!(height < 1.6f * slope)) return height;
-    float a = height / slope;
-    return height + 2.0f * slope * (1.0f + a * (-1.259f + 0.396f * a)) / (3.535f + 2.181f * a);
+    return (facets.flags & FACETS_BECKMANN) != 0u ? beckmann_length(facets, w)
+                                                  : ggx_length(facets, w);
 }
 
 /// Share of the facets that both directions see, over 4 |v.z|: masking as reflections need it, with
@@ -117,10 +66,10 @@ static inline float facet_cosine(float3 h) {
     return m_min(0.5f * square_root(dot3(h, h)), 1.0f);
 }
 
-// Facets are chosen in proportion to how large a direction sees them, whatever the distribution of
-// their normals, by GGX (Heitz 2018). As points of a cap of the unit sphere that is cut off at
-// z = -k times the height of the direction (Dupuy and Benyoub 2023): of k = 1 come all visible
-// facets, of less only those that can reflect light upwards (Eto and Tokuyoshi 2023).
+// Facets are chosen in proportion to how large a direction sees them. Those of GGX (Heitz 2018) are
+// points of a cap of the unit sphere that is cut off at z = -k times the height of the direction
+// (Dupuy and Benyoub 2023): of k = 1 come all visible facets, of less only those that can reflect
+// light upwards (Eto and Tokuyoshi 2023). For Beckmann's, all visible ones, k has no meaning.
 
 /// The k for reflections.
 static inline float reflecting_cap(Facets facets, float3 v) {
@@ -132,6 +81,7 @@ static inline float reflecting_cap(Facets facets, float3 v) {
 
 /// A facet's normal, by numbers in [0, 1). v.z > 0.
 static inline float3 sample_facet(Facets facets, float3 v, float k, float u, float w) {
+    if ((facets.flags & FACETS_BECKMANN) != 0u) return sample_beckmann_facet(facets, v, u, w);
     float3 stretched = f3(facets.alpha_x * v.x, facets.alpha_y * v.y, v.z);
     float3 axis = stretched / square_root(dot3(stretched, stretched));
     // The height on the cap is 1 - less. Its distance from the axis by both, so that neither end
@@ -149,6 +99,8 @@ static inline float3 sample_facet(Facets facets, float3 v, float k, float u, flo
 /// Pdf of a facet with the normal h, of any length, over 4 times its cosine with `v`: the pdf of
 /// its reflection, 1/sr, of directions above the surface or not.
 static inline float facet_pdf(Facets facets, float3 v, float k, float3 h) {
+    if ((facets.flags & FACETS_BECKMANN) != 0u)
+        return h.z > 0.0f ? beckmann_density(facets, h) / (4.0f * beckmann_seen(facets, v)) : 0.0f;
     return ggx_density(facets, h) / (2.0f * (k * v.z + ggx_length(facets, v)));
 }
 

@@ -19,7 +19,7 @@ typedef struct {
     uint sides;          // SCATTERS_*; 0 where all is smooth
     SurfaceFrame frame;  // of the facets
     float3 v;            // direction of the viewer in that frame
-    float3 albedo;       // diffuse colour and what facets reflect, for layers of the image
+    float3 albedo;       // diffuse colour and what facets reflect; see scattering_albedo
     float coverage;      // share of the light that meets the surface at all
     float3 straight;     // and of what passes straight on: gaps, and clear glass without thickness
     float3 smooth;       // unit vectors on the side of the viewer: normal without a map,
@@ -49,12 +49,13 @@ static inline float alpha_of_roughness(float roughness, uint scale) {
 typedef struct {
     const Geometry* geometry;
     const SurfaceTables* tables;
-    const SurfaceRecord* record;
+    GLOBAL const SurfaceRecord* record;
     SurfacePoint at;
 } SurfaceLookup;
 
 static inline SurfaceLookup lookup_at(const Geometry* geometry, const SurfaceTables* tables,
-                                      const SurfaceRecord* record, Hit hit, float footprint) {
+                                      GLOBAL const SurfaceRecord* record, Hit hit,
+                                      float footprint) {
     SurfaceLookup look;
     look.geometry = geometry;
     look.tables = tables;
@@ -77,7 +78,7 @@ static inline float3 colour_at(const SurfaceLookup* look, uint parameter, float3
 /// Direction of the greater roughness, in the world, and alpha along it and across.
 static inline float3 find_roughness(const SurfaceLookup* look, const Surface* surface, float* along,
                                     float* across) {
-    const SurfaceRecord* record = look->record;
+    GLOBAL const SurfaceRecord* record = look->record;
     *across = alpha_of_roughness(number_at(look, MAP_ROUGHNESS, record->roughness_u),
                                  record->roughness_scale);
     *along = *across;
@@ -118,7 +119,7 @@ static inline IndexRatio inverse_ratio(IndexRatio ratio, float step) {
 /// Reflectance at normal incidence of a dielectric at `ratio`. The record has it for its own ratio,
 /// with the material's colour; where other glass is around it is as much less or more as by
 /// Fresnel's equations.
-static inline float3 reflectance_at_ratio(const SurfaceRecord* record, IndexRatio ratio,
+static inline float3 reflectance_at_ratio(GLOBAL const SurfaceRecord* record, IndexRatio ratio,
                                           float3 f0) {
     if (ratio.eta == record->eta.x || ratio.eta == 1.0f / record->eta.x) return f0;
     IndexRatio own;
@@ -135,7 +136,7 @@ static inline LayeredMaterial layered_at(const SurfaceLookup* look, const Surfac
                                          float3 vertex_colour, float3 coat_normal,
                                          const SurfaceFrame* frame, float3 v, Facets facets,
                                          IndexRatio ratio) {
-    const SurfaceRecord* record = look->record;
+    GLOBAL const SurfaceRecord* record = look->record;
     LayeredMaterial material;
     material.flags = record->flags & (SURFACE_THIN | SURFACE_CONDUCTOR | SURFACE_SINGLE_SCATTER |
                                       SURFACE_EXACT_FRESNEL);
@@ -183,7 +184,7 @@ static inline uint sides_of_layers(const LayeredBsdf* bsdf) {
 }
 
 static inline Plastic plastic_at(const SurfaceLookup* look, float3 vertex_colour, Facets facets) {
-    const SurfaceRecord* record = look->record;
+    GLOBAL const SurfaceRecord* record = look->record;
     Plastic plastic;
     plastic.facets = facets;
     plastic.ratio.eta = record->eta.x;
@@ -220,6 +221,13 @@ static inline float coverage_at(const SurfaceLookup* look) {
     return m_clamp(alpha, 0.0f, 1.0f);
 }
 
+/// The record of a surface's material.
+static inline GLOBAL const SurfaceRecord* record_of(const Geometry* geometry,
+                                                    const SurfaceTables* tables,
+                                                    const Surface* surface) {
+    return tables->records + geometry->instances[surface->instance].material;
+}
+
 /// What a surface does with light towards the viewer, who is along `viewer`. `ratio` is that of the
 /// indices beyond a transmitting surface and on the viewer's side.
 static inline SurfaceScattering scattering_at(const RenderParams* params, const Geometry* geometry,
@@ -227,10 +235,9 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
                                               Hit hit, float footprint, float3 viewer,
                                               IndexRatio ratio) {
     SurfaceScattering found;
-    uint number = geometry->instances[surface->instance].material;
-    SurfaceRecord record = tables->records[number];
-    SurfaceLookup look = lookup_at(geometry, tables, &record, hit, footprint);
-    found.model = record.model;
+    GLOBAL const SurfaceRecord* record = record_of(geometry, tables, surface);
+    SurfaceLookup look = lookup_at(geometry, tables, record, hit, footprint);
+    found.model = record->model;
     found.coverage = HAS(params, FEATURE_SEE_THROUGH) ? coverage_at(&look) : 1.0f;
     float gaps = 1.0f - found.coverage;
     found.straight = f3(gaps, gaps, gaps);
@@ -240,18 +247,18 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     Surface at = *surface;
     float3 coat_normal = surface->shading;
     // Mitsuba flips normals, or leaves them black, where others are bent.
-    bool bends = (record.flags & SURFACE_MITSUBA_NORMALS) == 0u;
-    if ((record.maps & MAP_NORMAL) != 0u)
-        at.shading = bends ? mapped_normal(geometry, tables, &record, MAP_NORMAL, &look.at,
-                                           record.normal_scale, surface->shading, surface->front)
-                           : mitsuba_normal(geometry, tables, &record, &look.at, surface->shading,
+    bool bends = (record->flags & SURFACE_MITSUBA_NORMALS) == 0u;
+    if ((record->maps & MAP_NORMAL) != 0u)
+        at.shading = bends ? mapped_normal(geometry, tables, record, MAP_NORMAL, &look.at,
+                                           record->normal_scale, surface->shading, surface->front)
+                           : mitsuba_normal(geometry, tables, record, &look.at, surface->shading,
                                             surface->front, viewer);
-    if ((record.flags & SURFACE_NORMAL_SHADOWING) != 0u)
+    if ((record->flags & SURFACE_NORMAL_SHADOWING) != 0u)
         found.shadowing = shadowing_roughness(dot3(at.shading, surface->shading));
-    if ((record.maps & MAP_COAT_NORMAL) != 0u)
-        coat_normal = mapped_normal(geometry, tables, &record, MAP_COAT_NORMAL, &look.at,
-                                    record.coat_normal_scale, surface->shading, surface->front);
-    if (record.model == SURFACE_LAMBERT) {
+    if ((record->maps & MAP_COAT_NORMAL) != 0u)
+        coat_normal = mapped_normal(geometry, tables, record, MAP_COAT_NORMAL, &look.at,
+                                    record->coat_normal_scale, surface->shading, surface->front);
+    if (record->model == SURFACE_LAMBERT) {
         found.frame = frame_about(at.shading, f3(0.0f, 0.0f, 0.0f));
         found.v = into_frame(&found.frame, viewer);
         found.albedo = surface->bsdf.albedo;
@@ -260,8 +267,8 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     }
     float along, across;
     float3 direction = find_roughness(&look, &at, &along, &across);
-    uint kind = ((record.flags & SURFACE_BECKMANN) != 0u ? FACETS_BECKMANN : 0u) |
-                ((record.flags & SURFACE_SEPARABLE) != 0u ? FACETS_SEPARABLE : 0u);
+    uint kind = ((record->flags & SURFACE_BECKMANN) != 0u ? FACETS_BECKMANN : 0u) |
+                ((record->flags & SURFACE_SEPARABLE) != 0u ? FACETS_SEPARABLE : 0u);
     Facets facets = make_facets(along, across, kind);
     found.frame = frame_about(bends ? bent_normal(viewer, at.shading, surface->normal) : at.shading,
                               direction);
@@ -273,7 +280,7 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
                         attribute3(geometry->vertex_colours, look.at.triangle.v1) * hit.u +
                         attribute3(geometry->vertex_colours, look.at.triangle.v2) * hit.v;
     }
-    if (record.model == SURFACE_PLASTIC) {
+    if (record->model == SURFACE_PLASTIC) {
         found.plastic = plastic_at(&look, vertex_colour, facets);
         found.sides = found.v.z > 0.0f ? SCATTERS_ABOVE : 0u;
         found.albedo = found.plastic.body;
@@ -285,7 +292,7 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     found.layered = make_layered(&material, found.v);
     // Solid glass of the index around it blocks shadow rays as all solid glass does, so that what
     // passes it is a sample of a smooth part.
-    if (HAS(params, FEATURE_SEE_THROUGH) && (record.flags & SURFACE_THIN) != 0u &&
+    if (HAS(params, FEATURE_SEE_THROUGH) && (record->flags & SURFACE_THIN) != 0u &&
         found.layered.p_sheet > 0.0f && facets_are_smooth(found.layered.sheet)) {
         found.straight += found.layered.sheet_colour * found.coverage;
         drop_sheet(&found.layered);
@@ -295,10 +302,17 @@ static inline SurfaceScattering scattering_at(const RenderParams* params, const 
     return found;
 }
 
+/// Diffuse colour and what facets reflect towards the viewer, for layers of the image.
+static inline float3 scattering_albedo(const SurfaceScattering* scattering) {
+    return scattering->model == SURFACE_LAYERED && scattering->layered.alone != 0
+               ? layered_albedo(&scattering->layered, scattering->v)
+               : scattering->albedo;
+}
+
 /// `straight` of scattering_at in full detail, for shadow rays of a scene with FEATURE_SEE_THROUGH:
 /// whatever has gaps alone is not evaluated further. `record` is that of the surface's material.
 static inline float3 straight_at(const RenderParams* params, const Geometry* geometry,
-                                 const SurfaceTables* tables, const SurfaceRecord* record,
+                                 const SurfaceTables* tables, GLOBAL const SurfaceRecord* record,
                                  const Surface* surface, Hit hit, float3 viewer) {
     if ((record->flags & SURFACE_THIN) != 0u) {
         IndexRatio ratio;

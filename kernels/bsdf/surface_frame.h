@@ -36,7 +36,7 @@ static inline void tangents_at(const SurfaceTables* tables, const SurfacePoint* 
 /// The normal that a map gives, on the side of `shading`, which is returned where the map has none.
 /// `smooth_normal` is that of the outside, and `front` tells whether the viewer is there.
 static inline float3 mapped_normal(const Geometry* geometry, const SurfaceTables* tables,
-                                   const SurfaceRecord* record, uint parameter,
+                                   GLOBAL const SurfaceRecord* record, uint parameter,
                                    const SurfacePoint* at, float scale, float3 shading, int front) {
     float3 outside = front != 0 ? shading : -shading;
     float3 tangent, bitangent;
@@ -57,7 +57,7 @@ static inline float3 mapped_normal(const Geometry* geometry, const SurfaceTables
 /// bitangent the normal times the tangent, and the back has it mirrored. With SURFACE_NORMAL_FLIP a
 /// normal that does not face `viewer`, a unit vector, is turned about `shading` until it does.
 static inline float3 mitsuba_normal(const Geometry* geometry, const SurfaceTables* tables,
-                                    const SurfaceRecord* record, const SurfacePoint* at,
+                                    GLOBAL const SurfaceRecord* record, const SurfacePoint* at,
                                     float3 shading, int front, float3 viewer) {
     float3 outside = front != 0 ? shading : -shading;
     float3 tangent, bitangent;

@@ -38,7 +38,7 @@ typedef struct {
 
 /// The colour of the map for a parameter, MAP_*, which the record has.
 static inline float3 map_colour(const Geometry* geometry, const SurfaceTables* tables,
-                                const SurfaceRecord* record, uint parameter,
+                                GLOBAL const SurfaceRecord* record, uint parameter,
                                 const SurfacePoint* at) {
     uint before = (uint)bit_count(record->maps & (parameter - 1u));
     SurfaceMap map = tables->maps[record->first_map + before];
@@ -78,7 +78,7 @@ static inline float vertex_alpha(const SurfaceTables* tables, const SurfacePoint
 
 /// A colour times its map, if it has one.
 static inline float3 mapped_colour(const Geometry* geometry, const SurfaceTables* tables,
-                                   const SurfaceRecord* record, uint parameter,
+                                   GLOBAL const SurfaceRecord* record, uint parameter,
                                    const SurfacePoint* at, float3 factor) {
     if ((record->maps & parameter) == 0u) return factor;
     return factor * map_colour(geometry, tables, record, parameter, at);
@@ -86,7 +86,7 @@ static inline float3 mapped_colour(const Geometry* geometry, const SurfaceTables
 
 /// A number times the channel of its map, if it has one.
 static inline float mapped_number(const Geometry* geometry, const SurfaceTables* tables,
-                                  const SurfaceRecord* record, uint parameter,
+                                  GLOBAL const SurfaceRecord* record, uint parameter,
                                   const SurfacePoint* at, float factor) {
     if ((record->maps & parameter) == 0u) return factor;
     uint before = (uint)bit_count(record->maps & (parameter - 1u));

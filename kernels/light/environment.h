@@ -39,11 +39,17 @@ static inline float background_alpha(const RenderParams* params, float3 transmit
     return 1.0f - (transmittance.x + transmittance.y + transmittance.z) * (1.0f / 3.0f);
 }
 
-/// Pdf, 1/sr, with which next-event estimation samples a direction towards the environment where it
-/// chooses that; 0 where it never does.
-static inline float environment_pdf(const RenderParams* params, const EnvironmentImage* image,
-                                    float3 direction) {
-    return HAS(params, FEATURE_IMAGE_ENVIRONMENT) ? image_pdf(image, direction) : 0.0f;
+/// Radiance along a ray in that direction, of any length, that meets nothing. `*pdf` is that, 1/sr,
+/// with which next-event estimation samples it where it chooses the environment; 0 where it never
+/// does.
+static inline float3 environment_met(const RenderParams* params, const EnvironmentImage* image,
+                                     float3 direction, float* pdf) {
+    float3 radiance = xyz(params->scene.environment);
+    *pdf = 0.0f;
+    if (!HAS(params, FEATURE_IMAGE_ENVIRONMENT)) return radiance;
+    ImagePlace place = image_place(image, direction);
+    *pdf = pdf_at_place(image, place);
+    return radiance * radiance_at_place(image, place);
 }
 
 /// A direction towards the environment, of pdf 1 / SPHERE_SOLID_ANGLE.

@@ -35,15 +35,29 @@ typedef struct {
     float pdf;  // 1/sr
 } EnvironmentSample;
 
-/// A direction, of any length, in the frame of the image.
-static inline float3 image_direction(GLOBAL const EnvironmentRecord* record, float3 direction) {
-    return f3(dot3(direction, xyz(record->x_axis)), dot3(direction, xyz(record->y_axis)),
-              dot3(direction, xyz(record->z_axis)));
+// Where a direction lies on the image.
+typedef struct {
+    float u, v;    // in [0, 1]
+    float height;  // cosine with the axis y
+} ImagePlace;
+
+/// The coordinate v of a direction of which `height` is along the axis y and `across` off it.
+static inline float image_v(float across, float height) {
+    return m_clamp(m_atan2(across, height) * M_INV_PI, 0.0f, 1.0f);
 }
 
-/// The coordinate u, in [0, 1], of a direction in the frame of the image.
-static inline float image_turn(float3 inner) {
-    return m_clamp(0.5f + m_atan2(inner.z, inner.x) * M_INV_TWO_PI, 0.0f, 1.0f);
+/// The place of a direction of any length.
+static inline ImagePlace image_place(const EnvironmentImage* image, float3 direction) {
+    GLOBAL const EnvironmentRecord* record = image->record;
+    float x = dot3(direction, xyz(record->x_axis));
+    float y = dot3(direction, xyz(record->y_axis));
+    float z = dot3(direction, xyz(record->z_axis));
+    float square = x * x + z * z;
+    ImagePlace place;
+    place.u = m_clamp(0.5f + m_atan2(z, x) * M_INV_TWO_PI, 0.0f, 1.0f);
+    place.v = image_v(square_root(square), y);
+    place.height = y / square_root(square + y * y);
+    return place;
 }
 
 /// Index of the cell that `x` lies in, of `count` cells of width 1 from 0 on.
@@ -61,15 +75,12 @@ static inline float3 between_texels(float3 a, float3 b, float share) {
     return a * (1.0f - share) + b * share;
 }
 
-/// Radiance from that direction, of any length, between the four texels about it.
-static inline float3 image_radiance(const EnvironmentImage* image, float3 direction) {
+/// Radiance from a place, between the four texels about it.
+static inline float3 radiance_at_place(const EnvironmentImage* image, ImagePlace place) {
     GLOBAL const EnvironmentRecord* record = image->record;
-    float3 inner = image_direction(record, direction);
-    float across = square_root(inner.x * inner.x + inner.z * inner.z);
-    float v = m_clamp(m_atan2(across, inner.y) * M_INV_PI, 0.0f, 1.0f);
     // The first column is that beyond the left edge, half of which is left of the middle of u = 0.
-    float x = image_turn(inner) * record->column_scale + 0.5f;
-    float y = v * record->row_scale + record->row_offset;
+    float x = place.u * record->column_scale + 0.5f;
+    float y = place.v * record->row_scale + record->row_offset;
     uint column = cell_index(x, record->width - 1u);
     uint row = cell_index(y, record->height - 1u);
     float s = m_clamp(x - (float)column, 0.0f, 1.0f);
@@ -79,6 +90,11 @@ static inline float3 image_radiance(const EnvironmentImage* image, float3 direct
     float3 above = between_texels(image_texel(upper), image_texel(upper + 3), s);
     float3 below = between_texels(image_texel(lower), image_texel(lower + 3), s);
     return between_texels(above, below, t);
+}
+
+/// Radiance from that direction, of any length.
+static inline float3 image_radiance(const EnvironmentImage* image, float3 direction) {
+    return radiance_at_place(image, image_place(image, direction));
 }
 
 /// The probability of entry `i` by inclusive sums.
@@ -91,16 +107,19 @@ static inline float cell_pdf(GLOBAL const EnvironmentRecord* record) {
     return (float)record->columns * (float)record->rows * (1.0f / SPHERE_SOLID_ANGLE);
 }
 
-/// Pdf, 1/sr, with which sample_image chooses that direction, of any length.
-static inline float image_pdf(const EnvironmentImage* image, float3 direction) {
+/// Pdf, 1/sr, with which sample_image chooses the direction of a place.
+static inline float pdf_at_place(const EnvironmentImage* image, ImagePlace place) {
     GLOBAL const EnvironmentRecord* record = image->record;
-    float3 inner = image_direction(record, direction);
-    float height = inner.y / length3(inner);
-    uint row = cell_index((0.5f - 0.5f * height) * (float)record->rows, record->rows);
-    uint column = cell_index(image_turn(inner) * (float)record->columns, record->columns);
+    uint row = cell_index((0.5f - 0.5f * place.height) * (float)record->rows, record->rows);
+    uint column = cell_index(place.u * (float)record->columns, record->columns);
     float of_row = entry_probability(image->sums, row);
     GLOBAL const float* cells = image->sums + record->rows + row * record->columns;
     return of_row * entry_probability(cells, column) * cell_pdf(record);
+}
+
+/// Pdf, 1/sr, with which sample_image chooses that direction, of any length.
+static inline float image_pdf(const EnvironmentImage* image, float3 direction) {
+    return pdf_at_place(image, image_place(image, direction));
 }
 
 /// Chooses a direction by the cells of the image, and in a cell evenly.
@@ -113,15 +132,17 @@ static inline EnvironmentSample sample_image(const EnvironmentImage* image, floa
     uint column = find_entry(cells, 1u, record->columns, u);
     float of_cell = entry_probability(cells, column);
     float along = rescale_number(u, cells[column] - of_cell, of_cell);
-    float height = 1.0f - 2.0f * (((float)row + down) / (float)record->rows);
-    float turn = ((float)column + along) / (float)record->columns - 0.5f;
+    ImagePlace place;
+    place.height = 1.0f - 2.0f * (((float)row + down) / (float)record->rows);
+    place.u = m_min(((float)column + along) / (float)record->columns, 1.0f);
     float sine, cosine;
-    m_sincos(M_TWO_PI * turn, &sine, &cosine);
-    float across = square_root(m_max(0.0f, (1.0f - height) * (1.0f + height)));
+    m_sincos(M_TWO_PI * (place.u - 0.5f), &sine, &cosine);
+    float across = square_root(m_max(0.0f, (1.0f - place.height) * (1.0f + place.height)));
+    place.v = image_v(across, place.height);
     EnvironmentSample sample;
-    sample.direction = xyz(record->x_axis) * (across * cosine) + xyz(record->y_axis) * height +
-                       xyz(record->z_axis) * (across * sine);
-    sample.radiance = image_radiance(image, sample.direction);
+    sample.direction = xyz(record->x_axis) * (across * cosine) +
+                       xyz(record->y_axis) * place.height + xyz(record->z_axis) * (across * sine);
+    sample.radiance = radiance_at_place(image, place);
     sample.pdf = of_row * of_cell * cell_pdf(record);
     return sample;
 }

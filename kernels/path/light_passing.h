@@ -37,9 +37,9 @@ static inline float3 light_passing(const RenderParams* params, const PathScene* 
                                 distant != 0 ? RAY_INFINITY : SHADOW_END);
         if (hit.triangle == INVALID_INDEX) return passes;
         Surface surface = surface_at(params, geometry, hit, way, 0.0f);
-        SurfaceRecord record = tables->records[geometry->instances[surface.instance].material];
-        if ((record.flags & (SURFACE_THIN | SURFACE_MASK | SURFACE_BLEND)) == 0u) return none;
-        passes = passes * straight_at(params, geometry, tables, &record, &surface, hit, viewer);
+        GLOBAL const SurfaceRecord* record = record_of(geometry, tables, &surface);
+        if ((record->flags & (SURFACE_THIN | SURFACE_MASK | SURFACE_BLEND)) == 0u) return none;
+        passes = passes * straight_at(params, geometry, tables, record, &surface, hit, viewer);
         if (!(max_component(passes) > 0.0f)) return none;
         float3 behind = surface.position -
                         surface.normal * surface_offset(surface.position, params->scene.extent);

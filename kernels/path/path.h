@@ -109,8 +109,8 @@ static inline float emission_weight(const RenderParams* params, const PathScene*
 /// pdf `pdf`, times its MIS weight.
 static inline float3 weighted_environment(const RenderParams* params, const PathScene* world,
                                           const LitPoint* from, float3 direction, float pdf) {
-    float3 radiance = environment_radiance(params, &world->environment, direction);
-    float other = environment_pdf(params, &world->environment, direction);
+    float other;
+    float3 radiance = environment_met(params, &world->environment, direction, &other);
     if (other > 0.0f) other *= probability_at(params, world, from, environment_index(params));
     return other > 0.0f ? radiance * power_heuristic(pdf, other) : radiance;
 }

@@ -245,8 +245,8 @@ static inline float3 met_environment(const RenderParams* params, const PathScene
                                      const MediaPath* path) {
     if (path->kind == RAY_OF_SURFACE)
         return weighted_environment(params, world, &path->left, path->direction, path->pdf);
-    float3 radiance = environment_radiance(params, &world->environment, path->direction);
-    float other = environment_pdf(params, &world->environment, path->direction);
+    float other;
+    float3 radiance = environment_met(params, &world->environment, path->direction, &other);
     if (!(other > 0.0f)) return radiance;
     other *= world->lights[environment_index(params)].choice_probability;
     return radiance * (1.0f / (1.0f + other / path->pdf));

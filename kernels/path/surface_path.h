@@ -82,7 +82,7 @@ static inline void cross_boundary(const SurfaceTables* tables, uint instance, in
 }
 
 /// `front` tells whether the path comes from outside. Corrects the set of the path.
-static inline Crossing crossing_at(const SurfaceTables* tables, const SurfaceRecord* record,
+static inline Crossing crossing_at(const SurfaceTables* tables, GLOBAL const SurfaceRecord* record,
                                    uint instance, int front, SurfacePath* path) {
     Crossing crossing;
     uint number = tables->of_instances[instance * SURFACE_INSTANCE_WORDS + SURFACE_INTERFACE];
@@ -144,7 +144,7 @@ static inline uint light_surface(const RenderParams* params, const PathScene* wo
         light_at_surface(params, &world->geometry, world->lights[chosen], world->emissive,
                          &world->environment, &all, surface->position, probability, u, v);
     float3 irradiance = light.power * light.share;
-    float3 in = normalize3(light.towards);
+    float3 in = light.distant != 0 ? light.towards : normalize3(light.towards);
     LayeredValue value = scattering_value(&met->scattering, in);
     if (light.pdf > 0.0f)
         irradiance = light.power * (power_heuristic(light.pdf, value.pdf) / light.pdf);
@@ -154,13 +154,18 @@ static inline uint light_surface(const RenderParams* params, const PathScene* wo
     float offset = surface_offset(surface->position, params->scene.extent);
     int above = dot3(in, surface->normal) > 0.0f ? 1 : 0;
     float3 origin = surface->position + surface->normal * (above != 0 ? offset : -offset);
-    InterfaceSet around = above != 0 ? path->around : met->crossing.beyond;
     float3 towards =
         light.distant != 0 ? light.towards : light.towards - (origin - surface->position);
     uint rays = 0u;
     arrives = arrives * light_passing(params, world, tables, origin, towards, light.distant, &rays);
     if (!(max_component(arrives) > 0.0f)) return rays;
-    float3 sigma = absorption_within(tables->interfaces, around);
+    float3 sigma = path->ray.absorption;
+    float basic = path->ray.basic;
+    if (above == 0) {
+        sigma = absorption_within(tables->interfaces, met->crossing.beyond);
+        float index = index_within(tables->interfaces, met->crossing.beyond);
+        basic = 1.0f / (index * index);
+    }
     if (light.distant == 0 && max_component(sigma) > 0.0f)
         arrives = arrives * beer_transmittance(sigma, length3(light.towards));
     if (media != 0)
@@ -169,10 +174,8 @@ static inline uint light_surface(const RenderParams* params, const PathScene* wo
                                 light.distant != 0 ? RAY_INFINITY : length3(towards),
                                 above != 0 ? path->ray.enclosing_media : met->crossing.media_beyond,
                                 random);
-    float index = index_within(tables->interfaces, around);
     add_arriving(params, path->ray.bounce + 1u,
-                 path->ray.throughput * path->ray.ratio * arrives * (1.0f / (index * index)),
-                 sample);
+                 path->ray.throughput * path->ray.ratio * arrives * basic, sample);
     return rays;
 }
 
@@ -226,7 +229,7 @@ static inline int leave_surface(const RenderParams* params, const SurfaceTables*
     MediaPath* ray = &path->ray;
     ray->throughput = ray->throughput * scattered.weight;
     ray->origin = surface->position + surface->normal * (beyond != 0 ? -offset : offset);
-    ray->direction = normalize3(scattered.in);
+    ray->direction = scattered.in;
     ray->pdf = scattered.pdf;
     ray->left = met->lit;
     path->passed = 0.0f;
@@ -267,7 +270,7 @@ static inline int medium_path_survives(SurfacePath* path, Random* random) {
 
 /// What the film shows of the first surface, which the camera sees at that depth.
 static inline void show_surface(const MetSurface* met, float depth, PathSample* sample) {
-    sample->albedo = met->scattering.albedo;
+    sample->albedo = scattering_albedo(&met->scattering);
     sample->normal = met->surface.shading;
     sample->depth = depth;
 }
@@ -300,13 +303,13 @@ static inline int advance_surface_path(const RenderParams* params, const PathSce
     MetSurface met;
     met.surface = surface_on(params, geometry, &facet, hit, ray->direction, angle);
     const Surface* surface = &met.surface;
-    SurfaceRecord record = tables->records[geometry->instances[surface->instance].material];
-    met.crossing = crossing_at(tables, &record, surface->instance, surface->front, path);
-    enclose_path(tables, path->around, path);
+    GLOBAL const SurfaceRecord* record = record_of(geometry, tables, surface);
+    met.crossing = crossing_at(tables, record, surface->instance, surface->front, path);
+    if (met.crossing.solid != 0) enclose_path(tables, path->around, path);
     int scattered = cross_segments(params, world, media, hit.t, path, random, sample, rays);
     if (scattered < 0) return 0;
     if (scattered > 0) {
-        if (first != 0 && met.crossing.absent == 0 && record.model != SURFACE_UNLIT) {
+        if (first != 0 && met.crossing.absent == 0 && record->model != SURFACE_UNLIT) {
             met.scattering = scattering_at(params, geometry, tables, surface, hit, footprint,
                                            viewer, met.crossing.ratio);
             show_surface(&met, depth, sample);
@@ -337,14 +340,15 @@ static inline int advance_surface_path(const RenderParams* params, const PathSce
     meet_emission(params, world, path, surface, hit.t, sample);
     // The back of a one-sided material is black, but for what it emits.
     int black = surface->front == 0 && met.crossing.solid == 0 &&
-                        (record.flags & SURFACE_THIN) == 0u && HAS(params, FEATURE_ONE_SIDED) &&
+                        (record->flags & SURFACE_THIN) == 0u && HAS(params, FEATURE_ONE_SIDED) &&
                         (facet.material.flags & MATERIAL_TWO_SIDED) == 0u
                     ? 1
                     : 0;
-    int unlit = record.model == SURFACE_UNLIT ? 1 : 0;
-    if (black != 0) met.scattering.albedo = f3(0.0f, 0.0f, 0.0f);
+    int unlit = record->model == SURFACE_UNLIT ? 1 : 0;
     if (first != 0) show_surface(&met, depth, sample);
-    if (unlit != 0 && ray->bounce == 0u) add_met(params, ray, met.scattering.albedo, sample);
+    if (first != 0 && black != 0) sample->albedo = f3(0.0f, 0.0f, 0.0f);
+    if (unlit != 0 && black == 0 && ray->bounce == 0u)
+        add_met(params, ray, met.scattering.albedo, sample);
     if (black != 0 || unlit != 0) return 0;
     // As many scatterings as are wanted, or light that is not.
     if (path_length(path) >= params->sampling.most_bounces) return 0;

@@ -73,7 +73,7 @@ KERNEL_ENTRY void evaluate(GLOBAL const float* glass, GLOBAL const float* plasti
     put(r + 7, sample.weight);
     r[10] = sample.pdf;
     r[11] = (float)sample.flags;
-    put(r + 12, bsdf.albedo);
+    put(r + 12, layered_albedo(&bsdf, v));
     put(r + 15, layered_diffuse_albedo(&material));
 
     Plastic plastic;

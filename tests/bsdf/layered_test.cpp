@@ -273,10 +273,11 @@ TEST(Layered, SamplesHaveTheWeightOfTheirValue) {
             }
             seen |= s.flags;
             const auto whole = native::layered_eval(&bsdf, v, s.in);
-            ASSERT_EQ(s.pdf, whole.pdf);
+            // The sample knows its facet, which the value finds again with rounding.
+            ASSERT_NEAR(s.pdf, whole.pdf, 2e-5F * whole.pdf);
             for (int c = 0; c < 3; ++c)
                 ASSERT_NEAR(channel(s.weight, c) * double(s.pdf), channel(whole.value, c),
-                            1e-5 * channel(whole.value, c));
+                            3e-5 * channel(whole.value, c));
             const bool above = dot3(s.in, material.geometric_normal) > 0.0F;
             ASSERT_EQ((s.flags & BSDF_REFLECTION) != 0, above);
         }
@@ -402,7 +403,7 @@ TEST(Layered, ConductorsReflectByTheirIndex) {
     EXPECT_EQ(s.flags, BSDF_REFLECTION | BSDF_DELTA);
     EXPECT_NEAR(s.weight.x, f.x, 1e-6F);
     EXPECT_NEAR(s.weight.z, f.z, 1e-6F);
-    EXPECT_NEAR(smooth.albedo.y, f.y, 1e-6F);
+    EXPECT_NEAR(native::layered_albedo(&smooth, v).y, f.y, 1e-6F);
     // The value of rough gold, with Mitsuba's choice of distribution and masking.
     gold.facets = make_facets(0.3F, 0.3F, FACETS_BECKMANN | FACETS_SEPARABLE);
     const LayeredBsdf rough = native::make_layered(&gold, v);

@@ -110,6 +110,22 @@ TEST(Microfacet, VisibleFacetsCoverTheView) {
             }
 }
 
+TEST(Microfacet, BeckmannsVisibleAreaIsExact) {
+    for (const Facets& facets : some_facets()) {
+        if ((facets.flags & FACETS_BECKMANN) == 0) continue;
+        for (const double cosine : {0.003, 0.1, 0.5, 0.9, 1.0})
+            for (const double angle : {0.0, 1.0}) {
+                const float3 v = direction(cosine, angle);
+                const double facing = over_normals(facets, [&](float3 m) {
+                    return std::max(0.0, double(native::dot3(v, m))) / double(m.z);
+                });
+                // The error of the quadrature.
+                EXPECT_NEAR(double(native::beckmann_seen(facets, v)) / facing, 1.0, 2e-4)
+                    << facets.alpha_x << ' ' << facets.alpha_y << ' ' << cosine;
+            }
+    }
+}
+
 /// Lambda of Smith's masking, by Heitz 2014, equation 72, and Walter et al. 2007.
 double lambda(Facets facets, float3 w) {
     const double x = double(facets.alpha_x) * double(w.x);
@@ -236,12 +252,16 @@ TEST(Microfacet, ReflectedDirectionsHaveTheirPdf) {
     for (const float alpha : {smallest, 0.05F, 0.5F, 1.0F})
         all.push_back(make_facets(alpha, alpha, 0));
     all.push_back(make_facets(0.5F, 0.1F, 0));
+    for (const float alpha : {smallest, 0.05F, 0.5F, 1.0F})
+        all.push_back(make_facets(alpha, alpha, FACETS_BECKMANN));
+    all.push_back(make_facets(0.1F, 0.6F, FACETS_BECKMANN));
     for (const Facets& facets : all)
         for (const double cosine : {0.05, 0.4, 0.8, 1.0}) {
             const test::SphereComparison found = compare(facets, direction(cosine, 1.0), false);
-            EXPECT_LT(std::abs(found.normal), limit) << facets.alpha_x << ' ' << cosine;
+            EXPECT_LT(std::abs(found.normal), limit)
+                << facets.alpha_x << ' ' << cosine << ' ' << facets.flags;
             EXPECT_NEAR(found.accepted, 1.0 - found.missing, 2e-3)
-                << facets.alpha_x << ' ' << cosine;
+                << facets.alpha_x << ' ' << cosine << ' ' << facets.flags;
         }
     for (const double cosine : {0.05, 0.8}) {
         const test::SphereComparison found =
@@ -306,7 +326,8 @@ TEST(Microfacet, WeightsAreBounded) {
         most = std::max(most, weight);
     }
     EXPECT_LT(most_ggx, 1.0 + 1e-5);
-    EXPECT_LT(most_beckmann, 2.6);
+    // Masking is a fit, by which more than what is visible may be seen by 0.35 %.
+    EXPECT_LT(most_beckmann, 1.004);
 }
 
 TEST(Microfacet, SmoothSurfacesAreThoseBelowTheLimit) {

@@ -45,8 +45,9 @@ KERNEL_ENTRY void evaluate(GLOBAL const EnvironmentRecord* environment_record,
     params.scene.bounding_sphere = f4(0.1f, 0.2f, 0.3f, 2.0f);
     params.scene.environment = f4(3.0f, 2.0f, 1.0f, 0.0f);
     const float3 direction = cone_direction(x[0], x[1], -1.0f) * (0.25f + x[2]);
-    put(r, background_radiance(&params, &image, direction));
-    r[3] = environment_pdf(&params, &image, direction);
+    float pdf;
+    put(r, environment_met(&params, &image, direction, &pdf));
+    r[3] = pdf;
     const EnvironmentSample sample = sample_environment(&params, &image, x[0], x[1]);
     put(r + 4, sample.direction);
     put(r + 7, sample.radiance);

@@ -230,6 +230,8 @@ TEST(EnvironmentImage, SamplesHaveTheirPdfAndRadiance) {
         const NativeImage made(image, glm::dmat3({0, 0, -1}, {0, 1, 0}, {1, 0, 0}));
         native::Random random = native::make_random(3, 4, 5);
         int elsewhere = 0;
+        const double brightest =
+            double(*std::max_element(image.radiance.begin(), image.radiance.end()));
         for (int i = 0; i < 20'000; ++i) {
             const float u = native::next_random(&random);
             const float v = native::next_random(&random);
@@ -237,7 +239,9 @@ TEST(EnvironmentImage, SamplesHaveTheirPdfAndRadiance) {
             const glm::dvec3 direction = wide(sample.direction);
             ASSERT_NEAR(glm::length(direction), 1.0, 1e-6);
             ASSERT_GT(sample.pdf, 0.0F);
-            ASSERT_EQ(wide(sample.radiance), made.radiance(direction));
+            // A direction has lost some of its place on the image to rounding.
+            ASSERT_LT(glm::length(wide(sample.radiance) - made.radiance(direction)),
+                      2e-6 * image.width * brightest);
             const double pdf = made.pdf(direction);
             elsewhere += std::abs(pdf - double(sample.pdf)) > 1e-4 * double(sample.pdf) ? 1 : 0;
         }
@@ -359,8 +363,10 @@ TEST(EnvironmentImage, LightsSurfacesAlikeByItsSamplesByScatteredRaysAndByBoth) 
                 const native::float3 local = native::cosine_direction(u, v);
                 const native::float3 direction = native::to_world(local, lit.shading);
                 *pdf = native::cosine_pdf(local.z);
-                *other = 0.5F * native::environment_pdf(&params, &made.image, direction);
-                return pi * double(native::environment_radiance(&params, &made.image, direction).z);
+                const native::float3 radiance =
+                    native::environment_met(&params, &made.image, direction, other);
+                *other *= 0.5F;
+                return pi * double(radiance.z);
             };
             const std::string what = std::to_string(image.width) + " x " +
                                      std::to_string(image.height) + " up " + std::to_string(up.y);
