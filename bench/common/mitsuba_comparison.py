@@ -67,8 +67,8 @@ def render_weft(program, scene, samples, size, seed=0, algorithm="path", backend
 class Mitsuba:
     """A scene in Mitsuba."""
 
-    def __init__(self, path, size, max_depth=-1):
-        self.scene = load_scene(mi, path, size, max_depth)
+    def __init__(self, path, size, max_depth=-1, **parameters):
+        self.scene = load_scene(mi, path, size, max_depth, **parameters)
         self.seed = 1
 
     def render(self, samples):

@@ -21,10 +21,10 @@ def import_or_exit(program, *modules):
     return found
 
 
-def load_scene(mi, path, size, max_depth=-1):
+def load_scene(mi, path, size, max_depth=-1, **parameters_of_file):
     """A scene of Mitsuba XML as an image of `size` squared, its paths of any length or as long as
-    its parameter `max_depth` lets them be."""
-    scene = mi.load_file(str(path), max_depth=max_depth)
+    its parameter `max_depth` lets them be. `parameters_of_file` are others that it has."""
+    scene = mi.load_file(str(path), max_depth=max_depth, **parameters_of_file)
     parameters = mi.traverse(scene)
     for key in parameters.keys():
         if key.endswith("film.size") or key.endswith("film.crop_size"):

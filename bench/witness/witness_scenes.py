@@ -21,7 +21,11 @@ Scene = collections.namedtuple("Scene", "objects sky depth", defaults=("sky", -1
 
 ROOM = """<scene version="3.0.0">
     <default name="max_depth" value="-1"/>
-    <integrator type="path"><integer name="max_depth" value="$max_depth"/></integrator>
+    <default name="rr_depth" value="5"/>
+    <integrator type="path">
+        <integer name="max_depth" value="$max_depth"/>
+        <integer name="rr_depth" value="$rr_depth"/>
+    </integrator>
     <sensor type="perspective">
         <float name="fov" value="34"/>
         <transform name="to_world">
@@ -127,10 +131,10 @@ def _metals(scenes):
 
 def _glass(scenes):
     scenes["dielectric"] = Scene(on_floor(bsdf("dielectric")))
-    # Few scatterings: without a limit Mitsuba has rare paths of much weight in it, for which the
-    # z-test is not meant.
+    # The floor gives it noise, which a z-test needs; few scatterings, since light that goes round in
+    # a diamond has few paths of much weight.
     scenes["dielectric-constant"] = Scene(
-        sphere(bsdf("dielectric", int_ior="diamond")), "constant", depth=5)
+        on_floor(bsdf("dielectric", int_ior="diamond")), "constant", depth=5)
     scenes["dielectric-tinted"] = Scene(on_floor(
         bsdf("dielectric", int_ior=1.33, specular_reflectance=(1, 0.5, 0.2),
              specular_transmittance=(0.6, 0.9, 1))), "turned")
