@@ -43,8 +43,8 @@ static inline float beckmann_length(Facets facets, float3 w) {
 #define M_INV_ROOT_PI 0.564189584f
 #define HALF_ROOT_PI 0.886226925f
 
-// A direction beyond which masking ends, as the cotangent a of its stretched angle: of the facets
-// exp(-a^2) are steeper.
+// Cotangent of a direction's stretched angle beyond which nothing is masked: of all facets exp(-64)
+// lean further.
 #define BECKMANN_STEEPEST 8.0f
 
 /// Area of the facets that `v` sees, projected along it, for each area of the surface:
