@@ -9,7 +9,7 @@
 #include "kernels/core/kernel.h"
 #include "kernels/path/surface_samples.h"
 
-INLINES_ALL WEFT_KERNEL(path_surfaces)
+WEFT_KERNEL(path_surfaces)
 {
     if (WORK_ITEM(range) >= range.count) return;
     uint pixel = range.first + WORK_ITEM(range);
