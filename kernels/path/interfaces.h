@@ -1,8 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which solid dielectrics a path is inside of. InterfaceSet are numbered so that of several that
-// lie within each other the first counts; a path stores up to four of those that are around it, a
+// Which solid dielectrics a path is inside of. They are numbered so that of several that lie
+// within each other the first counts; a path stores up to four of those that are around it, a
 // fifth is ignored. The surface of one that is inside of another that counts more is not there:
 // glasses and the liquid in them may overlap (Schmidt and Budge 2002).
 //

@@ -3,8 +3,7 @@
 //
 // The reference for scenes with metals, plastics and glass: path tracing as in path.cl, by the
 // whole mixture of lobes that a material has (surface_path.h). Diffuse scenes run path.cl, those
-// with media path_media_surfaces.cl. A
-// work-item traces PathParams::samples samples of one pixel.
+// with media path_media_surfaces.cl. A work-item traces PathParams::samples samples of one pixel.
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/path/surface_samples.h"
