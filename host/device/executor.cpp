@@ -17,7 +17,7 @@ struct KernelEntry {
 };
 
 constexpr std::array kernel_entries{
-#define WEFT_KERNEL_ENTRY(name, chunk) KernelEntry{#name, chunk},
+#define WEFT_KERNEL_ENTRY(name, chunk, work) KernelEntry{#name, chunk},
 #include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };

@@ -21,7 +21,7 @@ namespace weft {
 
 /// Every kernel, by the names of kernels/core/kernels.def.
 enum class KernelId : std::uint32_t {
-#define WEFT_KERNEL_ENTRY(name, chunk) name,
+#define WEFT_KERNEL_ENTRY(name, chunk, work) name,
 #include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };

@@ -91,7 +91,7 @@ TEST_F(KernelSignature, ArgumentsAreFoundByTheirNames) {
 
 TEST_F(KernelSignature, EveryKernelHasOneWithDistinctNames) {
     constexpr KernelId kernels[] = {
-#define WEFT_KERNEL_ENTRY(name, chunk) KernelId::name,
+#define WEFT_KERNEL_ENTRY(name, chunk, work) KernelId::name,
 #include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
     };

@@ -1,16 +1,18 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The kernels as C++. Compiled once per instruction set and packet width (WEFT_LANES), each in a
-// namespace of its own, so that no code of one instruction set can be linked into another.
+// The kernels as C++, of which one part is compiled at a time (WEFT_NATIVE_WORK, see kernels.def):
+// PACKETS once per instruction set and number of lanes (WEFT_LANES), ITEMS once per instruction
+// set. Each part lives in a namespace of its own, so that no code of one instruction set can be
+// linked into another.
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <span>
 #include <type_traits>
 #include <utility>
 
+#include "device/native/native_kernel.h"
 #include "device/native/native_scene.h"
-#include "device/native/native_variant.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -25,8 +27,8 @@ namespace {
 #include "kernels/core/port.h"
 #include "kernels/core/types.h"
 
-// Every .cl file of kernels/.
-#include "native_kernels.def"
+// The .cl files of this part: native_packets.def or native_items.def.
+#include WEFT_NATIVE_KERNELS
 
 template <class T>
 constexpr bool is_buffer = std::is_pointer_v<T>;
@@ -59,16 +61,26 @@ struct Adapter<Function> {
     }
 };
 
-#define WEFT_KERNEL_ENTRY(name, chunk)                                               \
+// An entry of kernels.def becomes WEFT_ENTRY(name) where the kernel is of this part. The word for
+// the part is put together with the entry's: of the four, two are empty.
+#define WEFT_ENTRY_OF_PACKETS_IN_PACKETS(name) WEFT_ENTRY(name)
+#define WEFT_ENTRY_OF_ITEMS_IN_ITEMS(name) WEFT_ENTRY(name)
+#define WEFT_ENTRY_OF_PACKETS_IN_ITEMS(name)
+#define WEFT_ENTRY_OF_ITEMS_IN_PACKETS(name)
+#define WEFT_ENTRY_OF(work, part) WEFT_ENTRY_OF_##work##_IN_##part
+#define WEFT_ENTRY_HERE(work, part) WEFT_ENTRY_OF(work, part)
+#define WEFT_KERNEL_ENTRY(name, chunk, work) WEFT_ENTRY_HERE(work, WEFT_NATIVE_WORK)(name)
+
+#define WEFT_ENTRY(name)                                                             \
     static_assert(std::is_same_v<decltype(name), void(WEFT_KERNEL_ARGUMENTS(name))>, \
                   "kernel " #name " is not defined as signatures.h declares it");
 #include "kernels/core/kernels.def"
-#undef WEFT_KERNEL_ENTRY
+#undef WEFT_ENTRY
 
 constexpr weft::NativeKernel kernel_table[] = {
-#define WEFT_KERNEL_ENTRY(name, chunk) {#name, &Adapter<&name>::run},
+#define WEFT_ENTRY(name) {#name, &Adapter<&name>::run},
 #include "kernels/core/kernels.def"
-#undef WEFT_KERNEL_ENTRY
+#undef WEFT_ENTRY
 };
 
 }  // namespace
@@ -76,12 +88,10 @@ constexpr weft::NativeKernel kernel_table[] = {
 
 namespace weft {
 
-/// This variant's kernels; declared where variants are listed.
-const NativeVariant& WEFT_NATIVE_TABLE();
-const NativeVariant& WEFT_NATIVE_TABLE() {
-    static const NativeVariant variant{WEFT_LANES, WEFT_NATIVE_NAMESPACE::kernel_table,
-                                       std::size(WEFT_NATIVE_NAMESPACE::kernel_table)};
-    return variant;
+/// The kernels of this part; declared where variants are listed.
+std::span<const NativeKernel> WEFT_NATIVE_TABLE();
+std::span<const NativeKernel> WEFT_NATIVE_TABLE() {
+    return WEFT_NATIVE_NAMESPACE::kernel_table;
 }
 
 }  // namespace weft

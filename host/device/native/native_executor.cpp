@@ -101,9 +101,7 @@ class NativeExecutor : public Executor {
     }
 
     [[nodiscard]] const DeviceInfo& device() const override { return device_; }
-    [[nodiscard]] std::uint32_t lanes() const override {
-        return static_cast<std::uint32_t>(variant_.kernels->lanes);
-    }
+    [[nodiscard]] std::uint32_t lanes() const override { return variant_.lanes; }
 
     [[nodiscard]] std::unique_ptr<Buffer> allocate(std::size_t bytes,
                                                    std::string_view what) override {
@@ -155,7 +153,7 @@ class NativeExecutor : public Executor {
     void build(std::span<const KernelId> kernels, std::uint32_t features) override {
         for (const KernelId kernel : kernels)
             builds_.push_back({std::string(kernel_name(kernel)),
-                               fmt::format("{} lanes {}", variant_.isa, variant_.kernels->lanes),
+                               fmt::format("{} lanes {}", variant_.isa, variant_.lanes),
                                0.0,
                                true,
                                {kernel, features}});
@@ -175,7 +173,7 @@ class NativeExecutor : public Executor {
 
     NativeTraversal traversal_;
     int threads_;
-    IsaVariant variant_;
+    NativeVariant variant_;
     DeviceInfo device_;
     tbb::task_arena arena_;
     LaunchPacer pacer_;
@@ -207,7 +205,7 @@ std::vector<const void*> NativeExecutor::bind(const Launch& launch,
 }
 
 bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>& keep_going) {
-    const NativeKernel& kernel = variant_.kernels->kernels[static_cast<std::size_t>(launch.kernel)];
+    const NativeKernel& kernel = variant_.kernels[static_cast<std::size_t>(launch.kernel)];
     const LaunchOptions& options = launch.options;
     shared::LaunchRange range{0, 0, options.counter, 1};
     const std::vector<const void*> arguments = bind(launch, range);
@@ -245,17 +243,17 @@ bool NativeExecutor::run(const Launch& launch, const std::function<bool(double)>
 }  // namespace
 
 DeviceInfo native_device_info(NativeTraversal traversal, std::uint32_t lanes) {
-    const IsaVariant variant = choose_variant(lanes);
+    const NativeVariant variant = choose_variant(lanes);
     DeviceInfo device;
     device.backend = traversal == NativeTraversal::embree ? "embree" : "native";
     device.name = processor_name();
     device.driver = traversal == NativeTraversal::embree ? "Embree " + embree_version()
                                                          : "kernels compiled natively";
-    device.version = fmt::format("{}, {} lanes", variant.isa, variant.kernels->lanes);
+    device.version = fmt::format("{}, {} lanes", variant.isa, variant.lanes);
     device.memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                     static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
     device.max_allocation = device.memory;
-    device.native_width = static_cast<std::uint32_t>(choose_variant(0).kernels->lanes);
+    device.native_width = choose_variant(0).lanes;
     device.compute_units = std::max(1U, std::thread::hardware_concurrency());
     return device;
 }

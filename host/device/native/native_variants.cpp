@@ -4,14 +4,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
+#include "device/kernel_signature.h"
 
 namespace weft {
 
-#define WEFT_NATIVE_VARIANT(isa, lanes, function) const NativeVariant& function();
+#define WEFT_NATIVE_ITEMS(isa, items) std::span<const NativeKernel> items();
+#define WEFT_NATIVE_VARIANT(isa, lanes, items, packets) std::span<const NativeKernel> packets();
 #include "native_variants.def"
+#undef WEFT_NATIVE_ITEMS
 #undef WEFT_NATIVE_VARIANT
 
 namespace {
@@ -30,33 +36,45 @@ bool processor_runs(std::string_view isa) {
     return isa != "x86_64_v3" && isa != "x86_64_v4";
 }
 
+/// The kernels of both parts in the order of KernelId; each is in one of them.
+std::vector<NativeKernel> in_order(std::span<const NativeKernel> items,
+                                   std::span<const NativeKernel> packets) {
+    std::vector<NativeKernel> kernels(items.begin(), items.end());
+    kernels.insert(kernels.end(), packets.begin(), packets.end());
+    std::ranges::sort(kernels, {},
+                      [](const NativeKernel& kernel) { return kernel_of(kernel.name); });
+    return kernels;
+}
+
 }  // namespace
 
-std::vector<IsaVariant> runnable_variants() {
-    std::vector<IsaVariant> variants;
-#define WEFT_NATIVE_VARIANT(isa, lanes, function) \
-    if (processor_runs(#isa)) variants.push_back({#isa, &function()});
+std::vector<NativeVariant> runnable_variants() {
+    std::vector<NativeVariant> variants;
+#define WEFT_NATIVE_ITEMS(isa, items)
+#define WEFT_NATIVE_VARIANT(isa, lanes, items, packets) \
+    if (processor_runs(#isa)) variants.push_back({#isa, lanes, in_order(items(), packets())});
 #include "native_variants.def"
+#undef WEFT_NATIVE_ITEMS
 #undef WEFT_NATIVE_VARIANT
     return variants;
 }
 
-IsaVariant choose_variant(std::uint32_t lanes) {
-    const std::vector<IsaVariant> variants = runnable_variants();
+NativeVariant choose_variant(std::uint32_t lanes) {
+    std::vector<NativeVariant> variants = runnable_variants();
     std::uint32_t wanted = lanes;
     if (wanted == 0) {
         // The base instruction set is compiled at every width; its vectors hold 4 floats.
         wanted = 4;
-        for (const IsaVariant& variant : variants)
-            if (variant.isa != "base") wanted = static_cast<std::uint32_t>(variant.kernels->lanes);
+        for (const NativeVariant& variant : variants)
+            if (variant.isa != "base") wanted = variant.lanes;
     }
-    IsaVariant chosen{{}, nullptr};
-    for (const IsaVariant& variant : variants)
-        if (variant.kernels->lanes == static_cast<int>(wanted)) chosen = variant;
-    if (chosen.kernels == nullptr)
+    NativeVariant* chosen = nullptr;
+    for (NativeVariant& variant : variants)
+        if (variant.lanes == wanted) chosen = &variant;
+    if (chosen == nullptr)
         throw Error(ExitCode::device,
                     fmt::format("no native kernels are compiled for {} lanes", wanted));
-    return chosen;
+    return std::move(*chosen);
 }
 
 }  // namespace weft

@@ -27,7 +27,7 @@ namespace {
 
 const std::vector<std::string>& kernels() {
     static const std::vector<std::string> names{
-#define WEFT_KERNEL_ENTRY(name, chunk) #name,
+#define WEFT_KERNEL_ENTRY(name, chunk, work) #name,
 #include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
     };
