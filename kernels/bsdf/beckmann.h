@@ -41,7 +41,7 @@ static inline float beckmann_length(Facets facets, float3 w) {
 }
 
 #define M_INV_ROOT_PI 0.564189584f
-#define HALF_ROOT_PI 0.886226925f
+#define M_HALF_ROOT_PI 0.886226925f
 
 // Cotangent of a direction's stretched angle beyond which nothing is masked: of all facets exp(-64)
 // lean further.
@@ -64,7 +64,7 @@ static inline float3 sample_beckmann_facet(Facets facets, float3 v, float u, flo
     // alpha, the density is (v.z + slope p) exp(-p^2) for p > -a. Its sum for both signs is, in
     // |p|, v.z exp(-p^2), the same once more up to a, and slope |p| exp(-p^2) beyond a: all three
     // have an inverse in closed form.
-    float all = HALF_ROOT_PI * v.z;
+    float all = M_HALF_ROOT_PI * v.z;
     float again = all * m_erf(a);
     float beyond = 0.5f * slope * m_exp(-(a * a));
     float at = u * (all + again + beyond);

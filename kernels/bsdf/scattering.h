@@ -5,7 +5,7 @@
 #ifndef WEFT_KERNELS_BSDF_SCATTERING_H
 #define WEFT_KERNELS_BSDF_SCATTERING_H
 
-#include "kernels/bsdf/layered.h"
+#include "kernels/bsdf/layered_sample.h"
 #include "kernels/bsdf/plastic.h"
 #include "kernels/bsdf/surface_frame.h"
 

@@ -14,7 +14,7 @@
 #include "scene/surface/plastic_table.h"
 #include "tests/testing/opencl_probe.h"
 
-#define NATIVE_KERNELS "kernels/bsdf/layered.h"
+#define NATIVE_KERNELS "kernels/bsdf/layered_sample.h"
 #define NATIVE_KERNELS_TOO "tests/bsdf/layered_opencl_too.h"
 #include "tests/testing/native_kernels.h"
 
@@ -138,7 +138,7 @@ std::vector<float> run_native(const Inputs& inputs) {
 std::vector<float> run_device(const cl::Device& device, Inputs inputs) {
     std::set<std::string> done;
     std::string source;
-    for (const char* header : {"bsdf/layered.h", "bsdf/plastic.h", "bsdf/bent_normal.h"})
+    for (const char* header : {"bsdf/layered_sample.h", "bsdf/plastic.h", "bsdf/bent_normal.h"})
         source += test::expand(header, done);
     source += kernel_text;
     const cl::Context context(device);
