@@ -117,11 +117,6 @@ static inline float pdf_at_place(const EnvironmentImage* image, ImagePlace place
     return of_row * entry_probability(cells, column) * cell_pdf(record);
 }
 
-/// Pdf, 1/sr, with which sample_image chooses that direction, of any length.
-static inline float image_pdf(const EnvironmentImage* image, float3 direction) {
-    return pdf_at_place(image, image_place(image, direction));
-}
-
 /// Chooses a direction by the cells of the image, and in a cell evenly.
 static inline EnvironmentSample sample_image(const EnvironmentImage* image, float u, float v) {
     GLOBAL const EnvironmentRecord* record = image->record;

@@ -267,7 +267,10 @@ TEST(Scattering, LightIsTheSameBySamplesOfTheSkyByScatteredRaysAndByBoth) {
             const double by_ray =
                 double(s.weight.y) * double(native::image_radiance(&image, s.in).y);
             const double of_light = double(lit.pdf) / double(lit.pdf + value.pdf);
-            const double other = s.pdf > 0.0F ? double(native::image_pdf(&image, s.in)) : 0.0;
+            const double other =
+                s.pdf > 0.0F
+                    ? double(native::pdf_at_place(&image, native::image_place(&image, s.in)))
+                    : 0.0;
             const double of_ray = s.pdf > 0.0F ? double(s.pdf) / (double(s.pdf) + other) : 0.0;
             const double found[3] = {by_light, by_ray, by_light * of_light + by_ray * of_ray};
             for (int k = 0; k < 3; ++k) {

@@ -36,7 +36,7 @@ check() {
 }
 
 for algorithm in igi ais; do
-    check "$algorithm-races" 24x24 "$algorithm" --data-races --check-api
+    check "$algorithm-races" 17x9 "$algorithm" --data-races --check-api
     check "$algorithm-uninitialised" 6x6 "$algorithm" --uninitialized
 done
 echo "clean"
