@@ -43,7 +43,7 @@ constexpr std::size_t bytes_of(const std::array<ArgumentInfo, N>& arguments, boo
     return bytes;
 }
 
-#define WEFT_KERNEL_ENTRY(kernel, chunk, work)                                                \
+#define WEFT_KERNEL_ENTRY(kernel, chunk, work)                                          \
     constexpr std::array arguments_##kernel{ARGUMENTS_##kernel(WEFT_INFO)};             \
     constexpr bool traces_##kernel = (0 ARGUMENTS_##kernel(WEFT_TRACES)) != 0;          \
     static_assert(bytes_of(arguments_##kernel, traces_##kernel) <= most_argument_bytes, \
@@ -58,7 +58,8 @@ struct Signature {
 };
 
 constexpr std::array signatures{
-#define WEFT_KERNEL_ENTRY(kernel, chunk, work) Signature{#kernel, arguments_##kernel, traces_##kernel},
+#define WEFT_KERNEL_ENTRY(kernel, chunk, work) \
+    Signature{#kernel, arguments_##kernel, traces_##kernel},
 #include "kernels/core/kernels.def"
 #undef WEFT_KERNEL_ENTRY
 };

@@ -123,7 +123,7 @@ WEFT_GROUP(ComposedLight)
 /// and takes only buffers of its own kind.
 namespace kernels {
 using namespace shared;
-#define WEFT_KERNEL_ENTRY(kernel, chunk, work)                                            \
+#define WEFT_KERNEL_ENTRY(kernel, chunk, work)                                      \
     struct kernel {                                                                 \
         static constexpr KernelId id = KernelId::kernel;                            \
         ARGUMENTS_##kernel(WEFT_FIELD) void bind_to(ArgumentBinder& binder) const { \
