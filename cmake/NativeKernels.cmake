@@ -23,7 +23,7 @@ function(weft_native_part target isa part work lanes)
   target_link_libraries(${library} PRIVATE weft_options weft_dependencies)
   target_compile_definitions(
     ${library}
-    PRIVATE WEFT_LANES=${lanes} WEFT_NATIVE_WORK=${work} WEFT_NATIVE_KERNELS="native_${list}.def"
+    PRIVATE WEFT_LANES=${lanes} WEFT_NATIVE_WORK=${work} WEFT_NATIVE_KERNELS=native_${list}.def
             WEFT_NATIVE_NAMESPACE=${library} WEFT_NATIVE_TABLE=weft_native_table_${isa}_${part})
   target_compile_options(${library} PRIVATE ${ARGN})
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")

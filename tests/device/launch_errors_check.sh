@@ -69,7 +69,7 @@ END
 }
 
 native=host/device/native/kernels_native.cpp
-native_options="-DWEFT_LANES=1 -DWEFT_NATIVE_WORK=ITEMS -DWEFT_NATIVE_KERNELS=\"native_items.def\" \
+native_options="-DWEFT_LANES=1 -DWEFT_NATIVE_WORK=ITEMS -DWEFT_NATIVE_KERNELS=native_items.def \
 -DWEFT_NATIVE_NAMESPACE=test_part -DWEFT_NATIVE_TABLE=test_table"
 
 renew

@@ -28,7 +28,9 @@ namespace {
 #include "kernels/core/types.h"
 
 // The .cl files of this part: native_packets.def or native_items.def.
-#include WEFT_NATIVE_KERNELS
+#define WEFT_TEXT_OF(word) #word
+#define WEFT_TEXT(word) WEFT_TEXT_OF(word)
+#include WEFT_TEXT(WEFT_NATIVE_KERNELS)
 
 template <class T>
 constexpr bool is_buffer = std::is_pointer_v<T>;
