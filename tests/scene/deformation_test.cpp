@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+#include "scene/scene.h"
+
 namespace weft::deformation_test {
 namespace {
 
