@@ -80,15 +80,17 @@ template <class Kind>
     return DeviceBuffer<Kind>(upload_bytes(executor, std::as_bytes(values), what));
 }
 
-/// Writes `values`, which fit in the buffer.
+/// Writes `values`, which fit in the buffer; there may be none where there are no values.
 template <class Kind>
 void write_buffer(Executor& executor, const DeviceBuffer<Kind>& buffer,
                   std::type_identity_t<std::span<const typename Kind::Element>> values) {
+    if (values.empty()) return;
     write_buffer<typename Kind::Element>(executor, *buffer, values);
 }
 template <class Kind>
 void write_buffer(Executor& executor, BufferRef<Kind> buffer,
                   std::type_identity_t<std::span<const typename Kind::Element>> values) {
+    if (values.empty()) return;
     write_buffer<typename Kind::Element>(executor, *buffer, values);
 }
 

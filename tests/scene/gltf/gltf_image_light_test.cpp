@@ -40,7 +40,7 @@ GltfBuilder builder_of(const Json& changes = Json::object()) {
     Json light = {{"specularImageSize", 1}};
     light["specularImages"] = Json::array({Json::array({1, 0, 0, 0, 0, 0})});
     light.update(changes);
-    builder.json["extensions"]["EXT_lights_image_based"]["lights"] = {light};
+    builder.json["extensions"]["EXT_lights_image_based"]["lights"] = Json::array({light});
     builder.json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 0;
     return builder;
 }

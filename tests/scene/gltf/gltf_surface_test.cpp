@@ -30,7 +30,7 @@ GltfBuilder builder_with(const Json& material) {
     builder.primitive()["material"] = 0;
     builder.json["images"] = {{{"uri", image}}, {{"uri", image}}};
     builder.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
-    builder.json["materials"] = {material};
+    builder.json["materials"] = Json::array({material});
     return builder;
 }
 
@@ -216,7 +216,7 @@ GltfBuilder tetrahedron(const Json& material) {
         {{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"material", 0}}}}}};
     builder.json["nodes"] = {{{"mesh", 0}}};
     builder.json["scenes"] = {{{"nodes", {0}}}};
-    builder.json["materials"] = {material};
+    builder.json["materials"] = Json::array({material});
     return builder;
 }
 
