@@ -329,7 +329,7 @@ TEST(Effects, PathsOfDiffuseScenesKnowNoMaterials) {
 /// A square of a glTF material in the room with an area light.
 FlatScene room_with(const nlohmann::json& material, MaterialDetail detail) {
     GltfBuilder builder = GltfBuilder::triangle();
-    builder.json["materials"] = {material};
+    builder.json["materials"] = nlohmann::json::array({material});
     builder.primitive()["material"] = 0;
     const TemporaryFolder folder;
     Diagnostics diagnostics;
