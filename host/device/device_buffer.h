@@ -82,16 +82,15 @@ template <class Kind>
 
 /// Writes `values`, which fit in the buffer; there may be none where there are no values.
 template <class Kind>
-void write_buffer(Executor& executor, const DeviceBuffer<Kind>& buffer,
+void write_buffer(Executor& executor, BufferRef<Kind> buffer,
                   std::type_identity_t<std::span<const typename Kind::Element>> values) {
     if (values.empty()) return;
     write_buffer<typename Kind::Element>(executor, *buffer, values);
 }
 template <class Kind>
-void write_buffer(Executor& executor, BufferRef<Kind> buffer,
+void write_buffer(Executor& executor, const DeviceBuffer<Kind>& buffer,
                   std::type_identity_t<std::span<const typename Kind::Element>> values) {
-    if (values.empty()) return;
-    write_buffer<typename Kind::Element>(executor, *buffer, values);
+    write_buffer(executor, BufferRef<Kind>(buffer), values);
 }
 
 /// Reads the first `count` elements of a buffer.

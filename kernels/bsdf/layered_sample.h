@@ -24,11 +24,7 @@ static inline BsdfSample smooth_sample(const LayeredBsdf* bsdf, float3 in, float
 
 /// A sample of value and pdf `whole`; without weight where that is 0.
 static inline BsdfSample valued_sample(float3 in, LayeredValue whole, uint kind) {
-    BsdfSample sample;
-    sample.in = in;
-    sample.pdf = 0.0f;
-    sample.weight = f3(0.0f, 0.0f, 0.0f);
-    sample.flags = 0u;
+    BsdfSample sample = no_sample(in);
     if (!(whole.pdf > 0.0f)) return sample;
     sample.pdf = whole.pdf;
     sample.weight = whole.value / whole.pdf;
@@ -122,12 +118,7 @@ static inline BsdfSample sample_sheet(const LayeredBsdf* bsdf, float3 v, float u
 /// light comes of it.
 static inline BsdfSample layered_sample(const LayeredBsdf* bsdf, float3 v, float choice, float u,
                                         float w) {
-    BsdfSample none;
-    none.in = v;
-    none.weight = f3(0.0f, 0.0f, 0.0f);
-    none.pdf = 0.0f;
-    none.flags = 0u;
-    if (!(v.z > 0.0f)) return none;
+    if (!(v.z > 0.0f)) return no_sample(v);
     float before = bsdf->p_coat;
     if (choice < before) return sample_coat(bsdf, v, u, w);
     if (choice < before + bsdf->p_boundary)
@@ -138,7 +129,7 @@ static inline BsdfSample layered_sample(const LayeredBsdf* bsdf, float3 v, float
         // The sum of the probabilities may be one rounding below 1.
         if (bsdf->p_sheet > 0.0f) return sample_sheet(bsdf, v, u, w);
         if (bsdf->p_boundary > 0.0f) return sample_boundary(bsdf, v, 0.0f, u, w);
-        return bsdf->p_coat > 0.0f ? sample_coat(bsdf, v, u, w) : none;
+        return bsdf->p_coat > 0.0f ? sample_coat(bsdf, v, u, w) : no_sample(v);
     }
     float3 in = cosine_direction(u, w);
     return rough_sample(bsdf, v, to_world(in, bsdf->diffuse_normal), in.z,

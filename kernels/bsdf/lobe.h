@@ -44,4 +44,14 @@ typedef struct {
     uint flags;     // BSDF_* of the lobe that was sampled
 } BsdfSample;
 
+/// A sample from `in` of which no light comes.
+static inline BsdfSample no_sample(float3 in) {
+    BsdfSample sample;
+    sample.in = in;
+    sample.weight = f3(0.0f, 0.0f, 0.0f);
+    sample.pdf = 0.0f;
+    sample.flags = 0u;
+    return sample;
+}
+
 #endif

@@ -78,11 +78,7 @@ static inline float3 plastic_eval(const Plastic* plastic, float3 v, float3 l, fl
 /// Chooses `in` for v; see layered_sample.
 static inline BsdfSample plastic_sample(const Plastic* plastic, float3 v, float choice, float u,
                                         float w) {
-    BsdfSample sample;
-    sample.in = v;
-    sample.weight = f3(0.0f, 0.0f, 0.0f);
-    sample.pdf = 0.0f;
-    sample.flags = 0u;
+    BsdfSample sample = no_sample(v);
     if (!(v.z > 0.0f)) return sample;
     float entering = plastic_transmittance(plastic, v.z);
     float mirror = plastic_choice(plastic, entering);

@@ -273,8 +273,8 @@ TEST(Layered, SamplesHaveTheWeightOfTheirValue) {
             }
             seen |= s.flags;
             const auto whole = native::layered_eval(&bsdf, v, s.in);
-            // The sample knows its facet, which value and pdf find again with rounding: a density
-            // of facets has some twenty operations, each of a relative 2^-24. The weight has the
+            // The sample knows its facet, which value and pdf find again by rounded directions;
+            // narrow facets, whose density falls steeply, make more of that. The weight has the
             // rounding of both.
             ASSERT_NEAR(s.pdf, whole.pdf, 2e-5F * whole.pdf);
             for (int c = 0; c < 3; ++c)

@@ -240,7 +240,7 @@ TEST(EnvironmentImage, SamplesHaveTheirPdfAndRadiance) {
             ASSERT_NEAR(glm::length(direction), 1.0, 1e-6);
             ASSERT_GT(sample.pdf, 0.0F);
             // A direction has lost some of its place on the image to rounding: up to four units of
-            // 2^-24 along either side of the image, where a texel is at most all brightness.
+            // 2^-24 of either side. From texel to texel a channel changes by the brightest at most.
             const double texels = 4.0 * 0x1p-24 * (image.width + image.height);
             ASSERT_LT(glm::length(wide(sample.radiance) - made.radiance(direction)),
                       texels * std::sqrt(3.0) * brightest);

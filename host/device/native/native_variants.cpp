@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -39,10 +39,10 @@ bool processor_runs(std::string_view isa) {
 /// The kernels of both parts in the order of KernelId; each is in one of them.
 std::vector<NativeKernel> in_order(std::span<const NativeKernel> items,
                                    std::span<const NativeKernel> packets) {
-    std::vector<NativeKernel> kernels(items.begin(), items.end());
-    kernels.insert(kernels.end(), packets.begin(), packets.end());
-    std::ranges::sort(kernels, {},
-                      [](const NativeKernel& kernel) { return kernel_of(kernel.name); });
+    std::vector<NativeKernel> kernels(items.size() + packets.size());
+    for (const std::span<const NativeKernel> part : {items, packets})
+        for (const NativeKernel& kernel : part)
+            kernels.at(static_cast<std::size_t>(kernel_of(kernel.name).value())) = kernel;
     return kernels;
 }
 
