@@ -1,5 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <tbb/parallel_for.h>
+
 #include <csignal>
 #include <new>
 #include <optional>
@@ -10,6 +12,7 @@
 #include "app/print.h"
 #include "base/diagnostics.h"
 #include "base/error.h"
+#include "base/require_memory.h"
 #if WEFT_HAS_OPENCL
 #include "device/opencl/compile_server.h"
 #endif
@@ -42,6 +45,12 @@ bool is_verbose(const weft::ParsedCommand& command) {
         command);
 }
 
+/// Makes TBB's threads and the arena of this one while there is memory for them.
+void start_threads() {
+    weft::require_memory(weft::arena_memory);
+    tbb::parallel_for(0, 1, [](int) {});
+}
+
 int exit_status(weft::ExitCode code) {
     return static_cast<int>(code);
 }
@@ -49,7 +58,10 @@ int exit_status(weft::ExitCode code) {
 weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagnostics) {
     if (const auto* help = std::get_if<weft::HelpText>(&command)) {
         weft::print_result(help->text);
-    } else if (const auto* render = std::get_if<weft::RenderOptions>(&command)) {
+        return weft::ExitCode::success;
+    }
+    start_threads();
+    if (const auto* render = std::get_if<weft::RenderOptions>(&command)) {
         return weft::render_command(*render, diagnostics);
     } else if (const auto* merge = std::get_if<weft::MergeOptions>(&command)) {
         weft::merge_command(*merge, diagnostics);

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
@@ -26,7 +27,7 @@ void print_message(std::string_view text) noexcept {
     std::fflush(stderr);
 }
 
-void print_warnings(Diagnostics& diagnostics, bool verbose) {
+void print_warnings(Diagnostics& diagnostics, bool verbose) noexcept try {
     constexpr std::string_view mark = "warning: ";
     constexpr std::size_t room =
         longest_warning_line - std::string_view("weft: ").size() - mark.size();
@@ -39,6 +40,8 @@ void print_warnings(Diagnostics& diagnostics, bool verbose) {
         lines.front().insert(0, mark);
         for (const std::string& line : lines) print_message(line);
     }
+} catch (const std::exception&) {
+    print_message("warning: no memory is left to print warnings");
 }
 
 std::string json_document(const nlohmann::json& json) {

@@ -21,7 +21,8 @@ void print_message(std::string_view text) noexcept;
 
 /// Prints the warnings that were not printed before, one line a kind, at most
 /// longest_warning_line characters; with `verbose` every place, and nothing shortened.
-void print_warnings(Diagnostics& diagnostics, bool verbose);
+/// Where memory does not suffice for them, it says that instead.
+void print_warnings(Diagnostics& diagnostics, bool verbose) noexcept;
 
 /// Indented JSON with a line end. Bytes that are not UTF-8, as file names may hold, are replaced.
 [[nodiscard]] std::string json_document(const nlohmann::json& json);

@@ -59,6 +59,10 @@ TEST(ProgramMemory, EndsWhereMemoryRunsOut) {
                             "--progress", "none"},
                            {.address_bytes = mebibytes << 20, .seconds = 60});
     };
+    const auto is_loaded = [&](std::size_t mebibytes) {
+        return run_program({"--help"}, {.address_bytes = mebibytes << 20, .seconds = 60})
+                   .exit_code == 0;
+    };
     constexpr std::size_t plenty = 4096;
     for (const std::string backend : {"embree", "native"}) {
         SCOPED_TRACE(backend);
@@ -69,10 +73,11 @@ TEST(ProgramMemory, EndsWhereMemoryRunsOut) {
         for (std::size_t mebibytes = 64; !enough; mebibytes += 6) {
             SCOPED_TRACE(std::to_string(mebibytes) + " MiB");
             ASSERT_LE(mebibytes, plenty);
+            // Libraries that get too little while they are loaded end the program as they please.
+            if (!is_loaded(mebibytes)) continue;
             const ProgramResult result = render(backend, mebibytes);
             enough = result.exit_code == 0;
-            // With less than that, no program is loaded.
-            if (enough || result.err.find("shared libraries") != std::string::npos) continue;
+            if (enough) continue;
             EXPECT_EQ(result.exit_code, 4) << result.err;
             const std::vector<std::string> lines = errors_in(result.err);
             EXPECT_EQ(lines.size(), 1u) << result.err;

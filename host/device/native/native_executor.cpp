@@ -18,6 +18,7 @@
 #include "base/cache_folder.h"
 #include "base/error.h"
 #include "base/large_memory.h"
+#include "base/require_memory.h"
 #include "base/stopwatch.h"
 #include "bvh/moving_bvh.h"
 #include "device/kernel_signature.h"
@@ -98,6 +99,8 @@ class NativeExecutor : public Executor {
           arena_(threads > 0 ? threads : tbb::task_arena::automatic),
           pacer_(static_cast<std::uint32_t>(arena_.max_concurrency())) {
         device_.compute_units = static_cast<std::uint32_t>(arena_.max_concurrency());
+        require_memory(arena_memory);
+        arena_.initialize();
     }
 
     [[nodiscard]] const DeviceInfo& device() const override { return device_; }
