@@ -46,6 +46,15 @@ std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scen
     return samples_of(options.quality, !scene.media.empty());
 }
 
+/// Whether further samples of a preview refine it: where nothing asks for another image than that
+/// of the default algorithm.
+bool is_refined(const RenderOptions& options) {
+    const bool by_vpls =
+        !options.indirect || (options.preset && *options.indirect == IndirectSource::vpl);
+    return options.algorithm == Algorithm::ais && by_vpls && !options.frames &&
+           !options.frame_seconds && !options.compensation && !options.overlays;
+}
+
 RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
     RenderSettings settings;
     settings.algorithm = options.algorithm;
@@ -79,6 +88,11 @@ RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
         for (const std::string_view name : choosable_components(Choice::on_request))
             if (options.names_component(name)) settings.requested.emplace_back(name);
     }
+    const bool all_media = settings.media || scene.media.empty();
+    if (is_refined(options) && settings.requested.empty() && all_media)
+        settings.refined_after = options.preset
+                                     ? options.preset->refined_after
+                                     : samples_of(Quality::preview, !scene.media.empty());
     return settings;
 }
 

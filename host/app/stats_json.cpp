@@ -80,7 +80,8 @@ Preset settings_of(const RenderSettings& settings, const RenderSession& session,
                    Denoiser denoiser) {
     const auto samples =
         std::clamp<std::uint64_t>(session.samples(), 1, limits::max_samples_per_pixel);
-    return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples), denoiser};
+    return {settings.algorithm, settings.sampling, static_cast<std::uint32_t>(samples), denoiser,
+            settings.refined_after};
 }
 
 nlohmann::json plan_json(const FramePlan& plan) {

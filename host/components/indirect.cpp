@@ -1,6 +1,8 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "components/interleaved_irradiance.h"
@@ -26,7 +28,7 @@ bool is_enabled(const FramePlan& plan) {
 
 ComponentRequirements requirements(const FramePlan& plan) {
     ComponentRequirements requirements = requirements_of_interleaved(plan.adaptive);
-    requirements.kernels.push_back(KernelId::vpl_walk);
+    std::ranges::copy(vpl_kernels(plan), std::back_inserter(requirements.kernels));
     if (plan.choices > 0)
         requirements.kernels.insert(requirements.kernels.end(),
                                     {KernelId::vpl_shortlist, KernelId::vpl_choice});

@@ -1,5 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,8 +27,9 @@ bool is_enabled(const FramePlan& plan) {
 
 ComponentRequirements requirements(const FramePlan& plan) {
     ComponentRequirements requirements;
-    requirements.kernels = {KernelId::vpl_walk, KernelId::receivers, KernelId::cache_tiles,
-                            KernelId::cache_records, KernelId::cache_lookup};
+    requirements.kernels = {KernelId::receivers, KernelId::cache_tiles, KernelId::cache_records,
+                            KernelId::cache_lookup};
+    std::ranges::copy(vpl_kernels(plan), std::back_inserter(requirements.kernels));
     requirements.features = FEATURE_INDIRECT;
     if (plan.temporal) {
         requirements.kernels.insert(requirements.kernels.end(),

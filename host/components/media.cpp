@@ -1,5 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "components/interleaved_irradiance.h"
@@ -27,7 +29,8 @@ ComponentRequirements requirements(const FramePlan& plan) {
     requirements.own_tiles = std::exchange(requirements.tiles, false);
     requirements.kernels.push_back(KernelId::media_gather);
     if (plan.light_sample_count() > 0) requirements.kernels.push_back(KernelId::light_samples);
-    if (plan.has_vpls()) requirements.kernels.push_back(KernelId::vpl_walk);
+    if (plan.has_vpls())
+        std::ranges::copy(vpl_kernels(plan), std::back_inserter(requirements.kernels));
     if (plan.has_distant()) {
         requirements.kernels.push_back(KernelId::media_distant);
         if (plan.directional_lights > 0) requirements.features |= FEATURE_DIRECTIONAL_LIGHTS;

@@ -61,8 +61,27 @@ void make_media_samples(FrameContext& frame, const char* component,
     sample_lights(frame, component, sampling, samples, plan.sets * plan.media_samples_per_set);
 }
 
+std::vector<KernelId> vpl_kernels(const FramePlan& plan) {
+    std::vector<KernelId> kernels{KernelId::vpl_walk};
+    if (plan.vpl_tail) kernels.push_back(KernelId::vpl_tail);
+    if (plan.local_bound_scale > 0.0) kernels.push_back(KernelId::vpl_bounds);
+    return kernels;
+}
+
 void walk_vpls(FrameContext& frame, const char* component) {
+    const FramePlan& plan = frame.plan;
     run_walk(frame, component, {}, {}, {});
+    if (plan.vpl_tail)
+        frame.run(Stage::vpl_tail, component, kernels::vpl_tail{.vpls = frame.buffers.vpls}, {1});
+    if (plan.local_bound_scale > 0.0) {
+        const std::uint32_t count = plan.sets * plan.vpls_per_set;
+        const double growth = static_cast<double>(frame.params.sampling.vpl_bound) / plan.vpl_bound;
+        frame.run(Stage::vpl_bounds, component,
+                  kernels::vpl_bounds{.vpl_count = count,
+                                      .scale = static_cast<float>(plan.local_bound_scale * growth),
+                                      .vpls = frame.buffers.vpls},
+                  {count});
+    }
 }
 
 LightPaths::LightPaths(Executor& executor, const FramePlan& plan)

@@ -20,7 +20,10 @@ void make_light_samples(FrameContext& frame, const char* component);
 void make_media_samples(FrameContext& frame, const char* component,
                         BufferRef<kinds::VirtualLights> samples);
 
-/// Fills FrameBuffers::vpls with the VPLs of a frame. The stage counts for `component`, likewise.
+/// The kernels of walk_vpls.
+[[nodiscard]] std::vector<KernelId> vpl_kernels(const FramePlan& plan);
+
+/// Fills FrameBuffers::vpls with the VPLs of a frame. The stages count for `component`, likewise.
 void walk_vpls(FrameContext& frame, const char* component);
 
 class SceneMotion;

@@ -157,6 +157,12 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,
                   settings.bound_spacing);
+    // The residual knows one bound and the bounces that there are; records that outlast their frame
+    // see a VPL change only where its path does.
+    const bool as_walked = plan.exact || plan.compensation || plan.temporal || !plan.has_vpls();
+    plan.vpl_tail = settings.vpl_tail && !as_walked && plan.bounces > 1;
+    if (settings.local_bounds && !as_walked && settings.bound_spacing > 0.0)
+        plan.local_bound_scale = 1.0 / (settings.bound_spacing * settings.bound_spacing);
     const double light_samples =
         plan.samples_per_light > 0
             ? plan.samples_per_light

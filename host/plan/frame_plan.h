@@ -35,11 +35,16 @@ inline constexpr Algorithm default_algorithm = Algorithm::ais;
 struct SamplingSettings {
     std::uint32_t interleave = 3;     ///< n: n x n sample sets
     std::uint32_t vpls_per_set = 64;  ///< at most
-    std::uint32_t bounces = 4;        ///< VPLs of indirect orders 1 to this, at most MAX_BOUNCES
+    /// VPLs of indirect orders 1 to this, at most MAX_BOUNCES. Later ones cost next to nothing.
+    std::uint32_t bounces = MAX_BOUNCES;
     std::uint32_t samples_per_light = 4;      ///< per set and area light; also environment rays
     std::uint32_t max_samples_per_set = 256;  ///< beyond it, lights are chosen by power
-    double bound_spacing = 2.0;               ///< c: VPLs closer than c mean spacings are bounded
-    std::uint32_t filter_radius = 1;          ///< discontinuity buffer, pixels
+    double bound_spacing = 1.0;               ///< c: VPLs closer than c mean spacings are bounded
+    /// Each VPL is bounded by the light of the VPLs about it, not all by the same; without residual
+    /// and records that outlast their frame.
+    bool local_bounds = true;
+    bool vpl_tail = true;  ///< the last bounce brings what all later ones would, on the same terms
+    std::uint32_t filter_radius = 1;  ///< discontinuity buffer, pixels
     double filter_cosine = 0.9;
     double filter_planes = 2.0;
     /// Of ais: largest error of undersampling, in just noticeable differences, that is accepted.
@@ -159,7 +164,11 @@ struct FramePlan {
     std::uint32_t cache_elevations = 0;
     std::uint32_t cache_azimuths = 0;
 
-    double vpl_bound = 0.0;          ///< of frame 0, 1 / kernel units squared
+    double vpl_bound = 0.0;  ///< of frame 0, 1 / kernel units squared
+    /// Of frame 0: 1 / c^2 of SamplingSettings::bound_spacing, where each VPL has a bound of its
+    /// own; else 0.
+    double local_bound_scale = 0.0;
+    bool vpl_tail = false;           ///< as in SamplingSettings
     double light_bound_scale = 0.0;  ///< of frame 0; divided by a light's area it is the bound
 
     /// Number of samples on area lights, which come first in the light sample buffer.

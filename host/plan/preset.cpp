@@ -108,6 +108,14 @@ void read_denoiser(const JsonValue& value, Preset& preset) {
             "needs the variance of every pixel, expected the algorithm path or reference");
 }
 
+void read_refinement(const JsonValue& value, Preset& preset) {
+    const auto member = value.find("refined_after");
+    if (!member) return;
+    preset.refined_after = whole(*member, 0, limits::max_samples_per_pixel);
+    if (preset.refined_after > 0 && preset.algorithm != Algorithm::ais)
+        throw member->error("is for adaptive sampling, expected the algorithm ais, or 0");
+}
+
 void check_version(const JsonValue& value) {
     constexpr std::uint64_t version = 1;
     const JsonValue member = value.at("weft_preset");
@@ -156,9 +164,12 @@ Json preset_json(const Preset& preset) {
               {"spp", preset.samples},
               {"denoise", to_string(preset.denoiser)},
               {"cache_masks", preset.sampling.cache_masks},
-              {"compensation", preset.sampling.compensation}};
+              {"compensation", preset.sampling.compensation},
+              {"local_bounds", preset.sampling.local_bounds},
+              {"vpl_tail", preset.sampling.vpl_tail}};
     if (has_indirect_source(preset.algorithm))
         json["indirect"] = to_string(source_of(preset.sampling));
+    if (preset.algorithm == Algorithm::ais) json["refined_after"] = preset.refined_after;
     for (const WholeSetting& setting : whole_settings)
         json[setting.key] = preset.sampling.*setting.member;
     for (const RealSetting& setting : real_settings)
@@ -175,7 +186,8 @@ Preset read_preset(const std::filesystem::path& file) {
                              "bound_spacing", "filter_radius", "max_light_samples", "filter_cosine",
                              "filter_planes", "threshold",     "luminance_scale",   "support",
                              "roulette",      "cache_masks",   "cache_records",     "cache_error",
-                             "cache_rays",    "compensation",  "edge_samples",      "denoise"});
+                             "cache_rays",    "compensation",  "edge_samples",      "denoise",
+                             "local_bounds",  "vpl_tail",      "refined_after"});
     Preset preset;
     read_source(value, preset);
     if (const auto member = value.find("spp"))
@@ -188,7 +200,10 @@ Preset read_preset(const std::filesystem::path& file) {
             preset.sampling.*setting.member = real(*member, setting.least, setting.most);
     preset.sampling.cache_masks = value.bool_or("cache_masks", preset.sampling.cache_masks);
     preset.sampling.compensation = value.bool_or("compensation", preset.sampling.compensation);
+    preset.sampling.local_bounds = value.bool_or("local_bounds", preset.sampling.local_bounds);
+    preset.sampling.vpl_tail = value.bool_or("vpl_tail", preset.sampling.vpl_tail);
     read_denoiser(value, preset);
+    read_refinement(value, preset);
     check_together(value, preset);
     return preset;
 }

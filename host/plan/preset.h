@@ -19,6 +19,9 @@ struct Preset {
     SamplingSettings sampling;  ///< cached and temporal say where indirect light comes from
     std::uint32_t samples = 1;  ///< per pixel, 1 and up
     Denoiser denoiser = Denoiser::none;
+    /// Of ais: after so many samples further ones refine the image; see
+    /// RenderSettings::refined_after. 0: none does.
+    std::uint32_t refined_after = 0;
 };
 
 /// The preset as JSON for read_preset, every setting by its name.

@@ -16,9 +16,11 @@ class ExactRenderer : public FrameRenderer {
   public:
     /// Samples still to be made.
     [[nodiscard]] virtual std::uint32_t samples_left() const noexcept = 0;
+    static constexpr std::uint32_t any_samples = 0xFFFFFFFF;
     /// Lets the next frames take no longer than so many milliseconds, as far as one sample does not
-    /// take longer; infinity for no limit.
-    virtual void limit_frames(double ms) noexcept = 0;
+    /// take longer, and have no more than so many samples, at least 1; infinity and any_samples for
+    /// no limit.
+    virtual void limit_frames(double ms, std::uint32_t samples = any_samples) noexcept = 0;
     /// Whether a cancelled frame waits to go on.
     [[nodiscard]] virtual bool has_open_frame() const noexcept = 0;
     /// Expected milliseconds of the next frame; 0 before the first.

@@ -202,8 +202,8 @@ std::uint32_t PathRenderer::frame_samples() const noexcept {
     if (samples_left() == 0) return 0;
     const double ms = std::min(settings_.frame_ms, most_frame_ms_);
     const double wanted = ms_per_sample_ > 0.0 ? ms / ms_per_sample_ : 1.0;
-    return std::min(samples_left(), static_cast<std::uint32_t>(std::clamp(
-                                        wanted, 1.0, static_cast<double>(most_frame_samples))));
+    const double all = std::min<double>(most_frame_samples, most_samples_);
+    return std::min(samples_left(), static_cast<std::uint32_t>(std::clamp(wanted, 1.0, all)));
 }
 
 bool PathRenderer::render_frame(const KeepGoing& keep_going) {

@@ -60,7 +60,10 @@ class PathRenderer : public ExactRenderer {
     void follow_scene() override;
 
     [[nodiscard]] std::uint32_t samples_left() const noexcept override { return film_.left(); }
-    void limit_frames(double ms) noexcept override { most_frame_ms_ = ms; }
+    void limit_frames(double ms, std::uint32_t samples) noexcept override {
+        most_frame_ms_ = ms;
+        most_samples_ = samples;
+    }
     [[nodiscard]] bool has_open_frame() const noexcept override { return open_.has_value(); }
     [[nodiscard]] double next_frame_ms() const noexcept override {
         return ms_per_sample_ * frame_samples();
@@ -118,6 +121,7 @@ class PathRenderer : public ExactRenderer {
     std::uint32_t camera_features_ = 0;
     double ms_per_sample_ = 0.0;
     double most_frame_ms_ = std::numeric_limits<double>::infinity();
+    std::uint32_t most_samples_ = any_samples;
 };
 
 /// Identifies the image that samples belong to: `estimator` and a digest of everything else that

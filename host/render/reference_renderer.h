@@ -38,7 +38,7 @@ class ReferenceRenderer : public ExactRenderer {
     void follow_scene() override;
 
     [[nodiscard]] std::uint32_t samples_left() const noexcept override { return film_.left(); }
-    void limit_frames(double) noexcept override {}
+    void limit_frames(double, std::uint32_t) noexcept override {}
     [[nodiscard]] bool has_open_frame() const noexcept override { return false; }
     [[nodiscard]] double next_frame_ms() const noexcept override { return sample_ms_; }
     [[nodiscard]] std::uint64_t samples() const override { return film_.samples(); }

@@ -31,6 +31,10 @@ struct RenderSettings {
     /// Expected number of frames: with 1, rays go through pixel centres; with more, they cover the
     /// whole pixel, and textures need less filtering.
     std::uint32_t samples = 1;
+    /// Of a session: after so many samples of the preview every second one is unbiased, and after
+    /// four times as many all further ones, which correct it (Refinement); 0: all samples are the
+    /// preview's.
+    std::uint32_t refined_after = 0;
     /// Of ais: target for the milliseconds of a frame, which thresholds are adapted to; 0: none.
     double frame_time_ms = 0.0;
     bool hides_environment = false;  ///< from rays of the camera, not from light

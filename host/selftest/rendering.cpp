@@ -42,6 +42,7 @@ RenderSettings small_settings(Algorithm algorithm, std::uint32_t width, std::uin
 
 RenderSettings unbounded(RenderSettings settings) {
     settings.sampling.bound_spacing = 1e-6;
+    settings.sampling.local_bounds = false;
     return settings;
 }
 

@@ -14,16 +14,16 @@ namespace {
 constexpr double rho = 0.5;
 constexpr double bound_share = 0.3;
 
-/// Irradiance by four bounces in a sphere of radius 1 around a light of intensity 1. The geometry
+/// Irradiance by all bounces in a sphere of radius 1 around a light of intensity 1. The geometry
 /// term is 1/4 between any two points, so a bound of a share of that keeps this share of the light.
-constexpr double bounded =
-    bound_share * (rho + rho * rho + rho * rho * rho + rho * rho * rho * rho);
+constexpr double bounded = bound_share * rho / (1.0 - rho);
 
 std::vector<double> sphere_irradiance(Executor& executor, const FlatScene& flat,
                                       bool compensation) {
     RenderSettings settings = small_settings(Algorithm::ir, 64, 48);
     settings.sampling.interleave = 1;
     settings.sampling.compensation = compensation;
+    settings.sampling.local_bounds = false;
     // The bound is pi n / (c^2 4 pi R^2).
     settings.sampling.bound_spacing =
         std::sqrt(plan_for(flat, settings).vpls_per_set / bound_share);

@@ -38,6 +38,18 @@ bool is_ended(const RenderBudget& budget) {
     return budget.end_early != nullptr && *budget.end_early;
 }
 
+/// Of so many samples of a refined preview, how many are its own. Its noise falls faster than that
+/// of unbiased samples in the same time, until it is as small as its errors of other kinds.
+std::uint64_t preview_samples(std::uint32_t refined_after, std::uint64_t samples) {
+    constexpr std::uint64_t most = 4;
+    const std::uint64_t least = refined_after;
+    return std::min(samples, std::clamp((samples + 1) / 2, least, most * least));
+}
+
+/// Frames of exact samples take this share of the time that is left: several until the end, each
+/// with a better idea of what a sample takes.
+constexpr double share_of_rest = 0.35;
+
 /// Checks whether an image's error is small enough, after 16, 32, 64 ... samples: reading it costs
 /// as much as some samples do, and with frequent checks rendering would end by chance.
 class ErrorTarget {
@@ -80,33 +92,105 @@ bool RenderSession::render_frame(const KeepGoing& keep_going) {
     return more;
 }
 
-SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
-    Deadline deadline(budget.time_ms, budget.spent_ms);
-    const bool timed = deadline.is_set();
-    auto frame = static_cast<std::uint32_t>(renderer_->samples());
-    const std::uint32_t frames =
-        budget.samples.value_or(timed ? std::numeric_limits<std::uint32_t>::max() : frame + 1);
-    double shown = 0.0;
-    double asked_ms = 0.0;   // when a frame was last asked whether to go on
-    double finish_ms = 0.0;  // from there to its end: reconstruction and composition
-    const KeepGoing keep_going = [&](Stage stage, double done) {
-        asked_ms = deadline.ms();
-        double fraction = (frame + share_of_frame(stage, done)) / frames;
-        if (timed) fraction = std::max(fraction, deadline.share());
-        shown = std::max(shown, fraction);
-        if (budget.progress) budget.progress({shown, stage});
-        // A first frame is finished even when the time is up, so that there is an image.
-        if (frame == 0 && is_needed_by_all(stage)) return true;
-        const bool out_of_time = frame > 0 && deadline.left_ms() < finish_ms;
-        return !is_ended(budget) && !out_of_time;
-    };
-    for (; frame < frames && !is_ended(budget); ++frame) {
-        if (frame > 0 && deadline.left_ms() <= finish_ms) break;
-        if (!render_frame(keep_going)) break;
-        finish_ms = deadline.ms() - asked_ms;
-        if (deadline.left_ms() > 0.0 && timed) deadline.reserve(delivery_ms() + budget.reserved_ms);
+/// One call of `render` for a preview.
+class RenderSession::PreviewLoop {
+  public:
+    PreviewLoop(RenderSession& session, const RenderBudget& budget)
+        : session_(session),
+          budget_(budget),
+          deadline_(budget.time_ms, budget.spent_ms),
+          samples_(budget.samples.value_or(
+              deadline_.is_set() ? std::numeric_limits<std::uint32_t>::max()
+                                 : static_cast<std::uint32_t>(session.samples()) + 1)) {}
+
+    SessionEnd run() {
+        while (session_.samples() < samples_ && !is_ended(budget_)) {
+            const std::uint32_t unbiased = unbiased_next();
+            if (!(unbiased > 0 ? refine(unbiased) : add_sample())) break;
+            if (deadline_.left_ms() > 0.0 && deadline_.is_set())
+                deadline_.reserve(session_.delivery_ms() + budget_.reserved_ms);
+        }
+        return is_ended(budget_) ? SessionEnd::ended_early : SessionEnd::complete;
     }
-    return is_ended(budget) ? SessionEnd::ended_early : SessionEnd::complete;
+
+  private:
+    /// How many unbiased samples come next, before the next one of the preview.
+    [[nodiscard]] std::uint32_t unbiased_next() const {
+        const std::uint32_t after = std::get<RenderSettings>(session_.settings_).refined_after;
+        const std::uint64_t preview = session_.renderer_->samples();
+        const std::uint64_t done = session_.samples();
+        if (after == 0 || !has_time_to_refine()) return 0;
+        std::uint32_t count = 0;
+        while (done + count < samples_ && count < most_at_once &&
+               preview >= preview_samples(after, done + count + 1))
+            ++count;
+        return count;
+    }
+
+    [[nodiscard]] bool has_time_to_refine() const {
+        if (!deadline_.is_set() || session_.renderer_->samples() == 0) return true;
+        if (session_.refinement_) return deadline_.left_ms() > session_.refinement_->next_ms();
+        // A correction takes two unbiased samples at least, each of which takes about twice as long
+        // as one of the preview, or several times as long where there is much to trace.
+        constexpr double worth_beginning = 8.0;
+        return deadline_.left_ms() > worth_beginning * session_.stats_.last_frames().back().ms;
+    }
+
+    /// Adds a sample of the preview. Returns whether that was possible.
+    bool add_sample() {
+        const bool first = session_.renderer_->samples() == 0;
+        if (!first && deadline_.left_ms() <= finish_ms_) return false;
+        double asked_ms = deadline_.ms();  // when the frame was last asked whether to go on
+        const bool added = session_.render_frame([&](Stage stage, double done) {
+            asked_ms = deadline_.ms();
+            report(share_of_frame(stage, done), stage);
+            // A first frame is finished even when the time is up, so that there is an image.
+            if (first && is_needed_by_all(stage)) return true;
+            const bool out_of_time = !first && deadline_.left_ms() < finish_ms_;
+            return !is_ended(budget_) && !out_of_time;
+        });
+        finish_ms_ = deadline_.ms() - asked_ms;
+        return added;
+    }
+
+    /// Adds up to `most` unbiased samples. Returns whether that was possible.
+    bool refine(std::uint32_t most) {
+        std::optional<Refinement>& refinement = session_.refinement_;
+        if (!refinement)
+            refinement.emplace(session_.executor_, session_.scene_.flat(), session_.buffers_,
+                               session_.camera_, std::get<RenderSettings>(session_.settings_));
+        const bool could_correct = refinement->can_correct();
+        const bool added = refinement->render_frame(most, share_of_rest * deadline_.left_ms(),
+                                                    [&](Stage stage, double) {
+                                                        report(0.0, stage);
+                                                        return !is_ended(budget_);
+                                                    });
+        session_.stats_.add(refinement->take_stats());
+        // A correction takes time of its own.
+        if (refinement->can_correct() && !could_correct) session_.delivery_ms_.reset();
+        return added;
+    }
+
+    /// Tells how far the call has come: never less than before. `done`: of the next sample.
+    void report(double done, Stage stage) {
+        const double of_time = deadline_.is_set() ? deadline_.share() : 0.0;
+        const double of_samples = (static_cast<double>(session_.samples()) + done) / samples_;
+        shown_ = std::max({shown_, of_samples, of_time});
+        if (budget_.progress) budget_.progress({shown_, stage});
+    }
+
+    static constexpr std::uint32_t most_at_once = 256;
+
+    RenderSession& session_;
+    const RenderBudget& budget_;
+    Deadline deadline_;
+    std::uint32_t samples_;   ///< that the image is to have
+    double finish_ms_ = 0.0;  ///< of a frame's end: reconstruction and composition
+    double shown_ = 0.0;
+};
+
+SessionEnd RenderSession::render_preview(const RenderBudget& budget) {
+    return PreviewLoop(*this, budget).run();
 }
 
 SessionEnd RenderSession::render_reference(const RenderBudget& budget) {
@@ -129,8 +213,6 @@ SessionEnd RenderSession::render_reference(const RenderBudget& budget) {
         const bool has_image = exact_->samples() > 0;
         if (deadline.is_set() && has_image && deadline.left_ms() > 0.0)
             deadline.reserve(delivery_ms() + budget.reserved_ms);
-        // Several frames until the end, each with a better idea of what a sample takes.
-        constexpr double share_of_rest = 0.35;
         exact_->limit_frames(share_of_rest * deadline.left_ms());
         if (has_image && exact_->next_frame_ms() > deadline.left_ms()) break;
         if (target.reached(*exact_, executor_)) break;

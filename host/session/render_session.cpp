@@ -35,6 +35,7 @@ void RenderSession::make_renderer(FilmSums sums) {
     delivery_ms_.reset();
     // The old renderer goes first, because two at once would need the memory of both.
     exact_ = nullptr;
+    refinement_.reset();
     renderer_.reset();
     stats_.begin_renderer();
     if (const auto* const preview = std::get_if<RenderSettings>(&settings_)) {
@@ -50,11 +51,13 @@ void RenderSession::make_renderer(FilmSums sums) {
 
 void RenderSession::set_camera(const Camera& camera) {
     camera_ = camera;
+    refinement_.reset();
     renderer_->set_camera(camera);
 }
 
 void RenderSession::move_camera(const Camera& camera) {
     camera_ = camera;
+    refinement_.reset();
     renderer_->move_camera(camera);
 }
 
@@ -111,8 +114,8 @@ void RenderSession::add_identifiers(Image& image) {
     if (const auto* const path = std::get_if<PathSettings>(&settings_)) {
         seed = path->seed;
         if (!path->through_centres)
-            samples = static_cast<std::uint32_t>(
-                std::clamp<std::uint64_t>(renderer_->samples(), least, most));
+            samples =
+                static_cast<std::uint32_t>(std::clamp<std::uint64_t>(this->samples(), least, most));
     } else {
         const auto& preview = std::get<RenderSettings>(settings_);
         seed = preview.seed;
@@ -143,11 +146,12 @@ SessionImage RenderSession::image() {
         result.seed = std::get<PathSettings>(settings_).seed;
     } else {
         result.image = renderer_->image();
+        if (refinement_ && refinement_->can_correct()) refinement_->correct(result.image);
         result.algorithm = std::get<RenderSettings>(settings_).algorithm;
         result.seed = std::get<RenderSettings>(settings_).seed;
     }
     stats_.add(renderer_->take_stats());
-    result.samples = renderer_->samples();
+    result.samples = samples();
     result.light = renderer_->light();
     return result;
 }

@@ -19,6 +19,7 @@
 #include "session/display_resolve.h"
 #include "session/matte_pass.h"
 #include "session/output_driver.h"
+#include "session/refinement.h"
 #include "session/session_stats.h"
 
 namespace weft {
@@ -121,7 +122,12 @@ class RenderSession {
     /// The image rendered so far, which has at least one sample; a path-traced frame that was
     /// cancelled is finished first.
     [[nodiscard]] SessionImage image();
-    [[nodiscard]] std::uint64_t samples() const { return renderer_->samples(); }
+    /// Samples of every pixel, those of the preview and those that refine it.
+    [[nodiscard]] std::uint64_t samples() const { return renderer_->samples() + refined_samples(); }
+    /// Those that refine the preview; see RenderSettings::refined_after.
+    [[nodiscard]] std::uint64_t refined_samples() const {
+        return refinement_ ? refinement_->samples() : 0;
+    }
     /// See FrameRenderer::light.
     [[nodiscard]] std::vector<LightShare> light() const { return renderer_->light(); }
     [[nodiscard]] const FramePlan& plan() const { return renderer_->plan(); }
@@ -137,6 +143,7 @@ class RenderSession {
     /// Brings buffers and renderer up to date where the scene has changed in place.
     void follow_scene();
     SessionEnd render_preview(const RenderBudget& budget);
+    class PreviewLoop;  // spends the budget of a preview
     SessionEnd render_reference(const RenderBudget& budget);
     /// Renders and shows one frame; returns what FrameRenderer::render_frame does.
     bool render_frame(const KeepGoing& keep_going);
@@ -153,7 +160,8 @@ class RenderSession {
     ImageSettings settings_;
     std::shared_ptr<SceneBuffers> buffers_;
     std::unique_ptr<FrameRenderer> renderer_;
-    ExactRenderer* exact_ = nullptr;  ///< renderer_, where it is an ExactRenderer
+    ExactRenderer* exact_ = nullptr;        ///< renderer_, where it is an ExactRenderer
+    std::optional<Refinement> refinement_;  ///< of renderer_'s image, once it has begun
     SessionStats stats_;
     DisplayResolve resolve_;
     OutputDriver* output_ = nullptr;

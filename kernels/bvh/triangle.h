@@ -34,10 +34,6 @@ typedef struct {
     float start_x, start_y, start_z;  // origin along them
 } Ray;
 
-static inline float3 xyz(float4 v) {
-    return f3(v.x, v.y, v.z);
-}
-
 static inline float component(float3 v, uint axis) {
     return axis == 0u ? v.x : (axis == 1u ? v.y : v.z);
 }

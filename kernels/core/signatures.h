@@ -79,6 +79,14 @@
     X(WRITES, PathsKnown, known_segments)              \
     X(WRITES, RayCounters, counters)
 
+#define ARGUMENTS_vpl_tail(X)                          \
+    X(WRITES, VirtualLights, vpls)
+
+#define ARGUMENTS_vpl_bounds(X)                        \
+    X(VALUE, uint, vpl_count)                          \
+    X(VALUE, float, scale)                             \
+    X(WRITES, VirtualLights, vpls)
+
 #define ARGUMENTS_vpl_gather(X)                        \
     X(TRACES, Scene, scene)                            \
     X(GROUP, MediaTables, media_tables)                \

@@ -285,6 +285,8 @@ typedef struct {
 #define VPL_SPOT 2u
 #define VPL_MEDIUM 3u
 
+#define NO_BOUND 1e30f  // above every G
+
 typedef struct {
     float4 position;  // xyz, offset to the lit side; w: bound on G, 1/unit^2
     float4 normal;    // xyz unit, of VPL_MEDIUM the direction in which light came; w: kind (bits)

@@ -13,6 +13,11 @@ typedef struct {
     WFloat x, y, z;
 } WFloat3;
 
+/// The first three components.
+static inline float3 xyz(float4 v) {
+    return f3(v.x, v.y, v.z);
+}
+
 /// Scalar product.
 static inline float dot3(float3 a, float3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -28,12 +28,16 @@ typedef struct {
     GLOBAL const Triangle* triangles;
 } AreaLights;
 
-/// 1 where the area light is so near that the bound on its samples can cut light off, 0 from twice
-/// as far off on.
+// The light is that near up to so many times the distance at which the bound on its samples begins:
+// few samples of such a light lie where most of its light comes from, whether they are bounded or
+// not.
+#define NEAR_REACH 2.0f
+
+/// 1 where the area light is near, 0 from twice as far off on.
 static inline WFloat nearness(const RenderParams* params, GLOBAL const LightRecord* area_light,
                               const ReceiverPacket* packet) {
     WFloat zero = WIDE(0.0f);
-    float reach = square_root(area_light->area / params->sampling.lights.bound_scale);
+    float reach = NEAR_REACH * square_root(area_light->area / params->sampling.lights.bound_scale);
     if (!(reach > 0.0f) || has_closed_form(params, area_light) == 0) return zero;
     float4 centre = area_light->position;
     WFloat3 to;

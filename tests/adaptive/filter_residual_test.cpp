@@ -38,6 +38,10 @@ RenderSettings settings_of(Algorithm algorithm, bool compensation, double thresh
     RenderSettings settings = test::small_settings(algorithm, 93, 61);
     settings.sampling.compensation = compensation;
     settings.sampling.threshold = threshold;
+    // As with compensation, so that it is all that differs.
+    settings.sampling.local_bounds = false;
+    settings.sampling.vpl_tail = false;
+    settings.sampling.bound_spacing = 2.0;  // the closer bound of lights leaves nothing to add
     settings.seed = 3;
     return settings;
 }
@@ -182,6 +186,11 @@ TEST(FilterResidual, TheMeanOverFramesIsThatOfPathTracing) {
         settings.seed = seed;
         settings.samples = 3;
         settings.direct = false;
+        // Much is left to add.
+        settings.sampling.bounces = 4;
+        settings.sampling.bound_spacing = 2.0;
+        settings.sampling.local_bounds = false;
+        settings.sampling.vpl_tail = false;
         for (const bool compensation : {false, true}) {
             settings.sampling.compensation = compensation;
             const Rendering rendering = render(TestBackend::embree, box, settings, 3);

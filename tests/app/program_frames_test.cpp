@@ -173,7 +173,7 @@ TEST_F(ProgramFrames, StatisticsHoldAllFrames) {
     EXPECT_EQ(stats.at("options").at("frames"), json({7, 10}));
     EXPECT_EQ(stats.at("options").at("frame_rate"), 12.5);
     EXPECT_EQ(stats.at("samples"), 2);
-    EXPECT_EQ(stats.at("kernels").size(), 8u) << "kernels are built once";
+    EXPECT_EQ(stats.at("kernels").size(), 10u) << "kernels are built once";
 }
 
 TEST_F(ProgramFrames, TimeIsOfAllFrames) {

@@ -134,9 +134,9 @@ TEST_F(ProgramRender, StatisticsHaveTheirKeys) {
             EXPECT_GE(kernel.at("build_ms"), 0.0);
             EXPECT_TRUE(kernel.at("flags").is_string());
         }
-        EXPECT_EQ(names, (std::vector<std::string>{"gbuffer", "vpl_walk", "light_samples",
-                                                   "receivers", "vpl_gather", "area_lights",
-                                                   "reconstruct", "compose"}));
+        EXPECT_EQ(names, (std::vector<std::string>{"gbuffer", "vpl_walk", "vpl_tail", "vpl_bounds",
+                                                   "light_samples", "receivers", "vpl_gather",
+                                                   "area_lights", "reconstruct", "compose"}));
     }
 }
 
@@ -188,8 +188,8 @@ TEST_F(ProgramRender, OnlyWhatIsNeededIsBuilt) {
         EXPECT_EQ(mean(*direct.find("indirect")), 0.0);
         EXPECT_GT(mean(*direct.find("direct")), 0.0);
         EXPECT_EQ(kernels_of({"--backend", backend, "--components", "indirect"}),
-                  (std::vector<std::string>{"gbuffer", "vpl_walk", "receivers", "vpl_gather",
-                                            "reconstruct", "compose"}));
+                  (std::vector<std::string>{"gbuffer", "vpl_walk", "vpl_tail", "vpl_bounds",
+                                            "receivers", "vpl_gather", "reconstruct", "compose"}));
         const Image indirect = read_exr(at("x.exr"));
         EXPECT_EQ(mean(*indirect.find("direct")), 0.0);
         EXPECT_GT(mean(*indirect.find("indirect")), 0.0);

@@ -160,6 +160,8 @@ TEST(InstantCache, AnIntegratingSphereIsEvenlyLit) {
     for (const TestBackend backend : test::light_backends()) {
         RenderSettings settings = test::unbounded(settings_of(Algorithm::ic, 64, 48));
         settings.sampling.cache_error = error;
+        settings.sampling.bounces = 4;
+        settings.sampling.vpl_tail = false;
         const Rendering cached =
             test::render(backend, builder.scene,
                          test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2), settings);

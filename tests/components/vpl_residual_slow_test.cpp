@@ -59,6 +59,8 @@ void expect_path_traced_mean(double width, double bias) {
                                  testing::PrintToString(spacing);
         RenderSettings settings = test::small_settings(Algorithm::ir, edge, edge);
         settings.sampling.bound_spacing = spacing;
+        settings.sampling.local_bounds = false;
+        settings.sampling.vpl_tail = false;
         const auto render = [&](std::uint32_t seed) {
             settings.seed = seed;
             return test::render_flat(executor, flat, camera, settings);

@@ -97,6 +97,8 @@ struct Sphere {
         RenderSettings made = test::small_settings(Algorithm::ir, 160, 128);
         made.sampling.interleave = 1;
         made.sampling.bounces = bounces;
+        made.sampling.local_bounds = false;
+        made.sampling.vpl_tail = false;
         made.sampling.bound_spacing = std::sqrt(plan_for(flat, made).vpls_per_set / share);
         return made;
     }
@@ -270,6 +272,9 @@ RenderSettings cornell_settings(Algorithm algorithm, bool direct) {
     settings.direct = direct;
     settings.indirect = !direct;
     settings.sampling.interleave = algorithm == Algorithm::igi ? 3 : 1;
+    settings.sampling.bounces = 4;
+    settings.sampling.local_bounds = false;
+    settings.sampling.vpl_tail = false;
     // The same bound for both: the number of sets goes with the square of this.
     settings.sampling.bound_spacing = (direct ? 18.0 : 4.0) * settings.sampling.interleave;
     return settings;
@@ -349,7 +354,9 @@ TEST(VplResidual, KeepsTheMeanOverFramesAndOfInterleavedImages) {
 TEST(VplResidual, IsInPlansThatAskForItAndOnlyWhereThereIsLight) {
     const FlatScene flat = test::DividedBox().flat;
     for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
-        const RenderSettings settings = test::small_settings(algorithm, 8, 8);
+        RenderSettings settings = test::small_settings(algorithm, 8, 8);
+        // The residual goes with neither.
+        settings.sampling.local_bounds = settings.sampling.vpl_tail = false;
         const FramePlan without = plan_for(flat, settings);
         const FramePlan with = plan_for(flat, compensated(settings));
         std::vector<KernelId> kernels = kernels_of(without);

@@ -19,13 +19,15 @@ def preset_files():
         "filter_radius": 2, "filter_cosine": 0.25, "filter_planes": 3.5, "threshold": 0.1,
         "luminance_scale": 80, "support": 0.9, "roulette": 0, "edge_samples": 8,
         "compensation": False, "cache_error": 0.3, "cache_rays": 64, "cache_records": 1000,
-        "cache_masks": False,
+        "cache_masks": False, "local_bounds": False, "vpl_tail": False,
     }
     return {
         "bare.json": preset(),
         "every.json": preset(**every),
         "spaced.json": json.dumps({"weft_preset": 1, **every}, indent=2) + "\n",
         "records.json": preset(algorithm="ais", indirect="ic", cache_error=0.05),
+        "refined.json": preset(spp=70, refined_after=6),
+        "badrefined.json": preset(algorithm="igi", refined_after=6),
         "whole.json": preset(compensation=True, spp=4),
         "paths.json": preset(algorithm="path", spp=16777216),
         "numbers.json": '{"weft_preset": 1.0, "spp": 1e2, "threshold": 1E-300, "roulette": -0.0}\n',

@@ -53,14 +53,12 @@ void expect_consistent(const FramePlan& plan, const SamplingSettings& settings) 
 }
 
 TEST(FramePlan, StandardSettingByHand) {
-    // N + floor(N/2) + floor(N/4) + floor(N/8) is 64 for N = 35, and 67 for N = 36.
+    // floor(N/2^k), at least 1, add up to 60 for N = 31, and to 65 for N = 32.
     const FramePlan plan = plan_of(0.5);
-    EXPECT_EQ(plan.paths_per_set, 35u);
-    EXPECT_EQ(plan.survivors[0], 35u);
-    EXPECT_EQ(plan.survivors[1], 17u);
-    EXPECT_EQ(plan.survivors[2], 8u);
-    EXPECT_EQ(plan.survivors[3], 4u);
-    EXPECT_EQ(plan.vpls_per_set, 64u);
+    EXPECT_EQ(plan.paths_per_set, 31u);
+    constexpr std::array<std::uint32_t, MAX_BOUNCES> by_hand{31, 15, 7, 3, 1, 1, 1, 1};
+    EXPECT_EQ(plan.survivors, by_hand);
+    EXPECT_EQ(plan.vpls_per_set, 60u);
     EXPECT_EQ(plan.sets, 9u);
     EXPECT_EQ(plan.interleave, 3u);
     EXPECT_EQ(plan.gather_sets, 9u);
@@ -304,7 +302,7 @@ TEST(FramePlan, BoundOfVirtualLights) {
     EXPECT_NEAR(vpl_bound(24.0, 576.0, 2.0), 1.0 / (distance * distance), 1e-9);
     SamplingSettings settings;
     settings.bound_spacing = 1.5;
-    EXPECT_NEAR(plan_of(0.5, settings).vpl_bound, vpl_bound(24.0, 576.0, 1.5), 1e-9);
+    EXPECT_NEAR(plan_of(0.5, settings).vpl_bound, vpl_bound(24.0, 9.0 * 60.0, 1.5), 1e-9);
 }
 
 TEST(FramePlan, BoundScalesWithTheSceneAndTheCount) {

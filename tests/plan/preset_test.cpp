@@ -71,6 +71,7 @@ TEST_F(PresetFile, HoldsEverySetting) {
     sampling.cache_error = 0.3;
     sampling.cache_rays = 64;
     sampling.edge_samples = 8;
+    sampling.local_bounds = sampling.vpl_tail = false;
     const Preset read_back = read(preset_json({Algorithm::amax, sampling, 12}).dump());
     EXPECT_EQ(read_back.algorithm, Algorithm::amax);
     EXPECT_EQ(read_back.samples, 12U);
@@ -94,6 +95,10 @@ TEST_F(PresetFile, HoldsEverySetting) {
     EXPECT_EQ(found.cache_error, 0.3);
     EXPECT_EQ(found.cache_rays, 64U);
     EXPECT_EQ(found.edge_samples, 8U);
+    EXPECT_FALSE(found.local_bounds);
+    EXPECT_FALSE(found.vpl_tail);
+    EXPECT_EQ(read_back.refined_after, 0U);
+    EXPECT_EQ(read(with("refined_after", "6")).refined_after, 6U);
     EXPECT_FALSE(found.compensation);
     EXPECT_TRUE(read(with("compensation", "true")).sampling.compensation);
 }
@@ -138,6 +143,9 @@ TEST_F(PresetFile, RefusesWhatIsOutOfRange) {
         {"roulette", {"-0.1", "1001"}},
         {"cache_error", {"-0.1", "1.1"}},
         {"cache_masks", {"1", "\"on\""}},
+        {"local_bounds", {"1"}},
+        {"vpl_tail", {"\"on\""}},
+        {"refined_after", {"-1", "true", "16777217"}},
         {"compensation", {"0"}}};
     for (const auto& [key, values] : cases)
         for (const std::string& value : values) {

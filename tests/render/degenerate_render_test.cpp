@@ -171,6 +171,8 @@ TEST(DegenerateRender, WhiteClosedBoxStaysFiniteAndKeepsItsOrdersOfLight) {
     const Camera camera = test::look_at({0, 0, 0}, {0, 0, -1}, std::numbers::pi / 2.0);
     for (const TestBackend backend : test::backends()) {
         RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 36, 36));
+        settings.sampling.bounces = 4;
+        settings.sampling.vpl_tail = false;
         const Rendering rendering = test::render(backend, builder.scene, camera, settings, 24);
         test::expect_clean(rendering);
         // Square pixels on the wall z = -1 cover equal areas, and all walls are alike.

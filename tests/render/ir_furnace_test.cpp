@@ -76,6 +76,7 @@ double add_pixels(const test::Rendering& rendering, const SphereSurface& surface
 RenderSettings furnace_settings(std::uint32_t bounces = 4) {
     RenderSettings settings = test::unbounded(test::small_settings(Algorithm::ir, 8, 8));
     settings.sampling.bounces = bounces;
+    settings.sampling.vpl_tail = false;
     settings.sampling.vpls_per_set = 128;
     settings.sampling.samples_per_light = 32;
     return settings;

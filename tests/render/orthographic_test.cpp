@@ -214,9 +214,10 @@ TEST(Orthographic, LightInMediaIsThatOfPathTracing) {
         if (!convex) test::add_far_overlap(builder.scene);
         RenderSettings settings =
             test::unbounded(test::small_settings(Algorithm::ais, width, height));
-        settings.samples = 8;
+        settings.samples = 32;
         const Image image =
-            test::render(TestBackend::own_bvh, builder.scene, parallel_camera(), settings, 8).image;
+            test::render(TestBackend::own_bvh, builder.scene, parallel_camera(), settings, 32)
+                .image;
         PathSettings path;
         path.width = width;
         path.height = height;

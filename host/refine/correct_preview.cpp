@@ -1,0 +1,146 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "refine/correct_preview.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace weft {
+namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 14;
+
+/// Calls `work` with each pixel's number, from several threads at once.
+template <class Work>
+void for_pixels(std::size_t count, const Work& work) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+                      });
+}
+
+Plane difference(const Plane& a, const Plane& b) {
+    Plane result{a.width, a.height, std::vector<float>(a.values.size())};
+    for_pixels(a.values.size(),
+               [&](std::size_t i) { result.values[i] = a.values[i] - b.values[i]; });
+    return result;
+}
+
+/// Details of one size in all channels, of each half.
+struct Details {
+    ColourPlanes first, second;
+};
+
+/// What is known of the details: adds it to `image`, weighed over neighbourhoods that are a few
+/// times as wide as they are.
+void add_known(const Details& details, std::uint32_t scale, float first_share,
+               ColourPlanes& image) {
+    const Plane& any = details.first[0];
+    Plane signal{any.width, any.height, std::vector<float>(any.values.size())};
+    Plane power = signal;
+    const float second_share = 1.0F - first_share;
+    for_pixels(any.values.size(), [&](std::size_t i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float first = details.first[c].values[i];
+            const float second = details.second[c].values[i];
+            const float mean = first_share * first + second_share * second;
+            signal.values[i] += first * second;
+            power.values[i] += mean * mean;
+        }
+    });
+    for (const std::uint32_t wider : {0U, 1U}) {
+        signal = smoothed(signal, 1U << (scale + wider));
+        power = smoothed(power, 1U << (scale + wider));
+    }
+    for_pixels(any.values.size(), [&](std::size_t i) {
+        if (!(signal.values[i] > 0.0F)) return;
+        const float share = std::min(1.0F, signal.values[i] / power.values[i]);
+        for (std::size_t c = 0; c < 3; ++c)
+            image[c].values[i] += share * (first_share * details.first[c].values[i] +
+                                           second_share * details.second[c].values[i]);
+    });
+}
+
+ColourPlanes planes_of(const Image& image, const Layer& layer) {
+    const std::size_t pixels = std::size_t{image.width} * image.height;
+    ColourPlanes planes;
+    for (std::size_t c = 0; c < 3; ++c) {
+        // A layer of one channel, such as alpha, counts as grey.
+        const std::size_t channel = std::min(c, layer.channels.size() - 1);
+        const auto begin = layer.values.begin() + static_cast<std::ptrdiff_t>(channel * pixels);
+        planes[c] = {image.width, image.height,
+                     std::vector<float>(begin, begin + static_cast<std::ptrdiff_t>(pixels))};
+    }
+    return planes;
+}
+
+Layer* layer_of(Image& image, std::string_view name) {
+    const auto found = std::find_if(image.layers.begin(), image.layers.end(),
+                                    [&](const Layer& layer) { return layer.name == name; });
+    return found == image.layers.end() ? nullptr : &*found;
+}
+
+/// Corrects a layer, if all images have it, and adds what that changes to `beauty`, if given.
+void correct_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty) {
+    Layer* const layer = layer_of(preview, name);
+    const Layer* const first = exact.first.find(name);
+    const Layer* const second = exact.second.find(name);
+    if (layer == nullptr || first == nullptr || second == nullptr) return;
+    const ColourPlanes result =
+        corrected(planes_of(preview, *layer),
+                  {planes_of(exact.first, *first), planes_of(exact.second, *second),
+                   static_cast<float>(exact.first_share)});
+    const std::size_t pixels = std::size_t{preview.width} * preview.height;
+    const bool is_share = layer->channels == "A";
+    for (std::size_t c = 0; c < layer->channels.size(); ++c)
+        for_pixels(pixels, [&](std::size_t i) {
+            float& value = layer->values[c * pixels + i];
+            float changed = std::max(0.0F, result[c].values[i]);
+            if (is_share) changed = std::min(1.0F, changed);
+            if (beauty != nullptr) beauty->values[c * pixels + i] += changed - value;
+            value = changed;
+        });
+}
+
+}  // namespace
+
+ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact) {
+    ColourPlanes image = preview;
+    Details rest;
+    for (std::size_t c = 0; c < 3; ++c) {
+        rest.first[c] = difference(exact.first[c], preview[c]);
+        rest.second[c] = difference(exact.second[c], preview[c]);
+    }
+    const std::uint32_t scales = starlet_scales(preview[0].width, preview[0].height);
+    for (std::uint32_t scale = 0; scale < scales; ++scale) {
+        Details details;
+        for (std::size_t c = 0; c < 3; ++c) {
+            details.first[c] = take_detail(rest.first[c], scale);
+            details.second[c] = take_detail(rest.second[c], scale);
+        }
+        add_known(details, scale, exact.first_share, image);
+    }
+    add_known(rest, scales, exact.first_share, image);
+    return image;
+}
+
+void correct_preview(Image& preview, const ExactMeans& exact) {
+    if (preview.find("media") != nullptr) {
+        correct_layer(preview, exact, "", nullptr);
+    } else {
+        Layer* const beauty = layer_of(preview, "");
+        for (const std::string_view name : {"direct", "indirect", "emission"})
+            correct_layer(preview, exact, name, beauty);
+        if (beauty != nullptr)
+            for_pixels(beauty->values.size(), [&](std::size_t i) {
+                beauty->values[i] = std::max(0.0F, beauty->values[i]);
+            });
+    }
+    correct_layer(preview, exact, alpha_layer_name, nullptr);
+}
+
+}  // namespace weft
