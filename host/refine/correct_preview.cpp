@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace weft {
@@ -68,10 +69,8 @@ void add_known(const Details& details, std::uint32_t scale, float first_share,
 ColourPlanes planes_of(const Image& image, const Layer& layer) {
     const std::size_t pixels = std::size_t{image.width} * image.height;
     ColourPlanes planes;
-    for (std::size_t c = 0; c < 3; ++c) {
-        // A layer of one channel, such as alpha, counts as grey.
-        const std::size_t channel = std::min(c, layer.channels.size() - 1);
-        const auto begin = layer.values.begin() + static_cast<std::ptrdiff_t>(channel * pixels);
+    for (std::size_t c = 0; c < planes.size(); ++c) {
+        const auto begin = layer.values.begin() + static_cast<std::ptrdiff_t>(c * pixels);
         planes[c] = {image.width, image.height,
                      std::vector<float>(begin, begin + static_cast<std::ptrdiff_t>(pixels))};
     }
@@ -84,26 +83,54 @@ Layer* layer_of(Image& image, std::string_view name) {
     return found == image.layers.end() ? nullptr : &*found;
 }
 
-/// Corrects a layer, if all images have it, and adds what that changes to `beauty`, if given.
+/// A layer that all three images have.
+struct CommonLayer {
+    Layer* preview;
+    const Layer *first, *second;
+};
+
+std::optional<CommonLayer> common_layer(Image& preview, const ExactMeans& exact,
+                                        std::string_view name) {
+    const CommonLayer layer{layer_of(preview, name), exact.first.find(name),
+                            exact.second.find(name)};
+    if (layer.preview == nullptr || layer.first == nullptr || layer.second == nullptr) return {};
+    return layer;
+}
+
+/// Gives a value of a layer, and adds what that changes to `beauty`, if given.
+void change(Layer& layer, Layer* beauty, std::size_t i, float changed) {
+    changed = std::max(0.0F, changed);
+    if (beauty != nullptr) beauty->values[i] += changed - layer.values[i];
+    layer.values[i] = changed;
+}
+
+/// Corrects a layer of light, if all images have it.
 void correct_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty) {
-    Layer* const layer = layer_of(preview, name);
-    const Layer* const first = exact.first.find(name);
-    const Layer* const second = exact.second.find(name);
-    if (layer == nullptr || first == nullptr || second == nullptr) return;
+    const auto layer = common_layer(preview, exact, name);
+    if (!layer) return;
     const ColourPlanes result =
-        corrected(planes_of(preview, *layer),
-                  {planes_of(exact.first, *first), planes_of(exact.second, *second),
+        corrected(planes_of(preview, *layer->preview),
+                  {planes_of(exact.first, *layer->first), planes_of(exact.second, *layer->second),
                    static_cast<float>(exact.first_share)});
     const std::size_t pixels = std::size_t{preview.width} * preview.height;
-    const bool is_share = layer->channels == "A";
-    for (std::size_t c = 0; c < layer->channels.size(); ++c)
+    for (std::size_t c = 0; c < result.size(); ++c)
         for_pixels(pixels, [&](std::size_t i) {
-            float& value = layer->values[c * pixels + i];
-            float changed = std::max(0.0F, result[c].values[i]);
-            if (is_share) changed = std::min(1.0F, changed);
-            if (beauty != nullptr) beauty->values[c * pixels + i] += changed - value;
-            value = changed;
+            change(*layer->preview, beauty, c * pixels + i, result[c].values[i]);
         });
+}
+
+/// Makes a layer the mean of all samples, if all images have it.
+void average_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty) {
+    const auto layer = common_layer(preview, exact, name);
+    if (!layer) return;
+    const auto of_first = static_cast<float>(exact.share * exact.first_share);
+    const auto of_second = static_cast<float>(exact.share * (1.0 - exact.first_share));
+    const auto of_preview = static_cast<float>(1.0 - exact.share);
+    for_pixels(layer->preview->values.size(), [&](std::size_t i) {
+        change(*layer->preview, beauty, i,
+               of_preview * layer->preview->values[i] + of_first * layer->first->values[i] +
+                   of_second * layer->second->values[i]);
+    });
 }
 
 }  // namespace
@@ -129,18 +156,18 @@ ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact) {
 }
 
 void correct_preview(Image& preview, const ExactMeans& exact) {
+    average_layer(preview, exact, alpha_layer_name, nullptr);
     if (preview.find("media") != nullptr) {
         correct_layer(preview, exact, "", nullptr);
-    } else {
-        Layer* const beauty = layer_of(preview, "");
-        for (const std::string_view name : {"direct", "indirect", "emission"})
-            correct_layer(preview, exact, name, beauty);
-        if (beauty != nullptr)
-            for_pixels(beauty->values.size(), [&](std::size_t i) {
-                beauty->values[i] = std::max(0.0F, beauty->values[i]);
-            });
+        return;
     }
-    correct_layer(preview, exact, alpha_layer_name, nullptr);
+    Layer* const beauty = layer_of(preview, "");
+    correct_layer(preview, exact, "direct", beauty);
+    correct_layer(preview, exact, "indirect", beauty);
+    average_layer(preview, exact, "emission", beauty);
+    if (beauty == nullptr) return;
+    for_pixels(beauty->values.size(),
+               [&](std::size_t i) { beauty->values[i] = std::max(0.0F, beauty->values[i]); });
 }
 
 }  // namespace weft

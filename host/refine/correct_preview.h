@@ -32,13 +32,16 @@ struct ExactHalves {
 struct ExactMeans {
     const Image& first;
     const Image& second;
-    double first_share;  ///< of the samples that `first` has, in (0, 1)
+    double first_share;  ///< of these samples that `first` has, in (0, 1)
+    double share;        ///< of all samples of the image, the preview's included, that are these
 };
 
-/// Corrects the light and the alpha of a preview in place. Direct, indirect and emitted light are
-/// corrected one by one and beauty by their sum; of images with light from media beauty alone is,
-/// since paths count that light elsewhere. Layers that are not light stay as they are. Values that
-/// would be negative become 0.
+/// Corrects the light and the alpha of a preview in place. Direct and indirect light are corrected
+/// one by one. Emitted light and alpha of the preview err by nothing but where in the pixel its
+/// samples lie, so that they become the mean of all samples. Beauty changes by the sum; of images
+/// with light from media it is corrected as a whole, and layers of light stay as they are, since
+/// paths count that light elsewhere. So do layers that are not light. Values that would be negative
+/// become 0.
 void correct_preview(Image& preview, const ExactMeans& exact);
 
 }  // namespace weft

@@ -79,13 +79,14 @@ const Refinement::Part& Refinement::first_half(std::uint64_t samples) const {
     return size(last_) > size(before_) ? last_ : before_;
 }
 
-void Refinement::correct(Image& preview) {
+void Refinement::correct(Image& preview, std::uint64_t preview_samples) {
     const Image whole = light_of(exact_->image());
     const std::uint64_t count = samples();
     const Part& first = first_half(count);
     const Image second = rest_of(whole, count, first.mean, first.samples);
-    correct_preview(preview, {first.mean, second,
-                              static_cast<double>(first.samples) / static_cast<double>(count)});
+    const auto all = static_cast<double>(count);
+    correct_preview(preview, {first.mean, second, static_cast<double>(first.samples) / all,
+                              all / (all + static_cast<double>(preview_samples))});
 }
 
 }  // namespace weft

@@ -33,8 +33,8 @@ class Refinement {
     [[nodiscard]] std::uint64_t samples() const { return exact_->samples(); }
     /// Whether there are as many samples as a correction takes.
     [[nodiscard]] bool can_correct() const { return samples() > 1; }
-    /// Corrects the image of the preview. Only where can_correct().
-    void correct(Image& preview);
+    /// Corrects the image of the preview, of so many samples. Only where can_correct().
+    void correct(Image& preview, std::uint64_t preview_samples);
 
     [[nodiscard]] std::vector<FrameStats> take_stats() { return exact_->take_stats(); }
 

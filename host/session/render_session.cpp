@@ -146,7 +146,8 @@ SessionImage RenderSession::image() {
         result.seed = std::get<PathSettings>(settings_).seed;
     } else {
         result.image = renderer_->image();
-        if (refinement_ && refinement_->can_correct()) refinement_->correct(result.image);
+        if (refinement_ && refinement_->can_correct())
+            refinement_->correct(result.image, renderer_->samples());
         result.algorithm = std::get<RenderSettings>(settings_).algorithm;
         result.seed = std::get<RenderSettings>(settings_).seed;
     }

@@ -133,29 +133,29 @@ Image image_with(std::initializer_list<Layer> layers) {
     return image;
 }
 
-TEST(CorrectPreview, BeautyIsTheSumOfWhatIsCorrected) {
+TEST(CorrectPreview, BeautyIsTheSumOfWhatIsCorrectedAndAveraged) {
     Image preview = image_with({layer("", "RGB", 1.0F), layer("alpha", "A", 0.5F),
                                 layer("direct", "RGB", 0.5F), layer("indirect", "RGB", 0.4F),
                                 layer("emission", "RGB", 0.1F), layer("depth", "Z", 3.0F)});
-    const Image exact = image_with({layer("", "RGB", 1.3F), layer("alpha", "A", 1.25F),
+    const Image exact = image_with({layer("", "RGB", 1.3F), layer("alpha", "A", 1.0F),
                                     layer("direct", "RGB", 0.7F), layer("indirect", "RGB", 0.6F),
                                     layer("emission", "RGB", 0.0F), layer("depth", "Z", 4.0F)});
-    correct_preview(preview, {exact, exact, 0.5});
+    correct_preview(preview, {exact, exact, 0.5, 0.5});
     const auto expect = [&](const char* name, float value) {
         for (const float found : preview.find(name)->values) ASSERT_NEAR(found, value, 1e-5F);
     };
-    expect("", 1.3F);
+    expect("", 1.35F);
     expect("direct", 0.7F);
     expect("indirect", 0.6F);
-    expect("emission", 0.0F);
-    expect("alpha", 1.0F);
+    expect("emission", 0.05F);
+    expect("alpha", 0.75F);
     expect("depth", 3.0F);
 }
 
 TEST(CorrectPreview, LightIsNeverNegative) {
     Image preview = image_with({layer("", "RGB", 0.1F), layer("direct", "RGB", 0.1F)});
     const Image exact = image_with({layer("", "RGB", -0.5F), layer("direct", "RGB", -0.5F)});
-    correct_preview(preview, {exact, exact, 0.5});
+    correct_preview(preview, {exact, exact, 0.5, 0.5});
     for (const Layer& found : preview.layers)
         for (const float value : found.values) ASSERT_EQ(value, 0.0F);
 }
@@ -164,7 +164,7 @@ TEST(CorrectPreview, WithMediaBeautyAloneIsCorrected) {
     Image preview = image_with(
         {layer("", "RGB", 1.0F), layer("direct", "RGB", 0.5F), layer("media", "RGB", 0.5F)});
     const Image exact = image_with({layer("", "RGB", 2.0F), layer("direct", "RGB", 1.5F)});
-    correct_preview(preview, {exact, exact, 0.5});
+    correct_preview(preview, {exact, exact, 0.5, 0.5});
     EXPECT_NEAR(preview.find("")->values[7], 2.0F, 1e-5F);
     EXPECT_EQ(preview.find("direct")->values[7], 0.5F);
     EXPECT_EQ(preview.find("media")->values[7], 0.5F);
