@@ -60,16 +60,20 @@ std::uint64_t Refinement::next_part() const {
     return last_.samples == 0 ? 1 : 2 * last_.samples;
 }
 
+void Refinement::keep_part() {
+    if (samples() != next_part()) return;
+    before_ = std::move(last_);
+    last_ = {samples(), light_of(exact_->image())};
+}
+
 bool Refinement::render_frame(std::uint32_t most, double ms, const KeepGoing& keep_going) {
+    keep_part();  // reading the image finishes a frame that was cancelled
     const std::uint64_t before = samples();
     const auto to_part = static_cast<std::uint32_t>(next_part() - before);
     exact_->limit_frames(ms, std::min(most, to_part));
     (void)exact_->render_frame(keep_going);
     if (exact_->has_open_frame() || samples() == before) return false;
-    if (samples() == next_part()) {
-        before_ = std::move(last_);
-        last_ = {samples(), light_of(exact_->image())};
-    }
+    keep_part();
     return true;
 }
 

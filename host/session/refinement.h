@@ -46,7 +46,9 @@ class Refinement {
     };
 
     [[nodiscard]] std::uint64_t next_part() const;
-    /// The part which, with all other samples as the second, tells most of noise.
+    /// Keeps the mean where there are as many samples as the next part has.
+    void keep_part();
+    /// The part which, with all other samples as the second half, tells noise apart best.
     [[nodiscard]] const Part& first_half(std::uint64_t samples) const;
 
     std::unique_ptr<ExactRenderer> exact_;

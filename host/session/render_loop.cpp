@@ -133,14 +133,15 @@ class RenderSession::PreviewLoop {
         // A correction takes two unbiased samples at least, each of which takes about twice as long
         // as one of the preview, or several times as long where there is much to trace.
         constexpr double worth_beginning = 8.0;
-        return deadline_.left_ms() > worth_beginning * session_.stats_.last_frames().back().ms;
+        return sample_ms_ > 0.0 && deadline_.left_ms() > worth_beginning * sample_ms_;
     }
 
     /// Adds a sample of the preview. Returns whether that was possible.
     bool add_sample() {
         const bool first = session_.renderer_->samples() == 0;
         if (!first && deadline_.left_ms() <= finish_ms_) return false;
-        double asked_ms = deadline_.ms();  // when the frame was last asked whether to go on
+        const double begin_ms = deadline_.ms();
+        double asked_ms = begin_ms;  // when the frame was last asked whether to go on
         const bool added = session_.render_frame([&](Stage stage, double done) {
             asked_ms = deadline_.ms();
             report(share_of_frame(stage, done), stage);
@@ -150,6 +151,7 @@ class RenderSession::PreviewLoop {
             return !is_ended(budget_) && !out_of_time;
         });
         finish_ms_ = deadline_.ms() - asked_ms;
+        sample_ms_ = deadline_.ms() - begin_ms;
         return added;
     }
 
@@ -186,6 +188,7 @@ class RenderSession::PreviewLoop {
     Deadline deadline_;
     std::uint32_t samples_;   ///< that the image is to have
     double finish_ms_ = 0.0;  ///< of a frame's end: reconstruction and composition
+    double sample_ms_ = 0.0;  ///< of the preview's last sample in this call
     double shown_ = 0.0;
 };
 
