@@ -19,13 +19,19 @@ static inline float flux_size(GLOBAL const Vpl* vpl) {
     return max_component(xyz(vpl->flux));
 }
 
+/// Where the VPL is, without a look at its bound, which its own work-item may be writing.
+static inline float3 place_of(GLOBAL const Vpl* vpl) {
+    GLOBAL const float* place = (GLOBAL const float*)&vpl->position;
+    return f3(place[0], place[1], place[2]);
+}
+
 WEFT_KERNEL(vpl_bounds)
 {
     if (WORK_ITEM(range) >= range.count) return;
     GLOBAL Vpl* vpl = vpls + range.first + WORK_ITEM(range);
     float own = flux_size(vpl);
     if (as_bits(vpl->normal.w) != VPL_SURFACE || !(own > 0.0f)) return;
-    float3 position = xyz(vpl->position);
+    float3 position = place_of(vpl);
     float3 normal = xyz(vpl->normal);
     // The nearest so far, in the order of their squared distances.
     float squares[NEIGHBOURS];
@@ -36,7 +42,7 @@ WEFT_KERNEL(vpl_bounds)
     }
     for (uint i = 0u; i < vpl_count; ++i) {
         GLOBAL const Vpl* other = vpls + i;
-        float3 d = xyz(other->position) - position;
+        float3 d = place_of(other) - position;
         float square = dot3(d, d);
         if (!(square < squares[NEIGHBOURS - 1u]) || other == vpl) continue;
         if (as_bits(other->normal.w) != VPL_SURFACE) continue;
