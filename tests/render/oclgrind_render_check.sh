@@ -14,6 +14,10 @@ folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 export WEFT_LANES=1
 scene=$WEFT_SOURCE_DIR/scenes/cornell-box.gltf
+# Few VPLs, each of which looks for neighbours among all others, and few samples: of simulated
+# kernels every instruction counts.
+preset=$folder/preset.json
+echo '{"weft_preset": 1, "vpls": 16, "spp": 2}' >"$preset"
 
 # check NAME SIZE ALGORITHM OCLGRIND_OPTION...: renders; anything that Oclgrind says is an error.
 # Kernels are not optimised: Oclgrind knows neither every intrinsic function that the optimiser
@@ -23,14 +27,15 @@ check() {
     shift 3
     export WEFT_CACHE_DIR="$folder/$name-cache"
     oclgrind "$@" --build-options -O0 "$WEFT_PROGRAM" render "$scene" -o "$folder/$name.png" \
-        --size "$size" --algorithm "$algorithm" --backend opencl --progress none \
+        --preset "$preset" --size "$size" --algorithm "$algorithm" --backend opencl \
+        --progress none \
         >"$folder/$name.log" 2>&1 || { cat "$folder/$name.log"; exit 1; }
     if [ -s "$folder/$name.log" ]; then
         cat "$folder/$name.log"
         exit 1
     fi
-    "$WEFT_PROGRAM" render "$scene" -o "$folder/native.png" --size "$size" --backend native \
-        --algorithm "$algorithm" --progress none
+    "$WEFT_PROGRAM" render "$scene" -o "$folder/native.png" --preset "$preset" --size "$size" \
+        --backend native --algorithm "$algorithm" --progress none
     # Only the text that names nothing of the backend is in the files: equal pixels, equal bytes.
     cmp "$folder/$name.png" "$folder/native.png"
 }
