@@ -2,32 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refine/correct_preview.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 
+#include "film/for_each_pixel.h"
+
 namespace weft {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 14;
-
-/// Calls `work` with each pixel's number, from several threads at once.
-template <class Work>
-void for_pixels(std::size_t count, const Work& work) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
-                      });
-}
-
 Plane difference(const Plane& a, const Plane& b) {
     Plane result{a.width, a.height, std::vector<float>(a.values.size())};
-    for_pixels(a.values.size(),
-               [&](std::size_t i) { result.values[i] = a.values[i] - b.values[i]; });
+    for_each_pixel(a.values.size(),
+                   [&](std::size_t i) { result.values[i] = a.values[i] - b.values[i]; });
     return result;
 }
 
@@ -44,7 +32,7 @@ void add_known(const Details& details, std::uint32_t scale, float first_share,
     Plane signal{any.width, any.height, std::vector<float>(any.values.size())};
     Plane power = signal;
     const float second_share = 1.0F - first_share;
-    for_pixels(any.values.size(), [&](std::size_t i) {
+    for_each_pixel(any.values.size(), [&](std::size_t i) {
         for (std::size_t c = 0; c < 3; ++c) {
             const float first = details.first[c].values[i];
             const float second = details.second[c].values[i];
@@ -57,7 +45,7 @@ void add_known(const Details& details, std::uint32_t scale, float first_share,
         signal = smoothed(signal, 1U << (scale + wider));
         power = smoothed(power, 1U << (scale + wider));
     }
-    for_pixels(any.values.size(), [&](std::size_t i) {
+    for_each_pixel(any.values.size(), [&](std::size_t i) {
         if (!(signal.values[i] > 0.0F)) return;
         const float share = std::min(1.0F, signal.values[i] / power.values[i]);
         for (std::size_t c = 0; c < 3; ++c)
@@ -114,7 +102,7 @@ void correct_layer(Image& preview, const ExactMeans& exact, std::string_view nam
                    static_cast<float>(exact.first_share)});
     const std::size_t pixels = std::size_t{preview.width} * preview.height;
     for (std::size_t c = 0; c < result.size(); ++c)
-        for_pixels(pixels, [&](std::size_t i) {
+        for_each_pixel(pixels, [&](std::size_t i) {
             change(*layer->preview, beauty, c * pixels + i, result[c].values[i]);
         });
 }
@@ -126,7 +114,7 @@ void average_layer(Image& preview, const ExactMeans& exact, std::string_view nam
     const auto of_first = static_cast<float>(exact.share * exact.first_share);
     const auto of_second = static_cast<float>(exact.share * (1.0 - exact.first_share));
     const auto of_preview = static_cast<float>(1.0 - exact.share);
-    for_pixels(layer->preview->values.size(), [&](std::size_t i) {
+    for_each_pixel(layer->preview->values.size(), [&](std::size_t i) {
         change(*layer->preview, beauty, i,
                of_preview * layer->preview->values[i] + of_first * layer->first->values[i] +
                    of_second * layer->second->values[i]);
@@ -166,8 +154,8 @@ void correct_preview(Image& preview, const ExactMeans& exact) {
     correct_layer(preview, exact, "indirect", beauty);
     average_layer(preview, exact, "emission", beauty);
     if (beauty == nullptr) return;
-    for_pixels(beauty->values.size(),
-               [&](std::size_t i) { beauty->values[i] = std::max(0.0F, beauty->values[i]); });
+    for_each_pixel(beauty->values.size(),
+                   [&](std::size_t i) { beauty->values[i] = std::max(0.0F, beauty->values[i]); });
 }
 
 }  // namespace weft
