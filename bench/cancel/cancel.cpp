@@ -89,7 +89,9 @@ ImageSettings image_settings(const std::string& algorithm, std::uint32_t size) {
     for (const Algorithm known : {Algorithm::ais, Algorithm::amax, Algorithm::igi, Algorithm::ir,
                                   Algorithm::irradiance_cache, Algorithm::ic, Algorithm::tic})
         if (to_string(known) == algorithm) preview.algorithm = known;
-    preview.sampling = sampling_of(Quality::preview);
+    preview.sampling = preview.algorithm == Algorithm::ais
+                           ? sampling_of_image(Quality::preview, false)
+                           : sampling_of(Quality::preview);
     preview.sampling.cached = caches_indirect(preview.algorithm, IndirectSource::vpl);
     preview.sampling.temporal = preview.algorithm == Algorithm::tic;
     return preview;

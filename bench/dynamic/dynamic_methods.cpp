@@ -15,6 +15,7 @@ DynamicMethod adaptive(const char* name, bool temporal) {
     method.sampling.cached = temporal;
     method.sampling.temporal = temporal;
     method.sampling.edge_samples = 0;
+    method.sampling.candidates = 1;  // as the images of any sequence
     method.full = true;
     return method;
 }

@@ -22,6 +22,13 @@ std::uint32_t most_slots(const TileGrid& grid, std::uint32_t interleave) {
            rounds * regions * interleave * interleave * PACKET_BLOCK;
 }
 
+/// Share of the threshold that errors of a sample may reach. The noise of an image falls as samples
+/// are added and undersampling errs alike in all of them, so that the mean of its errors has to
+/// fall faster.
+double threshold_share(const FrameContext& frame) {
+    return frame.plan.threshold_falls ? 1.0 / (frame.params.sampling.sample + 1.0) : 1.0;
+}
+
 std::uint32_t lattice_points(const TileGrid& grid, Level level) {
     const std::uint32_t stride = stride_of(level);
     return ((grid.width - 1) / stride + 1) * ((grid.height - 1) / stride + 1);
@@ -65,6 +72,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
     write_buffer(frame.executor, pixel_slot_, no_slots_);
     work_ = {};
     LevelSettings settings = settings_;
+    settings.threshold *= threshold_share(frame);
     if (frame.budget != nullptr) settings.threshold *= frame.budget->gain(component);
     scheduler_.emplace(grid_, settings, tiles.records());
     round([&] { return scheduler_->next_round(); });

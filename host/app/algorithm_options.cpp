@@ -154,10 +154,6 @@ void read_preset_samples(RenderOptions& options) {
 
 void read_compensation(const CLI::App& command, RenderOptions& options) {
     options.compensation = is_given(command, "--vpl-compensation");
-    // The command line may choose an algorithm that does not support the preset's compensation.
-    if (options.preset && options.preset->sampling.compensation &&
-        can_compensate(options.algorithm, options.indirect.value_or(IndirectSource::vpl)))
-        options.compensation = true;
 }
 
 void refuse_compensation(const RenderOptions& options) {

@@ -257,6 +257,7 @@ json landed_json(const FramePlan& plan) {
 FramePlan plan_by_default(const FlatScene& flat, const Camera& camera) {
     RenderSettings settings;
     settings.samples = samples_of(Quality::preview, flat.media.present());
+    settings.sampling = sampling_of_image(Quality::preview, flat.media.present());
     FramePlan plan = plan_for(flat, settings);
     if (!plan.gathers_vpls() || plan.media) return plan;
     settings.sampling.bounce_rays_if_open = true;

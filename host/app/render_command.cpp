@@ -14,6 +14,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/frame_time_warning.h"
+#include "app/image_settings.h"
 #include "app/interrupt.h"
 #include "app/print.h"
 #include "app/progress.h"
@@ -36,65 +37,6 @@
 
 namespace weft {
 namespace {
-
-/// Samples per pixel: those given, or so many that a single image is clean; empty where something
-/// else ends rendering.
-std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scene& scene) {
-    if (options.spp || options.time_seconds || is_reference(options.algorithm)) return options.spp;
-    const bool single_image = !options.frames && !options.frame_seconds && !options.preset;
-    if (options.algorithm != Algorithm::ais || !single_image) return 1;
-    return samples_of(options.quality, !scene.media.empty());
-}
-
-/// Whether further samples of a preview refine it: where nothing asks for another image than that
-/// of the default algorithm.
-bool is_refined(const RenderOptions& options) {
-    const bool by_vpls =
-        !options.indirect || (options.preset && *options.indirect == IndirectSource::vpl);
-    return options.algorithm == Algorithm::ais && by_vpls && !options.frames &&
-           !options.frame_seconds && !options.compensation && !options.overlays;
-}
-
-RenderSettings settings_of(const RenderOptions& options, const Scene& scene) {
-    RenderSettings settings;
-    settings.algorithm = options.algorithm;
-    const FilmSize size =
-        options.size.value_or(scene.film.value_or(FilmSize{settings.width, settings.height}));
-    settings.width = size.width;
-    settings.height = size.height;
-    settings.tile = options.tile;
-    settings.seed = options.seed;
-    settings.sampling = options.preset ? options.preset->sampling : sampling_of(options.quality);
-    settings.sampling.compensation = options.compensation;
-    settings.sampling.cached = options.caches_indirect();
-    settings.sampling.bounce_rays = options.indirect == IndirectSource::rays;
-    settings.sampling.bounce_rays_if_open =
-        options.algorithm == Algorithm::ais && !options.indirect && !options.compensation;
-    settings.sampling.temporal = options.keeps_records();
-    settings.sampling.cache_masks = options.cache_masks;
-    if (options.cache_records) settings.sampling.cache_records = *options.cache_records;
-    if (options.cache_rays) settings.sampling.cache_rays = *options.cache_rays;
-    if (options.cache_error) settings.sampling.cache_error = *options.cache_error;
-    settings.hides_environment = options.background.has_value();
-    settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
-    // The number of samples that a time limit allows is not known in advance. Textures are filtered
-    // for this many, and so stay sharp with more.
-    constexpr std::uint32_t timed_samples = 16;
-    settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
-    if (options.components) {
-        settings.direct = options.names_component("direct");
-        settings.indirect = options.names_component("indirect");
-        settings.media = options.names_component("media");
-        for (const std::string_view name : choosable_components(Choice::on_request))
-            if (options.names_component(name)) settings.requested.emplace_back(name);
-    }
-    const bool all_media = settings.media || scene.media.empty();
-    if (is_refined(options) && settings.requested.empty() && all_media)
-        settings.refined_after = options.preset
-                                     ? options.preset->refined_after
-                                     : samples_of(Quality::preview, !scene.media.empty());
-    return settings;
-}
 
 PathSettings path_settings(const RenderOptions& options, const RenderSettings& common) {
     // Enough for a first impression. With a limit on time or error, there are as many as it takes.
@@ -444,7 +386,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     const Scene& scene = moving.at_rest();
     const FlatScene& flat = moving.flat();
     options.spp = samples_of(given, scene);
-    const RenderSettings settings = settings_of(options, scene);
+    const RenderSettings settings = image_settings(options, scene);
     std::optional<SceneBounds> shown;
     if (options.frames && scene.cameras.empty())
         shown = moving.bounds(options.frames->first, options.frames->end);

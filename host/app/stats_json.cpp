@@ -90,6 +90,7 @@ nlohmann::json plan_json(const FramePlan& plan) {
             {"sets", plan.sets},
             {"interleave", plan.interleave},
             {"vpls_per_set", plan.vpls_per_set},
+            {"walked_per_set", plan.walked_per_set},
             {"paths_per_set", plan.paths_per_set},
             {"bounces", plan.bounces},
             {"light_samples_per_set", plan.samples_per_set},

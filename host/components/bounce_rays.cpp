@@ -57,6 +57,7 @@ void BounceRays::sample(FrameContext& frame) {
                                     .receiver_planes = shared_.receivers,
                                     .slot_pixel = shared_.slot_pixel,
                                     .parts = indirect_part,
+                                    .near_area = -1.0F,
                                     .direct = BufferRef<kinds::SlotLight>(),
                                     .indirect = irradiance_,
                                     .counters = frame.buffers.counters},

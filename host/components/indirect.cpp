@@ -1,6 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -26,6 +27,12 @@ bool is_enabled(const FramePlan& plan) {
     return plan.gathers_vpls() && !plan.cached;
 }
 
+/// Whether receivers decide in blocks which VPLs they trace. In sequences, whose VPLs are not
+/// chosen for each image, blocks would flicker.
+bool decides_by_block(const FramePlan& plan) {
+    return plan.roulette > 0.0 && plan.choices == 0 && plan.selects_vpls();
+}
+
 ComponentRequirements requirements(const FramePlan& plan) {
     ComponentRequirements requirements = requirements_of_interleaved(plan.adaptive);
     std::ranges::copy(vpl_kernels(plan), std::back_inserter(requirements.kernels));
@@ -34,8 +41,22 @@ ComponentRequirements requirements(const FramePlan& plan) {
                                     {KernelId::vpl_shortlist, KernelId::vpl_choice});
     else
         requirements.kernels.push_back(KernelId::vpl_gather);
+    if (decides_by_block(plan)) requirements.kernels.push_back(KernelId::vpl_roulette);
     requirements.features = FEATURE_INDIRECT;
     return requirements;
+}
+
+/// The VPLs that a pixel gathers.
+shared::SetList list_of(const FramePlan& plan) {
+    const std::uint32_t sets = plan.gather_sets == 1 ? plan.sets : 1;
+    return {.first = 0, .stride = plan.vpls_per_set, .length = plan.vpls_per_set * sets};
+}
+
+/// Where more than this many words, 256 MiB, would tell what roulette decides, each receiver does.
+constexpr std::size_t most_survival_words = std::size_t{1} << 26;
+
+std::size_t survival_words(std::uint32_t slots, const FramePlan& plan) {
+    return std::size_t{slots / PACKET_BLOCK} * SURVIVAL_WORDS(list_of(plan).length);
 }
 
 /// Diffuse interreflection from virtual point lights.
@@ -48,6 +69,9 @@ class Indirect : public Component {
             shortlists_ = allocate<kinds::VirtualLights>(
                 inputs.executor, std::size_t{regions(inputs.buffers.slots)} * inputs.plan.shortlist,
                 "short lists of VPLs");
+        const std::size_t words = survival_words(irradiance_.slots(), inputs.plan);
+        if (decides_by_block(inputs.plan) && words <= most_survival_words)
+            survival_ = allocate<kinds::VplSurvival>(inputs.executor, words, "survival of VPLs");
     }
 
     void sample(FrameContext& frame) override;
@@ -69,29 +93,44 @@ class Indirect : public Component {
 
     InterleavedIrradiance irradiance_;
     float light_scale_;
+    DeviceBuffer<kinds::VplSurvival>
+        survival_;  ///< by block of receivers; null where blocks do not decide
     DeviceBuffer<kinds::VirtualLights> shortlists_;
 };
 
 void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
     const FramePlan& plan = frame.plan;
     const std::uint32_t lanes = frame.executor.lanes();
-    const std::uint32_t length = plan.vpls_per_set * (plan.gather_sets == 1 ? plan.sets : 1);
-    frame.run(
-        Stage::vpl_gather, name,
-        kernels::vpl_gather{
-            .scene = *frame.scene_buffers.traced,
-            .media_tables = frame.buffers.media(),
-            .list = shared::SetList{.first = 0, .stride = plan.vpls_per_set, .length = length},
-            .roulette = static_cast<float>(plan.roulette),
-            .slots = slots.stride,
-            .receiver_planes = slots.receivers,
-            .block_set = slots.block_set,
-            .vpls = frame.buffers.vpls,
-            .irradiance = slots.irradiance,
-            .counters = frame.buffers.counters},
-        {.count = slots.count / lanes,
-         .per_launch = gather_items_per_launch(frame.executor, length),
-         .first = slots.first / lanes});
+    const shared::SetList list = list_of(plan);
+    const std::uint32_t by_block = 1;
+    const std::uint32_t by_receiver =
+        std::bit_cast<std::uint32_t>(static_cast<float>(plan.roulette));
+    if (survival_)
+        frame.run(Stage::vpl_roulette, name,
+                  kernels::vpl_roulette{.list = list,
+                                        .roulette = static_cast<float>(plan.roulette),
+                                        .scale = light_scale_,
+                                        .slots = slots.stride,
+                                        .receiver_planes = slots.receivers,
+                                        .block_set = slots.block_set,
+                                        .vpls = frame.buffers.vpls,
+                                        .survival = survival_},
+                  {.count = slots.count / PACKET_BLOCK, .first = slots.first / PACKET_BLOCK});
+    frame.run(Stage::vpl_gather, name,
+              kernels::vpl_gather{.scene = *frame.scene_buffers.traced,
+                                  .media_tables = frame.buffers.media(),
+                                  .list = list,
+                                  .by_chance = survival_ ? by_block : by_receiver,
+                                  .slots = slots.stride,
+                                  .receiver_planes = slots.receivers,
+                                  .block_set = slots.block_set,
+                                  .vpls = frame.buffers.vpls,
+                                  .survival = survival_,
+                                  .irradiance = slots.irradiance,
+                                  .counters = frame.buffers.counters},
+              {.count = slots.count / lanes,
+               .per_launch = gather_items_per_launch(frame.executor, list.length),
+               .first = slots.first / lanes});
 }
 
 void Indirect::choose(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {

@@ -47,6 +47,10 @@ class InterleavedIrradiance {
     /// Four floats a pixel: red, green, blue, and the weight of samples, 0 where there are none.
     [[nodiscard]] BufferRef<kinds::ReconstructedLight> filtered() const { return filtered_; }
     [[nodiscard]] SlotIrradiance slots_of(LightPart part) const;
+    /// The most slots that a frame may use.
+    [[nodiscard]] std::uint32_t slots() const {
+        return adaptive_ ? adaptive_->slots() : shared_.slots;
+    }
     /// Null where every pixel is sampled.
     [[nodiscard]] const AdaptiveSampling* adaptive() const { return adaptive_.get(); }
 

@@ -14,16 +14,34 @@ bool is_enabled(const FramePlan& plan) {
 ComponentRequirements requirements(const FramePlan& plan) {
     ComponentRequirements requirements;
     requirements.kernels = {KernelId::vpl_residual};
-    if (plan.undersamples()) {
+    if (plan.near_residual) requirements.kernels.push_back(KernelId::widen_residual);
+    if (plan.undersamples() || plan.near_residual) {
         requirements.kernels.push_back(KernelId::filter_residual);
         requirements.all_receivers = true;
     }
     return requirements;
 }
 
+/// Places that a near residual is averaged over lie this many pixels apart, as wide as the filter
+/// of all residuals.
+constexpr std::uint32_t widening = 3;
+
 /// The bit of a part to which a launch adds; see vpl_residual.cl.
 std::uint32_t bit_of(LightPart part) {
     return part == LightPart::direct ? 1 : 2;
+}
+
+/// The area of the largest area light whose bound no closed form makes up for
+/// (kernels/light/analytic_area_light_limit.h), kernel units squared; 0 where there is none.
+float largest_bounded_area(const FlatScene& scene, const FramePlan& plan) {
+    float largest = 0.0F;
+    for (std::uint32_t i = 0; i < scene.area_lights; ++i) {
+        const shared::LightRecord& light = scene.lights[i];
+        const bool flat = light.axis.x != 0.0F || light.axis.y != 0.0F || light.axis.z != 0.0F;
+        if (flat && plan.samples_per_light > 0) continue;
+        largest = std::max(largest, light.area);
+    }
+    return largest;
 }
 
 /// Irradiance of the same receivers, to which the same paths are added.
@@ -37,7 +55,8 @@ struct Receivers {
 /// The residual: light that virtual lights and light samples leave out, by one path a pixel. Where
 /// a component samples every pixel, the paths are added to its samples. Where it does not, a path
 /// at a sample would stand for many pixels and show as a speck of their size: there every pixel has
-/// a path of its own, which is filtered apart.
+/// a path of its own, which is filtered apart. So it is with a near residual, which is filtered
+/// over more pixels than other light.
 class VplResidual : public Component {
   public:
     explicit VplResidual(const ComponentInputs& inputs);
@@ -52,19 +71,26 @@ class VplResidual : public Component {
         DeviceBuffer<kinds::SlotLight> irradiance;
     };
 
+    [[nodiscard]] bool is_apart(const SlotIrradiance& slots) const {
+        return slots.undersampled || widens_;
+    }
     [[nodiscard]] SlotIrradiance target(const SlotIrradiance& slots) const;
     [[nodiscard]] std::vector<Receivers> receivers() const;
 
     const FrameBuffers& shared_;
     std::vector<const Component*> others_;
     std::vector<Apart> apart_;
+    bool widens_;
+    DeviceBuffer<kinds::SlotLight> widened_;
 };
 
-VplResidual::VplResidual(const ComponentInputs& inputs) : shared_(inputs.buffers) {
+VplResidual::VplResidual(const ComponentInputs& inputs)
+    : shared_(inputs.buffers), widens_(inputs.plan.near_residual) {
+    if (widens_) widened_ = dark_irradiance(inputs.executor, shared_.slots, "VPL residual");
     for (const ActiveComponent& earlier : inputs.earlier) {
         others_.push_back(earlier.component.get());
         const std::optional<SlotIrradiance> slots = earlier.component->slot_irradiance();
-        if (slots && slots->undersampled)
+        if (slots && is_apart(*slots))
             apart_.push_back(
                 {slots->part, dark_irradiance(inputs.executor, shared_.slots, "VPL residual")});
     }
@@ -72,7 +98,7 @@ VplResidual::VplResidual(const ComponentInputs& inputs) : shared_(inputs.buffers
 
 /// The irradiance to which paths for these samples are added.
 SlotIrradiance VplResidual::target(const SlotIrradiance& slots) const {
-    if (!slots.undersampled) return slots;
+    if (!is_apart(slots)) return slots;
     const auto own = std::find_if(apart_.begin(), apart_.end(),
                                   [&](const Apart& apart) { return apart.part == slots.part; });
     return all_slots(slots.part, own->irradiance, shared_);
@@ -98,33 +124,46 @@ void VplResidual::sample(FrameContext& frame) {
     const std::vector<float> zero(std::size_t{3} * shared_.slots, 0.0F);
     for (const Apart& apart : apart_) write_buffer(frame.executor, apart.irradiance, zero);
     for (const Receivers& to : receivers()) {
-        frame.run(Stage::vpl_residual, "",
-                  kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
-                                        .geometry = view(frame.scene_buffers.geometry),
-                                        .light_table = view(frame.scene_buffers.light_table),
-                                        .light_nodes = frame.scene_buffers.light_nodes,
-                                        .environment = view(frame.scene_buffers.environment),
-                                        .slots = to.slots.stride,
-                                        .receiver_planes = to.slots.receivers,
-                                        .slot_pixel = to.slots.slot_pixel,
-                                        .parts = to.parts,
-                                        .direct = to.direct,
-                                        .indirect = to.indirect,
-                                        .counters = frame.buffers.counters},
-                  {to.slots.slots});
+        frame.run(
+            Stage::vpl_residual, "",
+            kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
+                                  .geometry = view(frame.scene_buffers.geometry),
+                                  .light_table = view(frame.scene_buffers.light_table),
+                                  .light_nodes = frame.scene_buffers.light_nodes,
+                                  .environment = view(frame.scene_buffers.environment),
+                                  .slots = to.slots.stride,
+                                  .receiver_planes = to.slots.receivers,
+                                  .slot_pixel = to.slots.slot_pixel,
+                                  .parts = to.parts,
+                                  .near_area = frame.plan.near_residual
+                                                   ? largest_bounded_area(frame.scene, frame.plan)
+                                                   : -1.0F,
+                                  .direct = to.direct,
+                                  .indirect = to.indirect,
+                                  .counters = frame.buffers.counters},
+            {to.slots.slots});
     }
 }
 
 void VplResidual::reconstruct(FrameContext& frame) {
     const ComposedIrradiance& composed = shared_.irradiance;
     for (const Apart& apart : apart_) {
+        if (widens_)
+            frame.run(Stage::reconstruction, "",
+                      kernels::widen_residual{.surfaces = view(shared_.gbuffer),
+                                              .spacing = widening,
+                                              .slots = shared_.slots,
+                                              .pixel_slot = shared_.pixel_slot,
+                                              .irradiance = apart.irradiance,
+                                              .widened = widened_},
+                      {frame.pixels()});
         frame.run(
             Stage::reconstruction, "",
             kernels::filter_residual{
                 .surfaces = view(shared_.gbuffer),
                 .slots = shared_.slots,
                 .pixel_slot = shared_.pixel_slot,
-                .irradiance = apart.irradiance,
+                .irradiance = widens_ ? widened_ : apart.irradiance,
                 .filtered = apart.part == LightPart::direct ? composed.direct : composed.indirect},
             {frame.pixels()});
     }

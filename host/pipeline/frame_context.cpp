@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "film/film.h"
 #include "kernels/core/receivers.h"
+#include "pipeline/camera_vpls.h"
 #include "pipeline/edge_samples.h"
 #include "pipeline/media_buffers.h"
 #include "pipeline/tile_geometry.h"
@@ -153,6 +154,9 @@ FrameBuffers allocate_frame(Executor& executor, const FramePlan& plan, const Wor
     if (plan.has_vpls())
         frame.vpls = allocate<kinds::VirtualLights>(
             executor, std::size_t{plan.sets} * plan.vpls_per_set, "VPLs");
+    if (plan.selects_vpls())
+        frame.camera_vpls =
+            std::make_unique<CameraVpls>(executor, plan, static_cast<std::uint32_t>(pixels));
     return frame;
 }
 

@@ -52,6 +52,7 @@ struct SceneBuffers {
 /// Brings the buffers up to date with the scene that they were made of, after update_flat.
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
 
+class CameraVpls;
 class EdgeSamples;
 class TileGeometry;
 class ViewMedia;
@@ -83,6 +84,7 @@ struct FrameBuffers {
     std::unique_ptr<ViewMedia> view_media;             ///< where light goes through media
     DeviceBuffer<kinds::VirtualLights> light_samples;  ///< points on lights, of all sets
     DeviceBuffer<kinds::VirtualLights> vpls;           ///< of indirect light, of all sets
+    std::unique_ptr<CameraVpls> camera_vpls;           ///< where the plan selects VPLs
     ComposedIrradiance irradiance;
     DeviceBuffer<kinds::RayCounters> counters;
     DeviceBuffer<kinds::NonfiniteCounters> nonfinite;

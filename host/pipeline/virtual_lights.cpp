@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/cache/cache.h"
+#include "pipeline/camera_vpls.h"
 #include "pipeline/scene_motion.h"
 #include "pipeline/view_media.h"
 
@@ -36,7 +37,7 @@ void run_walk(FrameContext& frame, const char* component, BufferRef<kinds::Paths
                                 .known_segments = known,
                                 .light_path_cache = memory,
                                 .vpl_changes = changes,
-                                .vpls = frame.buffers.vpls,
+                                .vpls = walked_vpls(frame.buffers),
                                 .counters = frame.buffers.counters},
               {frame.plan.sets * frame.plan.paths_per_set});
 }
@@ -64,15 +65,27 @@ void make_media_samples(FrameContext& frame, const char* component,
 std::vector<KernelId> vpl_kernels(const FramePlan& plan) {
     std::vector<KernelId> kernels{KernelId::vpl_walk};
     if (plan.vpl_tail) kernels.push_back(KernelId::vpl_tail);
+    if (plan.selects_vpls()) kernels.push_back(KernelId::vpl_contribution);
     if (plan.local_bound_scale > 0.0) kernels.push_back(KernelId::vpl_bounds);
     return kernels;
 }
 
+BufferRef<kinds::VirtualLights> walked_vpls(const FrameBuffers& buffers) {
+    if (buffers.camera_vpls) return buffers.camera_vpls->candidates();
+    return buffers.vpls;
+}
+
+void walk_light_paths(FrameContext& frame, const char* component) {
+    run_walk(frame, component, {}, {}, {});
+}
+
 void walk_vpls(FrameContext& frame, const char* component) {
     const FramePlan& plan = frame.plan;
-    run_walk(frame, component, {}, {}, {});
+    walk_light_paths(frame, component);
     if (plan.vpl_tail)
-        frame.run(Stage::vpl_tail, component, kernels::vpl_tail{.vpls = frame.buffers.vpls}, {1});
+        frame.run(Stage::vpl_tail, component, kernels::vpl_tail{.vpls = walked_vpls(frame.buffers)},
+                  {1});
+    if (frame.buffers.camera_vpls) frame.buffers.camera_vpls->select(frame, component);
     if (plan.local_bound_scale > 0.0) {
         const std::uint32_t count = plan.sets * plan.vpls_per_set;
         const double growth = static_cast<double>(frame.params.sampling.vpl_bound) / plan.vpl_bound;

@@ -23,7 +23,14 @@ void make_media_samples(FrameContext& frame, const char* component,
 /// The kernels of walk_vpls.
 [[nodiscard]] std::vector<KernelId> vpl_kernels(const FramePlan& plan);
 
-/// Fills FrameBuffers::vpls with the VPLs of a frame. The stages count for `component`, likewise.
+/// Where light paths leave their VPLs: FrameBuffers::vpls, or the candidates for these.
+[[nodiscard]] BufferRef<kinds::VirtualLights> walked_vpls(const FrameBuffers& buffers);
+
+/// Traces the light paths of a frame, and leaves VPLs where walked_vpls says.
+void walk_light_paths(FrameContext& frame, const char* component);
+
+/// Fills FrameBuffers::vpls with the VPLs of a frame whose primary rays have been traced. The
+/// stages count for `component`, likewise.
 void walk_vpls(FrameContext& frame, const char* component);
 
 class SceneMotion;

@@ -22,20 +22,32 @@ std::uint32_t vpl_count(std::uint32_t paths, double reflectance, std::uint32_t b
     return count;
 }
 
-void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflectance) {
+/// VPLs that light paths may leave in a set for `gathered` that are gathered.
+std::uint32_t most_walked(std::uint32_t gathered, std::uint32_t candidates) {
+    // What they bring to the camera's points is kept for every one of them.
+    constexpr std::uint64_t most = 4096;
+    const std::uint64_t wanted = std::uint64_t{gathered} * candidates;
+    return std::max(gathered, static_cast<std::uint32_t>(std::min(most, wanted)));
+}
+
+/// `candidates` as in SamplingSettings.
+void plan_vpls(FramePlan& plan, const SamplingSettings& settings, double reflectance,
+               std::uint32_t candidates) {
     plan.bounces = std::min({settings.bounces, settings.vpls_per_set, std::uint32_t{MAX_BOUNCES}});
     if (plan.bounces == 0) return;
     // The lower limit keeps dark scenes from spending all VPLs on the first bounce, the upper one
     // keeps paths from never ending.
     const double r = std::clamp(reflectance, 0.05, 0.95);
+    const std::uint32_t most = most_walked(settings.vpls_per_set, candidates);
     std::uint32_t paths = 1;
-    while (vpl_count(paths + 1, r, plan.bounces) <= settings.vpls_per_set) ++paths;
+    while (vpl_count(paths + 1, r, plan.bounces) <= most) ++paths;
     plan.paths_per_set = paths;
     for (std::uint32_t k = 0; k < plan.bounces; ++k) {
         plan.survivors[k] = survivors(paths, r, k);
-        plan.first_vpl[k] = plan.vpls_per_set;
-        plan.vpls_per_set += plan.survivors[k];
+        plan.first_vpl[k] = plan.walked_per_set;
+        plan.walked_per_set += plan.survivors[k];
     }
+    plan.vpls_per_set = std::min(plan.walked_per_set, settings.vpls_per_set);
 }
 
 /// Plans the cells of hemispheres about as wide as they are high where the hemisphere is widest:
@@ -103,6 +115,7 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     if (algorithm == Algorithm::ais || algorithm == Algorithm::amax)
         plan.edge_samples = std::min(settings.edge_samples, MAX_EDGE_SAMPLES) / 2 * 2;
     plan.threshold = settings.threshold;
+    plan.threshold_falls = settings.threshold_falls;
     plan.luminance_scale = settings.luminance_scale;
     plan.interleave = interleaved ? settings.interleave : 1;
     plan.gather_sets = interleaved ? plan.sets : 1;
@@ -141,7 +154,10 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
                        (algorithm == Algorithm::ais || algorithm == Algorithm::amax);
     if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters &&
         !plan.bounce_rays)
-        plan_vpls(plan, settings, scene.mean_reflectance);
+        plan_vpls(plan, settings, scene.mean_reflectance,
+                  (algorithm == Algorithm::ais || algorithm == Algorithm::amax) && !plan.cached
+                      ? settings.candidates
+                      : 1);
     if (algorithm == Algorithm::reference && plan.has_vpls()) {
         plan.choices = settings.choices;
         plan.shortlist = std::min(settings.shortlist, std::uint32_t{MAX_CHOICE_VPLS});
@@ -157,10 +173,11 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.vpl_bound =
         vpl_bound(scene.surface_area, static_cast<double>(plan.sets) * plan.vpls_per_set,
                   settings.bound_spacing);
-    // The residual knows one bound and the bounces that there are; records that outlast their frame
-    // see a VPL change only where its path does.
+    // The residual knows one bound and, unless it is near, the bounces that there are; records that
+    // outlast their frame see a VPL change only where its path does.
     const bool as_walked = plan.exact || plan.compensation || plan.temporal || !plan.has_vpls();
-    plan.vpl_tail = settings.vpl_tail && !as_walked && plan.bounces > 1;
+    plan.near_residual = plan.compensation && settings.near_residual && !plan.exact;
+    plan.vpl_tail = settings.vpl_tail && (!as_walked || plan.near_residual) && plan.bounces > 1;
     if (settings.local_bounds && !as_walked && settings.bound_spacing > 0.0)
         plan.local_bound_scale = 1.0 / (settings.bound_spacing * settings.bound_spacing);
     const double light_samples =

@@ -35,6 +35,9 @@ inline constexpr Algorithm default_algorithm = Algorithm::ais;
 struct SamplingSettings {
     std::uint32_t interleave = 3;     ///< n: n x n sample sets
     std::uint32_t vpls_per_set = 64;  ///< at most
+    /// Of ais and amax: VPLs that light paths leave for each one that pixels gather, which are
+    /// chosen by what they bring to what the camera sees; 1: pixels gather all.
+    std::uint32_t candidates = 8;
     /// VPLs of indirect orders 1 to this, at most MAX_BOUNCES. Later ones cost next to nothing.
     std::uint32_t bounces = MAX_BOUNCES;
     std::uint32_t samples_per_light = 4;      ///< per set and area light; also environment rays
@@ -49,6 +52,8 @@ struct SamplingSettings {
     double filter_planes = 2.0;
     /// Of ais: largest error of undersampling, in just noticeable differences, that is accepted.
     double threshold = 10.0;
+    /// Sample f of an image tolerates the threshold over f + 1: see AdaptiveSampling.
+    bool threshold_falls = false;
     double luminance_scale = 100.0;  ///< cd/m^2 of radiance 1, for the same
     /// Of ais: number of area light samples of a set from which on each light is probed with one
     /// ray first. With fewer, finding the ends of shadows costs more time than the rays it saves.
@@ -81,6 +86,9 @@ struct SamplingSettings {
     /// Of irradiance_cache: most rays into the hemisphere above a record, 16 and up.
     std::uint32_t cache_rays = 256;
     bool compensation = false;  ///< path traces what bounds and bounces leave out
+    /// Of compensation: paths bring what bounds leave out alone, and so go no further than that;
+    /// the tail stands for later bounces. Not of reference.
+    bool near_residual = false;
     /// Of reference: how many VPLs neighbouring receivers choose among those of all sets.
     std::uint32_t choices = 16;
     /// Of reference: how many VPLs the list of a region has, at most MAX_CHOICE_VPLS.
@@ -112,8 +120,9 @@ struct FramePlan {
     std::uint32_t gather_sets = 1;  ///< sets of which a pixel gathers one; 1: it gathers all
     std::uint32_t filter_radius = 0;
 
-    std::uint32_t paths_per_set = 0;  ///< 0: no VPLs
-    std::uint32_t vpls_per_set = 0;
+    std::uint32_t paths_per_set = 0;   ///< 0: no VPLs
+    std::uint32_t walked_per_set = 0;  ///< VPLs that the light paths of a set leave
+    std::uint32_t vpls_per_set = 0;    ///< that pixels gather: those, or the chosen among them
     /// VPLs that neighbouring receivers choose from the short list of their region; 0: they gather
     /// their set's.
     std::uint32_t choices = 0;
@@ -144,7 +153,8 @@ struct FramePlan {
 
     std::vector<std::string> requested;  ///< components that frames have only on request
 
-    bool compensation = false;  ///< a path per pixel for what VPLs and light samples leave out
+    bool compensation = false;   ///< a path per pixel for what VPLs and light samples leave out
+    bool near_residual = false;  ///< as in SamplingSettings
 
     /// Further rays of an edge pixel, even; 0: edges stay as primary rays find them.
     std::uint32_t edge_samples = 0;
@@ -153,6 +163,7 @@ struct FramePlan {
 
     bool adaptive = false;  ///< levels decide which pixels a component samples, where it can adapt
     double threshold = 0.0;
+    bool threshold_falls = false;  ///< as in SamplingSettings
     double luminance_scale = 100.0;
     double roulette = 0.0;  ///< of VPLs; 0: all are traced
     double cache_error = 0.0;
@@ -180,6 +191,8 @@ struct FramePlan {
         return std::find(requested.begin(), requested.end(), component) != requested.end();
     }
     [[nodiscard]] bool has_vpls() const { return paths_per_set > 0; }
+    /// Whether pixels gather some of the VPLs that light paths leave, chosen for the camera.
+    [[nodiscard]] bool selects_vpls() const { return vpls_per_set < walked_per_set; }
     /// Whether indirect light comes from rays that irradiance records trace.
     [[nodiscard]] bool traces_hemispheres() const { return cache_azimuths > 0; }
     [[nodiscard]] bool has_indirect() const {

@@ -24,6 +24,7 @@ constexpr std::size_t max_preset_bytes = std::size_t{1} << 20;
 // Beyond these, buffers of samples would grow to gigabytes.
 constexpr std::uint32_t max_interleave = 15;
 constexpr std::uint32_t max_vpls_per_set = 1U << 16;
+constexpr std::uint32_t max_candidates = 64;
 constexpr std::uint32_t max_light_samples = 1U << 14;
 constexpr std::uint64_t max_samples_of_sets = std::uint64_t{1} << 20;
 constexpr std::uint32_t max_filter_radius = 16;
@@ -42,6 +43,7 @@ struct WholeSetting {
 constexpr WholeSetting whole_settings[] = {
     {"interleave", &SamplingSettings::interleave, 1, max_interleave},
     {"vpls", &SamplingSettings::vpls_per_set, 1, max_vpls_per_set},
+    {"candidates", &SamplingSettings::candidates, 1, max_candidates},
     {"bounces", &SamplingSettings::bounces, 1, MAX_BOUNCES},
     {"light_samples", &SamplingSettings::samples_per_light, 1, max_light_samples},
     {"max_light_samples", &SamplingSettings::max_samples_per_set, 1, max_light_samples},
@@ -165,6 +167,8 @@ Json preset_json(const Preset& preset) {
               {"denoise", to_string(preset.denoiser)},
               {"cache_masks", preset.sampling.cache_masks},
               {"compensation", preset.sampling.compensation},
+              {"near_residual", preset.sampling.near_residual},
+              {"threshold_falls", preset.sampling.threshold_falls},
               {"local_bounds", preset.sampling.local_bounds},
               {"vpl_tail", preset.sampling.vpl_tail}};
     if (has_indirect_source(preset.algorithm))
@@ -181,13 +185,15 @@ Preset read_preset(const std::filesystem::path& file) {
     const Json json = read_json_file(file, max_preset_bytes);
     const JsonValue value(json, file.string() + "#");
     check_version(value);
-    check_keys(value, json, {"weft_preset",   "algorithm",     "indirect",          "spp",
-                             "interleave",    "vpls",          "bounces",           "light_samples",
-                             "bound_spacing", "filter_radius", "max_light_samples", "filter_cosine",
-                             "filter_planes", "threshold",     "luminance_scale",   "support",
-                             "roulette",      "cache_masks",   "cache_records",     "cache_error",
-                             "cache_rays",    "compensation",  "edge_samples",      "denoise",
-                             "local_bounds",  "vpl_tail",      "refined_after"});
+    check_keys(value, json,
+               {"weft_preset",   "algorithm",      "indirect",          "spp",
+                "interleave",    "vpls",           "bounces",           "light_samples",
+                "bound_spacing", "filter_radius",  "max_light_samples", "filter_cosine",
+                "filter_planes", "threshold",      "luminance_scale",   "support",
+                "roulette",      "cache_masks",    "cache_records",     "cache_error",
+                "cache_rays",    "compensation",   "edge_samples",      "denoise",
+                "local_bounds",  "vpl_tail",       "refined_after",     "candidates",
+                "near_residual", "threshold_falls"});
     Preset preset;
     read_source(value, preset);
     if (const auto member = value.find("spp"))
@@ -200,6 +206,9 @@ Preset read_preset(const std::filesystem::path& file) {
             preset.sampling.*setting.member = real(*member, setting.least, setting.most);
     preset.sampling.cache_masks = value.bool_or("cache_masks", preset.sampling.cache_masks);
     preset.sampling.compensation = value.bool_or("compensation", preset.sampling.compensation);
+    preset.sampling.threshold_falls =
+        value.bool_or("threshold_falls", preset.sampling.threshold_falls);
+    preset.sampling.near_residual = value.bool_or("near_residual", preset.sampling.near_residual);
     preset.sampling.local_bounds = value.bool_or("local_bounds", preset.sampling.local_bounds);
     preset.sampling.vpl_tail = value.bool_or("vpl_tail", preset.sampling.vpl_tail);
     read_denoiser(value, preset);

@@ -6,6 +6,14 @@
 
 namespace weft {
 
+namespace {
+
+/// The residual brings what the bound leaves out, and has less noise than the light of VPLs that
+/// are closer than this.
+constexpr double residual_spacing = 2.0;
+
+}  // namespace
+
 SamplingSettings sampling_of(Quality quality) {
     SamplingSettings settings;
     if (quality == Quality::draft) {
@@ -28,12 +36,23 @@ SamplingSettings sampling_of(Quality quality) {
     return settings;
 }
 
+SamplingSettings sampling_of_image(Quality quality, bool media) {
+    SamplingSettings settings = sampling_of(quality);
+    settings.threshold_falls = true;
+    if (media) {
+        settings.bound_spacing = 0.7;
+    } else if (quality != Quality::draft) {
+        settings.compensation = true;
+        settings.near_residual = true;
+        settings.bound_spacing = residual_spacing;
+    }
+    return settings;
+}
+
 SamplingSettings sampling_of_reference() {
     SamplingSettings settings;
     settings.vpls_per_set = 256;
-    // Its residual brings what the bound leaves out, and has less noise than the light of VPLs that
-    // are closer than this.
-    settings.bound_spacing = 2.0;
+    settings.bound_spacing = residual_spacing;
     settings.samples_per_light = 4;
     settings.max_samples_per_set = 16;
     settings.filter_radius = 0;

@@ -16,6 +16,12 @@ enum class Quality : std::uint8_t { draft, preview, high };
 /// points on lights a pixel's set has.
 [[nodiscard]] SamplingSettings sampling_of(Quality quality);
 
+/// The settings of a single image by adaptive sampling: those of its quality, but that later
+/// samples tolerate less, and beyond `draft` the residual brings the light that the bound takes
+/// away, so that the bound may be lower. Scenes with media, of whose light it knows nothing, have a
+/// higher bound instead.
+[[nodiscard]] SamplingSettings sampling_of_image(Quality quality, bool media);
+
 /// The settings of the reference estimator: few choices among VPLs of eight bounces, no filter, and
 /// the residual by path tracing.
 [[nodiscard]] SamplingSettings sampling_of_reference();

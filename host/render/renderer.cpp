@@ -79,8 +79,9 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     statistics.mean_reflectance = planned_reflectance(scene);
     FramePlan plan = plan_frames(settings.algorithm, settings.sampling, statistics);
     plan.requested = settings.requested;
-    // Frames with points all over the pixel average edges anyway.
-    if (settings.samples > 1) plan.edge_samples = 0;
+    // So many samples, with points all over the pixel, average edges anyway.
+    constexpr std::uint32_t enough_samples = 16;
+    if (settings.samples > enough_samples) plan.edge_samples = 0;
     return plan;
 }
 
@@ -133,10 +134,10 @@ double Renderer::landed_share() {
     const FrameInputs inputs{executor_, scene_, *scene_buffers_, buffers_, plan_};
     const KeepGoing to_the_end;
     FrameContext frame(inputs, params_of_frame(0), to_the_end);
-    walk_vpls(frame, "indirect");
+    walk_light_paths(frame, "indirect");
     frame.wait();
-    const std::size_t count = std::size_t{plan_.sets} * plan_.vpls_per_set;
-    const auto vpls = read_buffer(executor_, buffers_.vpls, count);
+    const std::size_t count = std::size_t{plan_.sets} * plan_.walked_per_set;
+    const auto vpls = read_buffer(executor_, walked_vpls(buffers_), count);
     const auto landed = std::count_if(vpls.begin(), vpls.end(), [](const shared::Vpl& vpl) {
         return vpl.flux.x > 0.0F || vpl.flux.y > 0.0F || vpl.flux.z > 0.0F;
     });
@@ -150,6 +151,9 @@ void Renderer::choose_indirect() {
     const double share = landed_share();
     settings_.sampling.bounce_rays = share < least_landed;
     if (settings_.sampling.bounce_rays) {
+        // Such paths leave out no indirect light, and direct light then has its usual bound.
+        settings_.sampling.compensation = false;
+        settings_.sampling.bound_spacing = SamplingSettings{}.bound_spacing;
         plan_ = plan_for(scene_, settings_);
         set_up();
     }
@@ -209,7 +213,7 @@ void Renderer::set_params(std::uint32_t features) {
     sampling.gather_scale = static_cast<float>(plan_.gather_sets);
     sampling.environment_samples = plan_.environment_samples;
     sampling.paths_per_set = plan_.paths_per_set;
-    sampling.vpls_per_set = plan_.vpls_per_set;
+    sampling.walked_per_set = plan_.walked_per_set;
     sampling.bounces = plan_.bounces;
     std::copy(plan_.survivors.begin(), plan_.survivors.end(), sampling.survivors);
     std::copy(plan_.first_vpl.begin(), plan_.first_vpl.end(), sampling.first_vpl);

@@ -37,6 +37,7 @@ RenderSettings settings_of(Algorithm algorithm, double threshold = 4.0) {
     settings.sampling.threshold = threshold;
     settings.sampling.vpls_per_set = 24;
     settings.sampling.edge_samples = 0;  // igi has none
+    settings.sampling.candidates = 1;    // igi gathers all VPLs that its paths leave
     settings.seed = 5;
     return settings;
 }

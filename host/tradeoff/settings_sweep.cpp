@@ -60,12 +60,20 @@ class Sweep {
         if (found != candidates.end()) found->fills_budgets = true;
     }
 
+    /// The settings of an image by the algorithm for which no others are given.
+    [[nodiscard]] SamplingSettings standard(Algorithm algorithm) const {
+        return algorithm == Algorithm::ais ? image(Quality::preview) : SamplingSettings{};
+    }
+    [[nodiscard]] SamplingSettings image(Quality quality) const {
+        return scene_.indirect ? sampling_of_image(quality, scene_.media) : sampling_of(quality);
+    }
+
     /// Variants of one number of a setting.
     template <class Value>
     void vary(const char* name, Algorithm algorithm, Value SamplingSettings::*member,
               std::initializer_list<Value> values) {
         for (const Value value : values) {
-            SamplingSettings sampling;
+            SamplingSettings sampling = standard(algorithm);
             sampling.*member = value;
             add(fmt::format("{} {}", name, value), algorithm, sampling);
         }
@@ -73,19 +81,19 @@ class Sweep {
 
     void add_adaptive() {
         constexpr Algorithm ais = Algorithm::ais;
-        add("", ais, {});
+        add("", ais, standard(ais));
         if (samples_light()) {
-            add("draft", ais, sampling_of(Quality::draft));
-            add("high", ais, sampling_of(Quality::high));
+            add("draft", ais, image(Quality::draft));
+            add("high", ais, image(Quality::high));
             if (scene_.adapts) vary("threshold", ais, &SamplingSettings::threshold, {40.0});
         }
-        for (const std::uint32_t samples : {4U, 16U}) add("", ais, {}, samples);
+        for (const std::uint32_t samples : {4U, 16U}) add("", ais, standard(ais), samples);
         if (has_vpls()) vary("vpls", ais, &SamplingSettings::vpls_per_set, {16U});
         if (scene_.indirect) add_adaptive_records();
         add("", Algorithm::amax, {});
         if (!full_) return;
-        add("", ais, {}, 2);
-        add("", ais, {}, 8);
+        add("", ais, standard(ais), 2);
+        add("", ais, standard(ais), 8);
         add("", Algorithm::amax, {}, 4);
         vary("edges", ais, &SamplingSettings::edge_samples, {0U, 8U});
         if (samples_light()) add_more_adaptive();
@@ -98,11 +106,11 @@ class Sweep {
         if (scene_.sampled_lights)
             vary("light samples", ais, &SamplingSettings::samples_per_light, {2U, 16U});
         for (const std::uint32_t samples : {2U, 4U, 16U})
-            add("draft", ais, sampling_of(Quality::draft), samples);
+            add("draft", ais, image(Quality::draft), samples);
         for (const std::uint32_t samples : {4U, 16U})
-            add("high", ais, sampling_of(Quality::high), samples);
+            add("high", ais, image(Quality::high), samples);
         add("high", Algorithm::amax, sampling_of(Quality::high));
-        SamplingSettings wide;
+        SamplingSettings wide = standard(ais);
         wide.filter_radius = 2;
         add("filter 2", ais, wide);
         wide.interleave = 5;

@@ -82,20 +82,41 @@
 #define ARGUMENTS_vpl_tail(X)                          \
     X(WRITES, VirtualLights, vpls)
 
+#define ARGUMENTS_vpl_contribution(X)                  \
+    X(TRACES, Scene, scene)                            \
+    X(GROUP, SeenSurfaces, surfaces)                   \
+    X(VALUE, uint, points)                             \
+    X(VALUE, float, scale)                             \
+    X(READS, SlotPixels, view_points)                  \
+    X(READS, VirtualLights, vpls)                      \
+    X(WRITES, VplContributions, contributions)         \
+    X(WRITES, RayCounters, counters)
+
 #define ARGUMENTS_vpl_bounds(X)                        \
     X(VALUE, uint, vpl_count)                          \
     X(VALUE, float, scale)                             \
     X(WRITES, VirtualLights, vpls)
 
-#define ARGUMENTS_vpl_gather(X)                        \
-    X(TRACES, Scene, scene)                            \
-    X(GROUP, MediaTables, media_tables)                \
+#define ARGUMENTS_vpl_roulette(X)                      \
     X(VALUE, SetList, list)                            \
     X(VALUE, float, roulette)                          \
+    X(VALUE, float, scale)                             \
     X(VALUE, uint, slots)                              \
     X(READS, ReceiverPlanes, receiver_planes)          \
     X(READS, BlockSets, block_set)                     \
     X(READS, VirtualLights, vpls)                      \
+    X(WRITES, VplSurvival, survival)
+
+#define ARGUMENTS_vpl_gather(X)                        \
+    X(TRACES, Scene, scene)                            \
+    X(GROUP, MediaTables, media_tables)                \
+    X(VALUE, SetList, list)                            \
+    X(VALUE, uint, by_chance)                          \
+    X(VALUE, uint, slots)                              \
+    X(READS, ReceiverPlanes, receiver_planes)          \
+    X(READS, BlockSets, block_set)                     \
+    X(READS, VirtualLights, vpls)                      \
+    X(MAY_READ, VplSurvival, survival)                 \
     X(WRITES, SlotLight, irradiance)                   \
     X(WRITES, RayCounters, counters)
 
@@ -353,9 +374,18 @@
     X(READS, ReceiverPlanes, receiver_planes)          \
     X(READS, SlotPixels, slot_pixel)                   \
     X(VALUE, uint, parts)                              \
+    X(VALUE, float, near_area)                         \
     X(MAY_WRITE, SlotLight, direct)                    \
     X(MAY_WRITE, SlotLight, indirect)                  \
     X(WRITES, RayCounters, counters)
+
+#define ARGUMENTS_widen_residual(X)                    \
+    X(GROUP, SeenSurfaces, surfaces)                   \
+    X(VALUE, uint, spacing)                            \
+    X(VALUE, uint, slots)                              \
+    X(READS, PixelSlots, pixel_slot)                   \
+    X(READS, SlotLight, irradiance)                    \
+    X(WRITES, SlotLight, widened)
 
 #define ARGUMENTS_filter_residual(X)                   \
     X(GROUP, SeenSurfaces, surfaces)                   \

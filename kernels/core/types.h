@@ -10,6 +10,8 @@
 #define INVALID_INDEX 0xFFFFFFFFu
 #define MAX_BOUNCES 8
 #define MAX_CHOICE_VPLS 512  // in a list that vpl_choice.cl chooses from
+// Words in which vpl_roulette.cl leaves what it decides on so many VPLs.
+#define SURVIVAL_WORDS(vpls) (((vpls) + 3u) / 4u)
 #define PACKET_BLOCK 16  // slots of one work list block share a sample set; a multiple of any LANES
 // Shadow rays between two points end this share before the second: a receiver on the edge of two
 // faces lies in the plane of both, and rounding must not let the other one block it.
@@ -510,7 +512,8 @@ typedef struct {
     float gather_scale;        // a set's sum times this estimates the whole sum
     float vpl_bound;           // bound on G of indirect VPLs
     uint environment_samples;  // rays per pixel
-    uint paths_per_set, vpls_per_set;
+    uint paths_per_set;
+    uint walked_per_set;  // VPLs that the light paths of a set leave
     uint bounces;
     uint survivors[MAX_BOUNCES];  // paths of a set that reach bounce k + 1
     uint first_vpl[MAX_BOUNCES];  // their first slot inside the set

@@ -16,8 +16,8 @@
 #define NEAR_RADIUS 1
 #define FAR_RADIUS 2
 
-/// Where in a pixel sample `k` of `count` lies, from its centre, in [-1/2, 1/2]. An odd number of
-/// points of a lattice about the centre, which is the last one: the projections to both axes are
+/// Where sample `k` of `count` lies from the pixel's own point, in [-1/2, 1/2]. An odd number of
+/// points of a lattice about that, which is the last one: the projections to both axes are
 /// evenly spaced, and the mean is 0. Pixels choose between the lattice and its mirror image.
 static inline void sample_offset(uint k, uint count, int mirrored, float* x, float* y) {
     int half_count = (int)(count / 2u);
@@ -30,6 +30,13 @@ static inline void sample_offset(uint k, uint count, int mirrored, float* x, flo
     }
     *x = (float)column / (float)count;
     *y = (float)(mirrored != 0 ? -row : row) / (float)count;
+}
+
+/// A place of the lattice about the sample's jitter in the pixel, [0, 1]: what leaves it at one
+/// side comes in at the other, so that the points of all samples together fill it evenly.
+static inline float inside_pixel(float place) {
+    if (place > 1.0f) return place - 1.0f;
+    return place < 0.0f ? place + 1.0f : place;
 }
 
 /// The surface of a hit, which pixels are tested against; see gbuffer.cl for its footprint.
@@ -55,8 +62,11 @@ static inline uint nearest_on_surface(const RenderParams* params, const SeenPixe
     int row = (int)(pixel / params->camera.width);
     uint nearest = INVALID_INDEX;
     float least = RAY_INFINITY;
-    // No other pixel's point is nearer.
-    if (pixel_is_lit(seen->ids, seen->albedo, pixel) != 0 &&
+    // No other pixel's point is nearer than one that is half a pixel away at most.
+    float own_across = absolute((float)column + params->camera.jitter_x - x);
+    float own_down = absolute((float)row + params->camera.jitter_y - y);
+    if (own_across <= 0.5f && own_down <= 0.5f &&
+        pixel_is_lit(seen->ids, seen->albedo, pixel) != 0 &&
         on_surface(surface, seen->position, seen->shading, pixel) != 0)
         return pixel;
     for (int j = row - radius; j <= row + radius; ++j) {
@@ -199,8 +209,10 @@ static inline void make_edge_rays(const RenderParams* params, GLOBAL const uint*
             float x;
             float y;
             sample_offset(k, params->sampling.edge_samples + 1u, mirrored, &x, &y);
-            rays->x[ray] = x + (float)(pixel % params->camera.width) + params->camera.jitter_x;
-            rays->y[ray] = y + (float)(pixel / params->camera.width) + params->camera.jitter_y;
+            rays->x[ray] =
+                (float)(pixel % params->camera.width) + inside_pixel(x + params->camera.jitter_x);
+            rays->y[ray] =
+                (float)(pixel / params->camera.width) + inside_pixel(y + params->camera.jitter_y);
             rays->directions[ray] = camera_direction(params, rays->x[ray], rays->y[ray]);
         }
     }

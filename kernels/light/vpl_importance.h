@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What VPLs may bring to a block of PACKET_BLOCK receivers, by which few of many are chosen
-// (vpl_choice.cl, vpl_shortlist.cl). A block is as many packets as hold it, so that its choices do
-// not depend on the width of packets.
+// (vpl_choice.cl, vpl_shortlist.cl) or traced (vpl_roulette.cl). A block is as many packets as hold
+// it, so that its choices do not depend on the width of packets.
 #ifndef WEFT_KERNELS_LIGHT_VPL_IMPORTANCE_H
 #define WEFT_KERNELS_LIGHT_VPL_IMPORTANCE_H
 

@@ -24,7 +24,7 @@ static inline float3 flux_of_bounce(const RenderParams* params, GLOBAL const Vpl
     float3 sum = f3(0.0f, 0.0f, 0.0f);
     for (uint set = 0u; set < params->sampling.sets; ++set) {
         GLOBAL const Vpl* first =
-            vpls + set * params->sampling.vpls_per_set + params->sampling.first_vpl[bounce];
+            vpls + set * params->sampling.walked_per_set + params->sampling.first_vpl[bounce];
         for (uint i = 0u; i < params->sampling.survivors[bounce]; ++i) sum += whole_flux(first + i);
     }
     return sum;
@@ -51,7 +51,7 @@ WEFT_KERNEL(vpl_tail)
                        tail_factor(after.z, before.z));
     for (uint set = 0u; set < params.sampling.sets; ++set) {
         GLOBAL Vpl* vpl =
-            vpls + set * params.sampling.vpls_per_set + params.sampling.first_vpl[last];
+            vpls + set * params.sampling.walked_per_set + params.sampling.first_vpl[last];
         for (uint i = 0u; i < params.sampling.survivors[last]; ++i) {
             float4 flux = vpl[i].flux;
             vpl[i].flux = f4(flux.x * factor.x, flux.y * factor.y, flux.z * factor.z, flux.w);

@@ -22,7 +22,7 @@ static inline Hit no_segment(void) {
 
 static inline uint segment_memory(const RenderParams* params, uint set, uint place) {
     return 2u * params->sampling.sets * params->sampling.paths_per_set +
-           set * params->sampling.vpls_per_set + place;
+           set * params->sampling.walked_per_set + place;
 }
 
 static inline void store_start(const LightPath* path, uint item, GLOBAL float4* memory) {

@@ -97,7 +97,7 @@ WEFT_KERNEL(vpl_walk)
     for (uint bounce = 0u; bounce < params.sampling.bounces; ++bounce) {
         if (path_in_set >= params.sampling.survivors[bounce]) break;
         uint place = params.sampling.first_vpl[bounce] + path_in_set;
-        GLOBAL Vpl* vpl = vpls + set * params.sampling.vpls_per_set + place;
+        GLOBAL Vpl* vpl = vpls + set * params.sampling.walked_per_set + place;
         Vpl before = no_vpl();
         if (HAS(&params, FEATURE_TEMPORAL)) before = *vpl;
         if (max_component(path.flux) <= 0.0f) alive = 0;
@@ -119,12 +119,12 @@ WEFT_KERNEL(vpl_walk)
             float survival =
                 (float)params.sampling.paths_per_set / (float)params.sampling.survivors[bounce];
             store_vertex(&params, vpl, &path, &vertex, share * survival,
-                         block * params.sampling.vpls_per_set + place);
+                         block * params.sampling.walked_per_set + place);
             if (bounce + 1u < params.sampling.bounces)
                 scatter_light_path(&params, &vertex, bounce, index, &path);
         }
         if (HAS(&params, FEATURE_TEMPORAL))
-            vpl_changes[set * params.sampling.vpls_per_set + place] = change_of(&before, vpl);
+            vpl_changes[set * params.sampling.walked_per_set + place] = change_of(&before, vpl);
     }
     count_rays(counters + range.counter, rays);
 }

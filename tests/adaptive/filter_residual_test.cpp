@@ -116,18 +116,24 @@ TEST(FilterResidual, LevelsDoNotDependOnIt) {
 }
 
 TEST(FilterResidual, WithThresholdZeroTheImageIsThatOfAmax) {
-    for (const TestBackend backend : test::light_backends()) {
-        const Rendering amax =
-            render(backend, cornell_box(), settings_of(Algorithm::amax, true), 2);
-        Image ais = render(backend, cornell_box(), settings_of(Algorithm::ais, true, 0.0), 2).image;
-        std::erase_if(ais.layers, [](const Layer& layer) { return is_overlay_layer(layer.name); });
-        EXPECT_EQ(test::differing_values(amax.image, ais), 0U) << test::backend_name(backend);
-    }
+    for (const TestBackend backend : test::light_backends())
+        for (const bool near : {false, true}) {
+            RenderSettings full = settings_of(Algorithm::amax, true);
+            RenderSettings adaptive = settings_of(Algorithm::ais, true, 0.0);
+            full.sampling.near_residual = adaptive.sampling.near_residual = near;
+            const Rendering amax = render(backend, cornell_box(), full, 2);
+            Image ais = render(backend, cornell_box(), adaptive, 2).image;
+            std::erase_if(ais.layers,
+                          [](const Layer& layer) { return is_overlay_layer(layer.name); });
+            EXPECT_EQ(test::differing_values(amax.image, ais), 0U)
+                << test::backend_name(backend) << (near ? ", near" : "");
+        }
 }
 
 TEST(FilterResidual, OpenClEqualsTheNativeKernelsBitForBit) {
     if (!test::has_opencl()) GTEST_SKIP() << "no OpenCL device";
-    const RenderSettings settings = settings_of(Algorithm::ais, true);
+    RenderSettings settings = settings_of(Algorithm::ais, true);
+    settings.sampling.near_residual = true;
     const Rendering native = render(TestBackend::own_bvh, cornell_box(), settings, 2);
     const Rendering opencl = render(TestBackend::opencl, cornell_box(), settings, 2);
     EXPECT_EQ(test::differing_values(native.image, opencl.image), 0U);
@@ -168,6 +174,38 @@ TEST(FilterResidual, InASphereTheMeanIsThatOfAllOrders) {
                               "threshold " + testing::PrintToString(threshold));
         if (threshold <= 1e6) continue;
         EXPECT_LT(rendering.stats[0].levels.back().samples, width * height / 10U);
+    }
+}
+
+// The same of a near residual, which leaves out later orders. It is averaged over 9 x 9 pixels: the
+// error of the mean is that of an 81st of the pixels at most.
+TEST(FilterResidual, NearInASphereTheMeanIsThatOfTheOrdersWithVpls) {
+    constexpr float reflectance = 0.8F;
+    test::SceneBuilder builder;
+    builder.add(test::icosphere(5, true), builder.material(glm::vec3(reflectance)));
+    builder.light(LightType::point, {0.0, 0.0, 0.0}, glm::vec3(1.0F));
+    const FlatScene flat = flatten(builder.scene);
+    const Camera camera = test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2);
+    for (const Algorithm algorithm : {Algorithm::ais, Algorithm::amax}) {
+        RenderSettings settings = test::small_settings(algorithm, 400, 320);
+        settings.sampling.compensation = true;
+        settings.sampling.near_residual = true;
+        settings.sampling.vpl_tail = false;
+        settings.sampling.roulette = 0.0;
+        settings.sampling.bound_spacing =
+            std::sqrt(9.0 * plan_for(flat, settings).vpls_per_set / 0.3);
+        const Rendering rendering =
+            test::render_flat(test::shared_executor(TestBackend::own_bvh), flat, camera, settings);
+        test::expect_clean(rendering);
+        std::vector<double> irradiance = test::channel_of(rendering, "indirect", 0);
+        for (double& value : irradiance)
+            value *= std::numbers::pi / static_cast<double>(reflectance);
+        Estimate mean = test::estimate(irradiance);
+        mean.error *= 9.0;
+        double orders = 0.0;
+        for (int k = 1; k <= 8; ++k) orders += std::pow(static_cast<double>(reflectance), k);
+        test::expect_estimate(mean, orders, {comparisons, 0.01, 4e-3},
+                              algorithm == Algorithm::ais ? "ais" : "amax");
     }
 }
 

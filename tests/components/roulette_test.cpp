@@ -27,7 +27,9 @@ Scene room() {
 }
 
 /// Frame 0 with every pixel sampled, so that roulette alone makes a difference.
-Rendering make_image(const Scene& scene, double roulette, std::uint32_t seed) {
+/// Blocks of receivers decide where VPLs are chosen among `candidates`, else each receiver does.
+Rendering make_image(const Scene& scene, double roulette, std::uint32_t candidates,
+                     std::uint32_t seed) {
     RenderSettings settings = test::small_settings(Algorithm::ais, 24, 24);
     settings.direct = false;
     settings.seed = seed;
@@ -35,6 +37,7 @@ Rendering make_image(const Scene& scene, double roulette, std::uint32_t seed) {
     settings.sampling.enough_support = 2.0;
     settings.sampling.edge_samples = 0;
     settings.sampling.roulette = roulette;
+    settings.sampling.candidates = candidates;
     return test::render(TestBackend::own_bvh, scene, test::look_at({0, 0, 3.5}, {0, 0, 0}, 0.6),
                         settings);
 }
@@ -56,16 +59,16 @@ std::uint64_t rays_of(const Rendering& rendering) {
 
 /// Relative difference of the mean of images with and without roulette: over `seeds` pairs that
 /// share their VPLs, with its standard error.
-void expect_no_loss(double roulette, double share_of_rays) {
-    constexpr std::uint32_t seeds = 192;
+void expect_no_loss(double roulette, double share_of_rays, std::uint32_t candidates,
+                    std::uint32_t seeds) {
     const Scene scene = room();
     double sum = 0.0;
     double squares = 0.0;
     std::uint64_t with_rays = 0;
     std::uint64_t without_rays = 0;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-        const Rendering with = make_image(scene, roulette, seed);
-        const Rendering without = make_image(scene, 0.0, seed);
+        const Rendering with = make_image(scene, roulette, candidates, seed);
+        const Rendering without = make_image(scene, 0.0, candidates, seed);
         const double d = mean_indirect(with) / mean_indirect(without) - 1.0;
         sum += d;
         squares += d * d;
@@ -81,8 +84,10 @@ void expect_no_loss(double roulette, double share_of_rays) {
 }
 
 TEST(Roulette, CostsNoLightAndSavesRays) {
-    expect_no_loss(0.5, 0.96);
-    expect_no_loss(2.0, 0.8);
+    expect_no_loss(0.5, 0.96, 1, 192);
+    expect_no_loss(2.0, 0.8, 1, 192);
+    expect_no_loss(0.5, 0.98, 8, 448);
+    expect_no_loss(2.0, 0.8, 8, 448);
 }
 
 TEST(Roulette, AllBackendsDrawTheSame) {
@@ -90,13 +95,16 @@ TEST(Roulette, AllBackendsDrawTheSame) {
     RenderSettings settings = test::small_settings(Algorithm::ais, 40, 40);
     settings.sampling.roulette = 1.0;
     const Camera camera = test::look_at({0, 0, 3.5}, {0, 0, 0}, 0.6);
-    const Rendering expected = test::render(TestBackend::own_bvh, scene, camera, settings);
-    for (const TestBackend backend : test::backends()) {
-        if (backend == TestBackend::embree) continue;
-        EXPECT_EQ(test::differing_values(test::render(backend, scene, camera, settings).image,
-                                         expected.image),
-                  0U)
-            << test::backend_name(backend);
+    for (const std::uint32_t candidates : {1U, 8U}) {
+        settings.sampling.candidates = candidates;
+        const Rendering expected = test::render(TestBackend::own_bvh, scene, camera, settings);
+        for (const TestBackend backend : test::backends()) {
+            if (backend == TestBackend::embree) continue;
+            EXPECT_EQ(test::differing_values(test::render(backend, scene, camera, settings).image,
+                                             expected.image),
+                      0U)
+                << test::backend_name(backend);
+        }
     }
 }
 

@@ -116,7 +116,11 @@ struct Sphere {
 
     /// That VPLs bring `kept`, and the residual the rest of all orders.
     void expect_residual(const RenderSettings& made, double kept, const std::string& what) const {
-        const double all = rho / (1.0 - rho);
+        expect_residual(made, kept, rho / (1.0 - rho), what);
+    }
+    /// The same of light that is `all` in the end.
+    void expect_residual(const RenderSettings& made, double kept, double all,
+                         const std::string& what) const {
         const std::vector<double> without = irradiance(made);
         std::vector<double> rest = irradiance(compensated(made));
         for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= without[i];
@@ -147,10 +151,24 @@ TEST(VplResidual, InASphereItIsWhatTheBoundCutsOffAndAllLaterOrders) {
     sphere.expect_residual(frames, share * sphere.orders(4), "four frames");
 }
 
+TEST(VplResidual, NearItIsWhatTheBoundCutsOffAndNoLaterOrders) {
+    const Sphere sphere(0.8F);
+    for (const std::uint32_t bounces : {1U, 4U, 8U})
+        for (const double share : {0.3, 0.8}) {
+            RenderSettings settings = sphere.settings(share, bounces);
+            settings.sampling.near_residual = true;
+            const double all = sphere.orders(bounces);
+            sphere.expect_residual(settings, share * all, all,
+                                   testing::PrintToString(bounces) + " bounces, near, bound of " +
+                                       testing::PrintToString(share));
+        }
+}
+
 TEST(VplResidual, IsTheSameOnEveryBackend) {
     const test::DividedBox box;
     for (const Algorithm algorithm : {Algorithm::igi, Algorithm::ir}) {
-        const RenderSettings settings = compensated(test::small_settings(algorithm, 24, 20));
+        RenderSettings settings = compensated(test::small_settings(algorithm, 24, 20));
+        settings.sampling.near_residual = algorithm == Algorithm::igi;
         const test::Rendering reference = test::render_flat(
             test::shared_executor(TestBackend::own_bvh), box.flat, box.camera, settings);
         for (const TestBackend backend : test::backends()) {

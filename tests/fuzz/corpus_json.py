@@ -19,7 +19,8 @@ def preset_files():
         "filter_radius": 2, "filter_cosine": 0.25, "filter_planes": 3.5, "threshold": 0.1,
         "luminance_scale": 80, "support": 0.9, "roulette": 0, "edge_samples": 8,
         "compensation": False, "cache_error": 0.3, "cache_rays": 64, "cache_records": 1000,
-        "cache_masks": False, "local_bounds": False, "vpl_tail": False,
+        "cache_masks": False, "local_bounds": False, "vpl_tail": False, "candidates": 4,
+        "near_residual": True, "threshold_falls": True,
     }
     return {
         "bare.json": preset(),

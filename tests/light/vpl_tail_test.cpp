@@ -23,9 +23,9 @@ shared::RenderParams params_of(const std::vector<std::uint32_t>& survivors) {
     params.sampling.sets = sets;
     params.sampling.bounces = static_cast<std::uint32_t>(survivors.size());
     for (std::size_t k = 0; k < survivors.size(); ++k) {
-        params.sampling.first_vpl[k] = params.sampling.vpls_per_set;
+        params.sampling.first_vpl[k] = params.sampling.walked_per_set;
         params.sampling.survivors[k] = survivors[k];
-        params.sampling.vpls_per_set += survivors[k];
+        params.sampling.walked_per_set += survivors[k];
     }
     return params;
 }
@@ -33,14 +33,14 @@ shared::RenderParams params_of(const std::vector<std::uint32_t>& survivors) {
 /// VPLs of which all of a bounce together have the flux `of_bounce` of its number, by channel.
 template <class Flux>
 std::vector<shared::Vpl> vpls_of(const shared::RenderParams& params, const Flux& of_bounce) {
-    std::vector<shared::Vpl> vpls(sets * params.sampling.vpls_per_set);
+    std::vector<shared::Vpl> vpls(sets * params.sampling.walked_per_set);
     for (std::uint32_t k = 0; k < params.sampling.bounces; ++k)
         for (std::uint32_t set = 0; set < sets; ++set)
             for (std::uint32_t i = 0; i < params.sampling.survivors[k]; ++i) {
                 const glm::vec3 flux =
                     of_bounce(k) / static_cast<float>(sets * params.sampling.survivors[k]);
-                vpls[set * params.sampling.vpls_per_set + params.sampling.first_vpl[k] + i].flux = {
-                    flux.x, flux.y, flux.z, 0.25F};
+                vpls[set * params.sampling.walked_per_set + params.sampling.first_vpl[k] + i]
+                    .flux = {flux.x, flux.y, flux.z, 0.25F};
             }
     return vpls;
 }
@@ -52,7 +52,7 @@ glm::vec3 flux_of(const shared::RenderParams& params, const std::vector<shared::
     for (std::uint32_t set = 0; set < sets; ++set)
         for (std::uint32_t i = 0; i < params.sampling.survivors[bounce]; ++i) {
             const auto& flux =
-                vpls[set * params.sampling.vpls_per_set + params.sampling.first_vpl[bounce] + i]
+                vpls[set * params.sampling.walked_per_set + params.sampling.first_vpl[bounce] + i]
                     .flux;
             sum += glm::vec3(flux.x, flux.y, flux.z);
         }

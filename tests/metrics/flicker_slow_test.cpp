@@ -82,6 +82,7 @@ void measure(const std::string& file, std::span<Method> methods) {
         settings.sampling.threshold = method.full ? 0.0 : of_quality.threshold;
         settings.sampling.enough_support = of_quality.enough_support;
         settings.sampling.roulette = of_quality.roulette;
+        settings.sampling.candidates = 1;  // as the images of any sequence
         method.renderer = std::make_unique<Renderer>(
             test::shared_executor(test::TestBackend::embree), flat, start, settings);
     }

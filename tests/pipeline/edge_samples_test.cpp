@@ -339,7 +339,7 @@ TEST(EdgeSamples, TheMeanIsKeptAndEdgesComeCloser) {
     }
 }
 
-TEST(EdgeSamples, OnlyAdaptiveAlgorithmsOfOneSampleHaveThem) {
+TEST(EdgeSamples, OnlyAdaptiveAlgorithmsOfFewSamplesHaveThem) {
     const FlatScene scene = flatten(furnished_room(false));
     const auto has_kernels = [](const FramePlan& plan) {
         const auto kernels = kernels_of(plan);
@@ -355,7 +355,9 @@ TEST(EdgeSamples, OnlyAdaptiveAlgorithmsOfOneSampleHaveThem) {
         EXPECT_EQ(has_kernels(plan_for(scene, settings)), wanted ? 2 : 0);
         settings.sampling.edge_samples = 1000;
         EXPECT_EQ(plan_for(scene, settings).edge_samples, wanted ? MAX_EDGE_SAMPLES : 0U);
-        settings.samples = 2;
+        settings.samples = 16;
+        EXPECT_EQ(plan_for(scene, settings).edge_samples, wanted ? MAX_EDGE_SAMPLES : 0U);
+        settings.samples = 17;
         EXPECT_EQ(plan_for(scene, settings).edge_samples, 0U);
         EXPECT_EQ(has_kernels(plan_for(scene, settings)), 0);
     }
@@ -363,8 +365,9 @@ TEST(EdgeSamples, OnlyAdaptiveAlgorithmsOfOneSampleHaveThem) {
 
 TEST(EdgeSamples, WithoutThemAmaxIsIgi) {
     const Scene scene = furnished_room(true);
-    const Rendering amax = test::render(TestBackend::own_bvh, scene, room_camera(),
-                                        without_edges(settings_of(Algorithm::amax)));
+    RenderSettings plain = without_edges(settings_of(Algorithm::amax));
+    plain.sampling.candidates = 1;
+    const Rendering amax = test::render(TestBackend::own_bvh, scene, room_camera(), plain);
     const Rendering igi =
         test::render(TestBackend::own_bvh, scene, room_camera(), settings_of(Algorithm::igi));
     EXPECT_EQ(test::differing_values(amax.image, igi.image), 0U);

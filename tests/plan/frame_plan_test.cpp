@@ -37,7 +37,7 @@ void expect_consistent(const FramePlan& plan, const SamplingSettings& settings) 
     ASSERT_GT(plan.paths_per_set, 0u);
     EXPECT_EQ(plan.bounces, settings.bounces);
     EXPECT_LE(plan.vpls_per_set, settings.vpls_per_set);
-    EXPECT_EQ(plan.vpls_per_set, survivor_sum(plan));
+    EXPECT_EQ(plan.walked_per_set, survivor_sum(plan));
     EXPECT_EQ(plan.survivors[0], plan.paths_per_set);
     std::uint32_t first = 0;
     for (std::uint32_t k = 0; k < MAX_BOUNCES; ++k) {
@@ -68,6 +68,40 @@ TEST(FramePlan, StandardSettingByHand) {
     EXPECT_EQ(plan.light_sample_count(), 36u);
     EXPECT_TRUE(plan.has_indirect() && plan.has_sampled_direct());
     EXPECT_FALSE(plan.has_exact_direct() || plan.has_distant());
+}
+
+TEST(FramePlan, AdaptiveSamplingChoosesAmongMoreVplsThanItGathers) {
+    SamplingSettings settings;
+    const SceneStatistics scene = room();
+    for (const Algorithm algorithm : {Algorithm::ais, Algorithm::amax}) {
+        const FramePlan plan = plan_frames(algorithm, settings, scene);
+        EXPECT_TRUE(plan.selects_vpls());
+        EXPECT_EQ(plan.vpls_per_set, 64U);
+        EXPECT_LE(plan.walked_per_set, 512U);
+        EXPECT_GT(plan.walked_per_set, 500U);
+        EXPECT_EQ(plan.walked_per_set, survivor_sum(plan));
+    }
+    for (const Algorithm algorithm :
+         {Algorithm::igi, Algorithm::ir, Algorithm::ic, Algorithm::tic, Algorithm::reference}) {
+        const FramePlan plan = plan_frames(algorithm, settings, scene);
+        EXPECT_FALSE(plan.selects_vpls());
+        EXPECT_EQ(plan.vpls_per_set, plan.walked_per_set);
+        EXPECT_LE(plan.vpls_per_set, 64U);
+    }
+    SamplingSettings records = settings;
+    records.cached = true;
+    EXPECT_FALSE(plan_frames(Algorithm::ais, records, scene).selects_vpls());
+    // What candidates bring to the camera is kept, so that there are never more than 4096.
+    settings.vpls_per_set = 3000;
+    const FramePlan many = plan_frames(Algorithm::ais, settings, scene);
+    EXPECT_EQ(many.vpls_per_set, 3000U);
+    EXPECT_GT(many.walked_per_set, 4000U);
+    EXPECT_LE(many.walked_per_set, 4096U);
+    settings.vpls_per_set = 5000;
+    EXPECT_FALSE(plan_frames(Algorithm::ais, settings, scene).selects_vpls());
+    settings = {};
+    settings.candidates = 1;
+    EXPECT_FALSE(plan_frames(Algorithm::ais, settings, scene).selects_vpls());
 }
 
 TEST(FramePlan, ConsistentForAllReflectancesAndSizes) {

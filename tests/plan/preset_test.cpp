@@ -54,6 +54,7 @@ TEST_F(PresetFile, HoldsEverySetting) {
     SamplingSettings sampling;
     sampling.interleave = 5;
     sampling.vpls_per_set = 17;
+    sampling.candidates = 3;
     sampling.bounces = 2;
     sampling.samples_per_light = 3;
     sampling.max_samples_per_set = 99;
@@ -72,12 +73,14 @@ TEST_F(PresetFile, HoldsEverySetting) {
     sampling.cache_rays = 64;
     sampling.edge_samples = 8;
     sampling.local_bounds = sampling.vpl_tail = false;
+    sampling.near_residual = sampling.threshold_falls = true;
     const Preset read_back = read(preset_json({Algorithm::amax, sampling, 12}).dump());
     EXPECT_EQ(read_back.algorithm, Algorithm::amax);
     EXPECT_EQ(read_back.samples, 12U);
     const SamplingSettings& found = read_back.sampling;
     EXPECT_EQ(found.interleave, 5U);
     EXPECT_EQ(found.vpls_per_set, 17U);
+    EXPECT_EQ(found.candidates, 3U);
     EXPECT_EQ(found.bounces, 2U);
     EXPECT_EQ(found.samples_per_light, 3U);
     EXPECT_EQ(found.max_samples_per_set, 99U);
@@ -97,6 +100,8 @@ TEST_F(PresetFile, HoldsEverySetting) {
     EXPECT_EQ(found.edge_samples, 8U);
     EXPECT_FALSE(found.local_bounds);
     EXPECT_FALSE(found.vpl_tail);
+    EXPECT_TRUE(found.near_residual);
+    EXPECT_TRUE(found.threshold_falls);
     EXPECT_EQ(read_back.refined_after, 0U);
     EXPECT_EQ(read(with("refined_after", "6")).refined_after, 6U);
     EXPECT_FALSE(found.compensation);
@@ -145,6 +150,9 @@ TEST_F(PresetFile, RefusesWhatIsOutOfRange) {
         {"cache_masks", {"1", "\"on\""}},
         {"local_bounds", {"1"}},
         {"vpl_tail", {"\"on\""}},
+        {"threshold_falls", {"0"}},
+        {"near_residual", {"1", "\"near\""}},
+        {"candidates", {"0", "65", "1.5"}},
         {"refined_after", {"-1", "true", "16777217"}},
         {"compensation", {"0"}}};
     for (const auto& [key, values] : cases)
@@ -202,14 +210,14 @@ TEST_F(PresetFile, TheCommandLineWins) {
     const RenderOptions plain = test::render({"--preset", file.c_str()});
     EXPECT_EQ(plain.algorithm, Algorithm::igi);
     EXPECT_EQ(plain.spp, 4U);
-    EXPECT_TRUE(plain.compensation);
+    EXPECT_FALSE(plain.compensation) << "what the command line says itself";
     ASSERT_TRUE(plain.preset);
+    EXPECT_TRUE(plain.preset->sampling.compensation);
     EXPECT_EQ(plain.preset->sampling.vpls_per_set, 32U);
     const RenderOptions given =
         test::render({"--spp", "2", "--preset", file.c_str(), "--algorithm", "ic"});
     EXPECT_EQ(given.algorithm, Algorithm::ic);
     EXPECT_EQ(given.spp, 2U);
-    EXPECT_FALSE(given.compensation);  // which records do not have
     EXPECT_FALSE(test::render({"--preset", file.c_str(), "--time", "1s"}).spp);
     EXPECT_EQ(test::render_refusal({"--preset", file.c_str(), "--quality", "high"}),
               "--quality: says what --preset says, expected one of them");
@@ -261,13 +269,14 @@ class PresetImage : public PresetFile {
 };
 
 TEST_F(PresetImage, DefaultsMakeTheDefaultImage) {
-    const std::string file = folder_.write("p.json", preset_json(Preset{}).dump());
+    const Preset preset{Algorithm::ais, sampling_of_image(Quality::preview, false), 1};
+    const std::string file = folder_.write("p.json", preset_json(preset).dump());
     expect_same(make_image("a.exr", {"--spp", "1"}), make_image("b.exr", {"--preset", file}));
 }
 
 TEST_F(PresetImage, AQualityCanBeWrittenDown) {
     const std::string file = folder_.write(
-        "p.json", preset_json({Algorithm::ais, sampling_of(Quality::high), 2}).dump());
+        "p.json", preset_json({Algorithm::ais, sampling_of_image(Quality::high, false), 2}).dump());
     expect_same(make_image("a.exr", {"--quality", "high", "--spp", "2"}),
                 make_image("b.exr", {"--preset", file}));
 }

@@ -72,15 +72,15 @@ const std::set<std::string> always{"gbuffer", "compose", "edge_masks", "edge_sam
 const std::set<std::string> area{"receivers",    "light_samples", "shadow_probes",
                                  "shadow_edges", "soft_shadows",  "reconstruct"};
 const std::set<std::string> punctual{"receivers", "light_samples", "vpl_gather"};
-const std::set<std::string> indirect{"receivers",      "tile_geometry",    "vpl_walk",
-                                     "vpl_tail",       "vpl_bounds",       "vpl_gather",
-                                     "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> indirect{
+    "receivers",  "tile_geometry", "vpl_walk",   "vpl_tail",       "vpl_contribution",
+    "vpl_bounds", "vpl_roulette",  "vpl_gather", "lattice_signal", "reconstruct_tiles"};
 const std::set<std::string> sky{"receivers", "light_samples", "distant_light", "reconstruct"};
 const std::set<std::string> sun{"receivers", "distant_light"};
 const std::set<std::string> media{"view_media"};
-const std::set<std::string> airlight{"receivers",     "view_media",     "media_gather",
-                                     "vpl_walk",      "vpl_tail",       "vpl_bounds",
-                                     "tile_geometry", "lattice_signal", "reconstruct_tiles"};
+const std::set<std::string> airlight{
+    "receivers",  "view_media",       "media_gather",  "vpl_walk",       "vpl_tail",
+    "vpl_bounds", "vpl_contribution", "tile_geometry", "lattice_signal", "reconstruct_tiles"};
 const std::set<std::string> distant_airlight{"media_distant"};
 
 std::set<std::string> joined(std::initializer_list<std::set<std::string>> parts) {

@@ -32,6 +32,7 @@ Camera camera() {
 RenderSettings settings(double frame_time_ms) {
     RenderSettings small = test::small_settings(Algorithm::ais, 85, 67);
     small.sampling.vpls_per_set = 16;
+    small.sampling.candidates = 1;  // as images that have a frame time
     small.sampling.threshold = 8.0;
     small.frame_time_ms = frame_time_ms;
     return small;

@@ -17,7 +17,7 @@ scene=$WEFT_SOURCE_DIR/scenes/cornell-box.gltf
 # Few VPLs, each of which looks for neighbours among all others, and few samples: of simulated
 # kernels every instruction counts.
 preset=$folder/preset.json
-echo '{"weft_preset": 1, "vpls": 16, "spp": 2}' >"$preset"
+echo '{"weft_preset": 1, "vpls": 16, "spp": 2, "compensation": true, "near_residual": true}' >"$preset"
 
 # check NAME SIZE ALGORITHM OCLGRIND_OPTION...: renders; anything that Oclgrind says is an error.
 # Kernels are not optimised: Oclgrind knows neither every intrinsic function that the optimiser

@@ -290,11 +290,12 @@ TEST_F(OpenclExecutor, RayCountersCarryIntoTheirHighHalf) {
                            kernels::vpl_gather{.scene = *scene,
                                                .media_tables = view(no_media),
                                                .list = shared::SetList{0, 0, 1},
-                                               .roulette = 0.0F,
+                                               .by_chance = 0,
                                                .slots = slots,
                                                .receiver_planes = receivers,
                                                .block_set = sets,
                                                .vpls = vpls,
+                                               .survival = BufferRef<kinds::VplSurvival>(),
                                                .irradiance = irradiance,
                                                .counters = counters},
                            slots / executor_->lanes(), {.items_per_launch = 10}));

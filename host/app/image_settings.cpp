@@ -1,0 +1,101 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/image_settings.h"
+
+#include "app/options.h"
+#include "components/component.h"
+#include "plan/algorithm.h"
+#include "plan/quality.h"
+
+namespace weft {
+namespace {
+
+bool is_sequence(const RenderOptions& options) {
+    return options.frames || options.frame_seconds;
+}
+
+/// Whether further samples of a preview refine it: where nothing asks for another image than that
+/// of the default algorithm.
+bool is_refined(const RenderOptions& options) {
+    const bool by_vpls =
+        !options.indirect || (options.preset && *options.indirect == IndirectSource::vpl);
+    return options.algorithm == Algorithm::ais && by_vpls && !is_sequence(options) &&
+           !options.compensation && !options.overlays;
+}
+
+/// The settings of VPLs, bounds and thresholds. `indirect` and `media`: whether the image has
+/// indirect light, and the scene media.
+SamplingSettings sampling_settings(const RenderOptions& options, bool indirect, bool media) {
+    const IndirectSource source = options.indirect.value_or(IndirectSource::vpl);
+    SamplingSettings sampling = sampling_of(options.quality);
+    if (options.preset) {
+        sampling = options.preset->sampling;
+        // The command line may choose what a preset's residual knows nothing of.
+        if (media || !can_compensate(options.algorithm, source)) sampling.compensation = false;
+    } else if (options.algorithm == Algorithm::ais && source == IndirectSource::vpl && indirect &&
+               !is_sequence(options)) {
+        sampling = sampling_of_image(options.quality, media);
+    }
+    if (is_sequence(options)) {
+        // What each image of a sequence would choose or trace anew flickers.
+        sampling.candidates = 1;
+        sampling.threshold_falls = false;
+        if (sampling.near_residual) sampling.compensation = false;
+    }
+    if (options.compensation) {
+        // Who asks for what is left out gets all of it.
+        sampling.compensation = true;
+        sampling.near_residual = false;
+    }
+    return sampling;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scene& scene) {
+    if (options.spp || options.time_seconds || is_reference(options.algorithm)) return options.spp;
+    if (options.algorithm != Algorithm::ais || is_sequence(options) || options.preset) return 1;
+    return samples_of(options.quality, !scene.media.empty());
+}
+
+RenderSettings image_settings(const RenderOptions& options, const Scene& scene) {
+    RenderSettings settings;
+    settings.algorithm = options.algorithm;
+    const FilmSize size =
+        options.size.value_or(scene.film.value_or(FilmSize{settings.width, settings.height}));
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.tile = options.tile;
+    settings.seed = options.seed;
+    if (options.components) {
+        settings.direct = options.names_component("direct");
+        settings.indirect = options.names_component("indirect");
+        settings.media = options.names_component("media");
+        for (const std::string_view name : choosable_components(Choice::on_request))
+            if (options.names_component(name)) settings.requested.emplace_back(name);
+    }
+    settings.sampling = sampling_settings(options, settings.indirect, !scene.media.empty());
+    settings.sampling.cached = options.caches_indirect();
+    settings.sampling.bounce_rays = options.indirect == IndirectSource::rays;
+    settings.sampling.bounce_rays_if_open =
+        options.algorithm == Algorithm::ais && !options.indirect && !options.compensation;
+    settings.sampling.temporal = options.keeps_records();
+    settings.sampling.cache_masks = options.cache_masks;
+    if (options.cache_records) settings.sampling.cache_records = *options.cache_records;
+    if (options.cache_rays) settings.sampling.cache_rays = *options.cache_rays;
+    if (options.cache_error) settings.sampling.cache_error = *options.cache_error;
+    settings.hides_environment = options.background.has_value();
+    settings.frame_time_ms = options.frame_seconds.value_or(0.0) * 1000.0;
+    // The number of samples that a time limit allows is not known in advance. Textures are filtered
+    // for this many, and so stay sharp with more.
+    constexpr std::uint32_t timed_samples = 16;
+    settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
+    const bool all_media = settings.media || scene.media.empty();
+    if (is_refined(options) && settings.requested.empty() && all_media)
+        settings.refined_after = options.preset
+                                     ? options.preset->refined_after
+                                     : samples_of(Quality::preview, !scene.media.empty());
+    return settings;
+}
+
+}  // namespace weft
