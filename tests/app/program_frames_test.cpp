@@ -155,9 +155,10 @@ TEST_F(ProgramFrames, FramesStandOnTheirOwn) {
 TEST_F(ProgramFrames, ThirtyFramesAreASecond) {
     const std::vector<std::string> options{"--backend", "embree", "--frames", "30:31"};
     ASSERT_EQ(run_program(command("moving.gltf", "out.exr", options)).exit_code, 0);
-    const std::vector<std::string> alone{"--backend", "embree", "--spp", "1"};
+    // A single image would have settings that flicker in a sequence.
+    const std::vector<std::string> alone{"--backend", "embree", "--frames", "0:1"};
     ASSERT_EQ(run_program(command("still1.gltf", "alone.exr", alone)).exit_code, 0);
-    EXPECT_TRUE(same_values(read_exr(at("out.0030.exr")), read_exr(at("alone.exr"))));
+    EXPECT_TRUE(same_values(read_exr(at("out.0030.exr")), read_exr(at("alone.0000.exr"))));
 }
 
 TEST_F(ProgramFrames, StatisticsHoldAllFrames) {
