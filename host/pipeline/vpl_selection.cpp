@@ -7,12 +7,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "plan/work_order.h"
+#include "scene/flat_scene.h"
+
 namespace weft {
 namespace {
-
-double luminance(const shared::float4& flux) {
-    return 0.2126 * flux.x + 0.7152 * flux.y + 0.0722 * flux.z;
-}
 
 /// What is added to the light of each point, as a share of their mean: a dark point would count all
 /// its light as much as a bright one, though the eye cannot see it.
@@ -43,14 +42,6 @@ bool add_share(const std::vector<double>& weights, double share, std::vector<dou
     if (!(sum > 0.0) || !std::isfinite(sum)) return false;
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += share * (weights[i] / sum);
     return true;
-}
-
-/// The bits of a number of 10 bits, two zeros before each.
-std::uint32_t spread_bits(std::uint32_t bits) {
-    bits = (bits | bits << 16) & 0x030000FFU;
-    bits = (bits | bits << 8) & 0x0300F00FU;
-    bits = (bits | bits << 4) & 0x030C30C3U;
-    return (bits | bits << 2) & 0x09249249U;
 }
 
 /// The VPLs with a probability in the order of Morton's curve through their places.
@@ -99,7 +90,8 @@ float roulette_number(std::uint32_t number, double turn) {
 std::vector<double> choice_probabilities(const VplCandidates& candidates, double by_flux) {
     std::vector<double> fluxes;
     fluxes.reserve(candidates.vpls.size());
-    for (const shared::Vpl& vpl : candidates.vpls) fluxes.push_back(luminance(vpl.flux));
+    for (const shared::Vpl& vpl : candidates.vpls)
+        fluxes.push_back(luminance({vpl.flux.x, vpl.flux.y, vpl.flux.z}));
     std::vector<double> probabilities(candidates.vpls.size(), 0.0);
     if (!add_share(fluxes, by_flux, probabilities)) return probabilities;
     if (!add_share(importances(candidates), 1.0 - by_flux, probabilities))

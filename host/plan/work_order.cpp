@@ -23,14 +23,6 @@ struct Entry {
     std::uint32_t pixel;
 };
 
-/// Puts two zero bits before every bit of a number of up to ten bits.
-std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 16) & 0x030000FFU;
-    x = (x | x << 8) & 0x0300F00FU;
-    x = (x | x << 4) & 0x030C30C3U;
-    return (x | x << 2) & 0x09249249U;
-}
-
 std::uint32_t cell(float coordinate, float extent) {
     const float share = 0.5F + 0.5F * coordinate / extent;
     return share > 0.0F ? static_cast<std::uint32_t>(std::min(share * static_cast<float>(cells),
@@ -55,9 +47,16 @@ void sort_by_code(std::vector<Entry>& entries, std::vector<Entry>& scratch) {
 
 }  // namespace
 
+std::uint32_t spread_bits(std::uint32_t x) {
+    x = (x | x << 16) & 0x030000FFU;
+    x = (x | x << 8) & 0x0300F00FU;
+    x = (x | x << 4) & 0x030C30C3U;
+    return (x | x << 2) & 0x09249249U;
+}
+
 std::uint32_t morton_code(const shared::float4& position, float extent) {
-    return spread(cell(position.x, extent)) | spread(cell(position.y, extent)) << 1 |
-           spread(cell(position.z, extent)) << 2;
+    return spread_bits(cell(position.x, extent)) | spread_bits(cell(position.y, extent)) << 1 |
+           spread_bits(cell(position.z, extent)) << 2;
 }
 
 WorkList ordered_by_place(const WorkList& list, std::span<const shared::float4> positions,

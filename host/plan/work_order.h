@@ -18,6 +18,9 @@ namespace weft {
 [[nodiscard]] WorkList ordered_by_place(const WorkList& list,
                                         std::span<const shared::float4> positions, float extent);
 
+/// Puts two zero bits before every bit of a number of up to ten bits: one axis of a Morton code.
+[[nodiscard]] std::uint32_t spread_bits(std::uint32_t x);
+
 /// Place on a Morton curve of 128 cells along each axis of the cube of +-extent.
 [[nodiscard]] std::uint32_t morton_code(const shared::float4& position, float extent);
 
