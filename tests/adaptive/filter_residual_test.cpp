@@ -139,6 +139,17 @@ TEST(FilterResidual, OpenClEqualsTheNativeKernelsBitForBit) {
     EXPECT_EQ(test::differing_values(native.image, opencl.image), 0U);
 }
 
+FlatScene integrating_sphere(float reflectance) {
+    test::SceneBuilder builder;
+    builder.add(test::icosphere(5, true), builder.material(glm::vec3(reflectance)));
+    builder.light(LightType::point, {0.0, 0.0, 0.0}, glm::vec3(1.0F));
+    return flatten(builder.scene);
+}
+
+Camera camera_in_sphere() {
+    return test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2);
+}
+
 // An integrating sphere about a point light (see vpl_residual_test): irradiance is the same
 // everywhere, so no interpolation errs, and the residual is what the bound cuts off and all later
 // orders. Pixels' paths are independent but for the filter's 3 x 3 footprints: the error of the
@@ -147,11 +158,8 @@ TEST(FilterResidual, InASphereTheMeanIsThatOfAllOrders) {
     constexpr float reflectance = 0.8F;
     constexpr std::uint32_t width = 160;
     constexpr std::uint32_t height = 128;
-    test::SceneBuilder builder;
-    builder.add(test::icosphere(5, true), builder.material(glm::vec3(reflectance)));
-    builder.light(LightType::point, {0.0, 0.0, 0.0}, glm::vec3(1.0F));
-    const FlatScene flat = flatten(builder.scene);
-    const Camera camera = test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2);
+    const FlatScene flat = integrating_sphere(reflectance);
+    const Camera camera = camera_in_sphere();
     for (const double threshold : {0.0, 12.0, 1e9}) {
         RenderSettings settings = test::small_settings(Algorithm::ais, width, height);
         settings.sampling.threshold = threshold;
@@ -181,11 +189,8 @@ TEST(FilterResidual, InASphereTheMeanIsThatOfAllOrders) {
 // error of the mean is that of an 81st of the pixels at most.
 TEST(FilterResidual, NearInASphereTheMeanIsThatOfTheOrdersWithVpls) {
     constexpr float reflectance = 0.8F;
-    test::SceneBuilder builder;
-    builder.add(test::icosphere(5, true), builder.material(glm::vec3(reflectance)));
-    builder.light(LightType::point, {0.0, 0.0, 0.0}, glm::vec3(1.0F));
-    const FlatScene flat = flatten(builder.scene);
-    const Camera camera = test::look_at({0.1, -0.2, 0.3}, {-0.5, 0.3, -0.8}, 1.2);
+    const FlatScene flat = integrating_sphere(reflectance);
+    const Camera camera = camera_in_sphere();
     for (const Algorithm algorithm : {Algorithm::ais, Algorithm::amax}) {
         RenderSettings settings = test::small_settings(algorithm, 400, 320);
         settings.sampling.compensation = true;
