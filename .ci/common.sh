@@ -20,8 +20,9 @@ fail() {
 install_tools() {
     local wanted=(clang clang-format-14 clang-tidy-14 oclgrind ccache shellcheck)
     local missing=() tool package sudo=()
-    # libFuzzer, and the plots of reports; unlike tools, libraries are not to be found by a command.
-    local libraries=(libclang-rt-dev python3-matplotlib)
+    # libFuzzer, the plots of reports and a browser; unlike tools, libraries are not to be found by a
+    # command.
+    local libraries=(libclang-rt-dev python3-matplotlib chromium-driver python3-selenium)
     for tool in "${wanted[@]}"; do
         command -v "$tool" >/dev/null || missing+=("$tool")
     done

@@ -47,6 +47,7 @@ weft_require_header(libnanovdb-dev nanovdb/NanoVDB.h)
 weft_require_header(libkissfft-dev kissfft/kissfft.hh)
 weft_require_header(libglm-dev glm/glm.hpp)
 weft_require_header(libcli11-dev CLI/CLI.hpp)
+weft_require_header(libboost-dev boost/beast.hpp)
 weft_require_header(libkainjow-mustache-dev kainjow/mustache.hpp)
 weft_require_header(libstb-dev stb/stb_image.h) # compiled into Weft with its own settings
 if(WEFT_OPENCL)

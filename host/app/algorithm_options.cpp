@@ -22,7 +22,6 @@ namespace weft {
 namespace {
 
 // In the order of the enumerations.
-constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 constexpr std::uint32_t most_bounces = 1000000;

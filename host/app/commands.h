@@ -12,6 +12,9 @@ namespace weft {
 /// `weft render`: reads, renders, writes. Returns success or interrupted; failures are Errors.
 [[nodiscard]] ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics);
 
+/// `weft view`: serves a page to look at the scene from, until the user ends it.
+[[nodiscard]] ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics);
+
 /// `weft merge`: adds up the exact sums of disjoint sample ranges, and writes an image that holds
 /// them. Warns where samples between those of the parts are missing.
 void merge_command(const MergeOptions& options, Diagnostics& diagnostics);

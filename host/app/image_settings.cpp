@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/image_settings.h"
 
+#include <algorithm>
+
+#include "app/command_line.h"
 #include "app/options.h"
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/quote.h"
 #include "components/component.h"
 #include "plan/algorithm.h"
 #include "plan/quality.h"
+#include "render/camera_params.h"
 
 namespace weft {
 namespace {
@@ -95,7 +102,49 @@ RenderSettings image_settings(const RenderOptions& options, const Scene& scene) 
         settings.refined_after = options.preset
                                      ? options.preset->refined_after
                                      : samples_of(Quality::preview, !scene.media.empty());
+    // However many samples refine the preview, its own are the same: an image that goes on is the
+    // one that would have been asked for.
+    if (settings.refined_after > 0)
+        settings.samples = std::min(settings.samples, settings.refined_after);
     return settings;
+}
+
+PathSettings path_settings(const RenderOptions& options, const RenderSettings& common) {
+    // Enough for a first impression. With a limit on time or error, there are as many as it takes.
+    constexpr std::uint32_t default_samples = 64;
+    const bool open = options.time_seconds.has_value() || options.target_error.has_value();
+    PathSettings settings;
+    settings.algorithm = options.algorithm;
+    settings.width = common.width;
+    settings.height = common.height;
+    settings.seed = common.seed;
+    settings.samples = options.samples.value_or(SampleRange{
+        0, options.spp.value_or(open ? limits::max_samples_per_pixel : default_samples)});
+    settings.through_centres = options.through_centres;
+    if (options.most_bounces) settings.most_bounces = *options.most_bounces;
+    settings.hides_environment = common.hides_environment;
+    settings.direct = common.direct;
+    settings.indirect = common.indirect;
+    return settings;
+}
+
+void check_media(const RenderOptions& options, const FlatScene& flat) {
+    if (!flat.media.present()) return;
+    if (options.compensation)
+        throw usage_error(
+            "--vpl-compensation: knows nothing of participating media, which the scene has");
+    if (options.algorithm == Algorithm::irradiance_cache)
+        throw usage_error(
+            "--algorithm: irradiance-cache knows nothing of participating media, which the scene "
+            "has, expected another");
+}
+
+void check_orthographic(const RenderOptions& options, const RenderSettings& settings,
+                        const FlatScene& flat, const Camera& camera) {
+    if (!starts_in_one_medium(flat, camera, settings.width, settings.height))
+        throw input_error(options.scene.string(),
+                          "the near plane of the orthographic camera " + quote(camera.name) +
+                              " cuts a boundary of media, expected it inside or outside of each");
 }
 
 }  // namespace weft

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "render/reference_renderer.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -20,6 +21,18 @@ struct RenderOptions;
 
 /// The settings of the image or images that the options ask for.
 [[nodiscard]] RenderSettings image_settings(const RenderOptions& options, const Scene& scene);
+
+/// Those of the algorithms that is_reference() names, which share some with others (`common`).
+[[nodiscard]] PathSettings path_settings(const RenderOptions& options,
+                                         const RenderSettings& common);
+
+/// Refuses options that do not support participating media in a scene with any. Throws Error (exit
+/// code 1).
+void check_media(const RenderOptions& options, const FlatScene& flat);
+
+/// Refuses an orthographic camera whose rays begin in several media. Throws Error (exit code 2).
+void check_orthographic(const RenderOptions& options, const RenderSettings& settings,
+                        const FlatScene& flat, const Camera& camera);
 
 }  // namespace weft
 

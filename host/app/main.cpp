@@ -24,7 +24,10 @@ namespace {
 bool compiles_kernels(const weft::ParsedCommand& command) {
     return std::visit(
         [](const auto& options) {
-            if constexpr (requires { options.backend; })
+            if constexpr (requires { options.image.backend; })
+                return options.image.backend.value_or(weft::Backend::opencl) ==
+                       weft::Backend::opencl;
+            else if constexpr (requires { options.backend; })
                 return options.backend.value_or(weft::Backend::opencl) == weft::Backend::opencl;
             else
                 return false;
@@ -63,6 +66,8 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
     start_threads();
     if (const auto* render = std::get_if<weft::RenderOptions>(&command)) {
         return weft::render_command(*render, diagnostics);
+    } else if (const auto* view = std::get_if<weft::ViewOptions>(&command)) {
+        return weft::view_command(*view, diagnostics);
     } else if (const auto* merge = std::get_if<weft::MergeOptions>(&command)) {
         weft::merge_command(*merge, diagnostics);
     } else if (const auto* compare = std::get_if<weft::CompareOptions>(&command)) {

@@ -13,13 +13,16 @@
 
 #include "app/algorithm_options.h"
 #include "app/background_options.h"
+#include "app/camera_options.h"
 #include "app/command_line.h"
 #include "app/compare_options.h"
 #include "app/device_options.h"
 #include "app/merge_options.h"
 #include "app/overlay_output.h"
 #include "app/selftest_options.h"
+#include "app/tev_options.h"
 #include "app/tradeoff_options.h"
+#include "app/view_options.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/quote.h"
@@ -34,9 +37,8 @@ namespace fs = std::filesystem;
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "none"};
 constexpr std::array<std::string_view, 2> matte_names = {"object", "material"};
-constexpr std::array<std::string_view, 3> tone_names = {"none", "filmic", "agx"};
-constexpr std::array<std::string_view, 7> command_names = {
-    "render", "merge", "compare", "tradeoff", "info", "devices", "selftest"};
+constexpr std::array<std::string_view, 8> command_names = {
+    "render", "view", "merge", "compare", "tradeoff", "info", "devices", "selftest"};
 constexpr double max_exposure_ev = 100.0;
 
 void add_render(CLI::App& app) {
@@ -54,7 +56,7 @@ void add_render(CLI::App& app) {
     add_value(render, "--threads", "N", "CPU threads (default: all)");
     add_value(render, "--tile", "N", "Edge of a tile in pixels (default: 64)");
     add_value(render, "--size", "WxH", "Size of the image (default: the scene's, else 512x512)");
-    add_value(render, "--camera", "NAME", "Camera of the scene (default: its first)");
+    add_camera(render);
     add_reading(render);
     add_frames(render);
     add_value(render, "--components", "LIST",
@@ -89,6 +91,7 @@ void add_render(CLI::App& app) {
     add_value(render, "--cryptomatte", "LIST",
               "Identifiers of what pixels show as layers of an EXR: object, material or both");
     add_overlays(render);
+    add_tev(render);
     add_value(render, "--stats", "FILE", "Writes times, counts and settings as JSON");
     add_value(render, "--progress", "MODE", "auto, plain or none (default: auto)");
     add_verbose(render);
@@ -101,6 +104,7 @@ void add_commands(CLI::App& app) {
     app.allow_extras();  // this file words the errors itself
     app.require_subcommand(0, 1);
     add_render(app);
+    add_view(app);
     add_merge(app);
     add_compare(app);
     add_tradeoff(app);
@@ -185,13 +189,14 @@ void check_command(const CLI::App& app, const CLI::App* command) {
         if (is_scene_name(before[0]))
             throw usage_error("unknown command " + quote(before[0]) + ", expected weft render " +
                               one_line(shell_file(before[0])));
-        throw usage_error("unknown command " + quote(before[0]) +
-                          ", expected render, merge, compare, tradeoff, info, devices or selftest" +
-                          did_you_mean(before[0], command_names));
+        throw usage_error(
+            "unknown command " + quote(before[0]) +
+            ", expected render, view, merge, compare, tradeoff, info, devices or selftest" +
+            did_you_mean(before[0], command_names));
     }
     if (command == nullptr)
         throw usage_error(
-            "no command given, expected render, merge, compare, tradeoff, info, devices or "
+            "no command given, expected render, view, merge, compare, tradeoff, info, devices or "
             "selftest (see weft --help)");
     check_values(*command);
     const std::vector<std::string> extras = unknown_arguments(*command);
@@ -236,6 +241,7 @@ void read_sampling(const CLI::App& command, RenderOptions& options) {
 void read_image(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--size")) options.size = parse_size("--size", *text);
     options.camera = value_of(command, "--camera");
+    options.placement = read_placement(command);
     if (const auto text = value_of(command, "--components"))
         options.components = parse_name_list("--components", *text, choosable_components());
     if (const auto text = value_of(command, "--exposure")) {
@@ -269,6 +275,7 @@ RenderOptions read_render(const CLI::App& command) {
     read_sampling(command, options);
     read_image(command, options);
     read_algorithm(command, options);
+    options.tev = read_tev(command);
     if (const auto text = value_of(command, "--stats")) options.stats = *text;
     options.progress = read_progress(command);
     options.verbose = is_given(command, "--verbose");
@@ -342,6 +349,7 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
         return HelpText{"weft " WEFT_VERSION "\n"};
     check_command(app, command);
     if (command->get_name() == "render") return read_render(*command);
+    if (command->get_name() == "view") return read_view(*command);
     if (command->get_name() == "merge") return read_merge(*command);
     if (command->get_name() == "compare") return read_compare(*command);
     if (command->get_name() == "tradeoff") return read_tradeoff(*command);
@@ -364,6 +372,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["size"] = nullptr;
     if (options.size) json["size"] = {options.size->width, options.size->height};
     json["camera"] = options.camera ? json_text(*options.camera) : nullptr;
+    add_placement_json(options.placement, json);
     json["light"] = light_choice_json(options.reading.light);
     json["environment"] = nullptr;
     if (!options.reading.environment.empty())
@@ -402,6 +411,9 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["cryptomatte"] = nlohmann::json::array();
     if (options.object_mattes) json["cryptomatte"].push_back(matte_names[0]);
     if (options.material_mattes) json["cryptomatte"].push_back(matte_names[1]);
+    json["tev"] = nullptr;
+    if (options.tev)
+        json["tev"] = {{"host", json_text(options.tev->host)}, {"port", options.tev->port}};
     json["stats"] = options.stats ? json_text(options.stats->string()) : nullptr;
     json["progress"] = to_string(options.progress);
     json["verbose"] = options.verbose;

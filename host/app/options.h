@@ -22,6 +22,8 @@
 #include "image/tone.h"
 #include "plan/denoiser.h"
 #include "plan/preset.h"
+#include "render/camera_placement.h"
+#include "tev/tev_connection.h"
 
 namespace CLI {
 class App;
@@ -63,6 +65,7 @@ struct RenderOptions {
     std::uint32_t tile = 64;               ///< edge in pixels, 1 to 4096
     std::optional<FilmSize> size;          ///< default: the scene's
     std::optional<std::string> camera;     ///< default: the scene's first
+    CameraPlacement placement;             ///< what is different of it
     std::optional<FrameRange> frames;      ///< of the animation; default: one image of it at rest
     double frame_rate = 30.0;              ///< frames per second, above 0
     std::optional<std::filesystem::path> edits;  ///< of the animation: what changes in its frames
@@ -84,6 +87,7 @@ struct RenderOptions {
     std::optional<Background> background;     ///< default: the environment
     bool object_mattes = false;               ///< identifiers as layers of an .exr output
     bool material_mattes = false;             ///< likewise
+    std::optional<TevAddress> tev;            ///< the viewer that shows the image meanwhile
     std::optional<std::filesystem::path> stats;
     ProgressMode progress = ProgressMode::automatic;
     bool verbose = false;  ///< names every place of a warning
@@ -98,6 +102,14 @@ struct RenderOptions {
     [[nodiscard]] bool keeps_records() const {
         return algorithm == Algorithm::tic || indirect == IndirectSource::tic;
     }
+};
+
+/// Options of `weft view`.
+struct ViewOptions {
+    RenderOptions image;                ///< what it begins with
+    std::optional<std::uint16_t> port;  ///< default: a free one
+    std::optional<std::filesystem::path> socket;
+    std::filesystem::path folder;  ///< where images are saved; empty: nowhere
 };
 
 /// Options of `weft info`.
@@ -198,8 +210,9 @@ struct HelpText {
 };
 
 /// One command, ready to run.
-using ParsedCommand = std::variant<HelpText, RenderOptions, MergeOptions, CompareOptions,
-                                   InfoOptions, DevicesOptions, SelftestOptions, TradeoffOptions>;
+using ParsedCommand =
+    std::variant<HelpText, RenderOptions, ViewOptions, MergeOptions, CompareOptions, InfoOptions,
+                 DevicesOptions, SelftestOptions, TradeoffOptions>;
 
 /// Reads a whole command line, `argv[0]` being the program's name. Reads no file except that of
 /// --preset. Throws Error with one line: exit code 1, which option is wrong and what was expected;

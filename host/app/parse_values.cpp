@@ -106,6 +106,23 @@ double parse_number(std::string_view option, std::string_view text, double min, 
     return value;
 }
 
+glm::dvec3 parse_vector(std::string_view option, std::string_view text) {
+    glm::dvec3 vector(0.0);
+    std::size_t begin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const bool is_last = axis == 2;
+        double& value = vector[axis];
+        if (!parse_all(text.substr(begin, end - begin), value) || !std::isfinite(value) ||
+            std::abs(value) > limits::max_coordinate || (end == text.size()) != is_last)
+            fail(
+                option, text,
+                fmt::format("three numbers, such as 1,2.5,-3, up to {:g}", limits::max_coordinate));
+        begin = std::min(end + 1, text.size());
+    }
+    return vector;
+}
+
 double parse_duration(std::string_view option, std::string_view text) {
     struct Unit {
         std::string_view suffix;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ namespace weft {
 /// error as well.
 [[nodiscard]] double parse_number(std::string_view option, std::string_view text, double min,
                                   double max, std::string_view words = {});
+
+/// `X,Y,Z`: three numbers, each as parse_number takes it, of at most `limits::max_coordinate`.
+[[nodiscard]] glm::dvec3 parse_vector(std::string_view option, std::string_view text);
 
 /// A length of time such as `300ms`, `2.5s` or `2m`, in seconds; more than 0, at most a year.
 [[nodiscard]] double parse_duration(std::string_view option, std::string_view text);

@@ -29,33 +29,16 @@
 #include "film/film_sums_file.h"
 #include "image/exr.h"
 #include "render/camera_params.h"
+#include "render/camera_placement.h"
 #include "scene/load/load_scene.h"
 #include "scene/moving_scene.h"
 #include "scene/pose_scene.h"
 #include "session/file_output.h"
 #include "session/render_session.h"
+#include "tev/tev_watch.h"
 
 namespace weft {
 namespace {
-
-PathSettings path_settings(const RenderOptions& options, const RenderSettings& common) {
-    // Enough for a first impression. With a limit on time or error, there are as many as it takes.
-    constexpr std::uint32_t default_samples = 64;
-    const bool open = options.time_seconds.has_value() || options.target_error.has_value();
-    PathSettings settings;
-    settings.algorithm = options.algorithm;
-    settings.width = common.width;
-    settings.height = common.height;
-    settings.seed = common.seed;
-    settings.samples = options.samples.value_or(SampleRange{
-        0, options.spp.value_or(open ? limits::max_samples_per_pixel : default_samples)});
-    settings.through_centres = options.through_centres;
-    if (options.most_bounces) settings.most_bounces = *options.most_bounces;
-    settings.hides_environment = common.hides_environment;
-    settings.direct = common.direct;
-    settings.indirect = common.indirect;
-    return settings;
-}
 
 void warn_about_nonfinite(const RenderSession& session, const RenderOptions& options,
                           std::uint32_t width, Diagnostics& diagnostics) {
@@ -79,27 +62,6 @@ void warn_about_frame_time(const RenderSession& session, const RenderOptions& op
                                          session.stats().last_frames().end());
     if (const auto warning = frame_time_warning(*options.frame_seconds * 1000.0, frames))
         diagnostics.warn("", *warning);
-}
-
-/// Refuses options that do not support participating media in a scene with any.
-void check_media(const RenderOptions& options, const FlatScene& flat) {
-    if (!flat.media.present()) return;
-    if (options.compensation)
-        throw usage_error(
-            "--vpl-compensation: knows nothing of participating media, which the scene has");
-    if (options.algorithm == Algorithm::irradiance_cache)
-        throw usage_error(
-            "--algorithm: irradiance-cache knows nothing of participating media, which the scene "
-            "has, expected another");
-}
-
-/// Refuses an orthographic camera whose rays begin in several media.
-void check_orthographic(const RenderOptions& options, const RenderSettings& settings,
-                        const FlatScene& flat, const Camera& camera) {
-    if (!starts_in_one_medium(flat, camera, settings.width, settings.height))
-        throw input_error(options.scene.string(),
-                          "the near plane of the orthographic camera " + quote(camera.name) +
-                              " cuts a boundary of media, expected it inside or outside of each");
 }
 
 /// The options with the values that were chosen where the user gave none.
@@ -340,8 +302,8 @@ RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
 }
 
 /// Renders and writes all images, unless the user ends it early. Returns how many are finished.
-std::uint32_t render_images(RenderSession& session, CommandOutput& output, const Camera& camera,
-                            const RenderOptions& options, Progress& progress,
+std::uint32_t render_images(RenderSession& session, CommandOutput& output, TevWatch* tev,
+                            const Camera& camera, const RenderOptions& options, Progress& progress,
                             const CommandClock& clock) {
     const FrameRange frames = options.frames.value_or(FrameRange{});
     const std::uint32_t count = frames.end - frames.first;
@@ -352,7 +314,11 @@ std::uint32_t render_images(RenderSession& session, CommandOutput& output, const
             session.set_frame(frame,
                               camera_of_frame(session.scene().at_rest(), camera, options, frame));
         progress.begin_part(static_cast<double>(done) / count, 1.0 / count);
-        if (options.frames) output.set_file(numbered_output(options.output, frame));
+        if (options.frames) {
+            const std::filesystem::path file = numbered_output(options.output, frame);
+            output.set_file(file);
+            if (tev != nullptr) tev->set_image(file.filename().string());
+        }
         const RenderBudget budget = budget_of_frame(options, frame, clock, progress);
         if (session.render(budget) != SessionEnd::complete) return done;
     }
@@ -371,8 +337,9 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     const CommandClock clock;
     Stopwatch watch;
     RenderOptions options = given;
-    check_output(options.frames ? numbered_output(options.output, options.frames->first)
-                                : options.output);
+    const std::filesystem::path first_output =
+        options.frames ? numbered_output(options.output, options.frames->first) : options.output;
+    check_output(first_output);
     if (options.stats) check_output(*options.stats);
     if (options.resume) check_output(*options.resume);
     const ImageDenoiser denoiser(options.denoiser);
@@ -390,8 +357,12 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     std::optional<SceneBounds> shown;
     if (options.frames && scene.cameras.empty())
         shown = moving.bounds(options.frames->first, options.frames->end);
+    // A camera that is placed stands where the user wants it, and none of the scene is missed.
+    Diagnostics unheard;
     const Camera camera =
-        choose_camera(scene, flat, options.camera.value_or(""), diagnostics, shown);
+        placed_camera(choose_camera(scene, flat, options.camera.value_or(""),
+                                    options.placement.view ? unheard : diagnostics, shown),
+                      options.placement);
     const bool media_shine = flat.media.radiance > 0.0;
     if (flat.lights.empty() && !media_shine)
         diagnostics.warn(scene.source, "no light shines in the scene, the image will be dark");
@@ -420,10 +391,16 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     warn_about_media(session, options, diagnostics);
     CommandOutput output(options, progress, watch, times, diagnostics);
     session.set_output(&output);
+    std::optional<TevWatch> tev;
+    if (options.tev) {
+        tev.emplace(*options.tev, first_output.filename().string(), diagnostics);
+        session.set_watch(&*tev);
+    }
     session.set_mattes({options.object_mattes, options.material_mattes});
     session.set_denoiser(&denoiser);
     guard.keep_work();
-    const std::uint32_t finished = render_images(session, output, camera, options, progress, clock);
+    const std::uint32_t finished =
+        render_images(session, output, tev ? &*tev : nullptr, camera, options, progress, clock);
     times.render_ms += watch.lap();  // where no image was written
     const std::uint32_t images = frames.end - frames.first;
     const bool complete = finished == images;

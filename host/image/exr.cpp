@@ -32,6 +32,7 @@
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/quote.h"
+#include "image/channel_name.h"
 #include "image/exr_header.h"
 
 namespace weft {
@@ -80,15 +81,6 @@ class CheckedStream : public Imf::OStream {
     std::ofstream file_;
 };
 
-std::string channel_name(const Layer& layer, char channel) {
-    return layer.name.empty() ? std::string(1, channel) : layer.name + "." + channel;
-}
-
-/// The full name that a channel is given in a file.
-std::string written_name(const Layer& layer, char channel) {
-    return layer.name == alpha_layer_name ? std::string(1, channel) : channel_name(layer, channel);
-}
-
 bool printable(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) {
         const auto code = static_cast<unsigned char>(c);
@@ -113,7 +105,7 @@ void check_image(const Image& image, const std::string& place) {
             throw refuse("layer " + quote(layer.name) + " has an unusable name");
         for (const char channel : layer.channels)
             if (std::isalnum(static_cast<unsigned char>(channel)) == 0 ||
-                !names.insert(written_name(layer, channel)).second)
+                !names.insert(full_channel_name(layer, channel)).second)
                 throw refuse("layer " + quote(layer.name) + " has an unusable or repeated channel");
     }
     if (names.empty() || names.size() > limits::max_exr_channels ||
@@ -149,7 +141,7 @@ Imf::Header make_header(const Image& image, const std::string& place) {
     }
     for (const Layer& layer : image.layers)
         for (const char channel : layer.channels)
-            header.channels().insert(written_name(layer, channel),
+            header.channels().insert(full_channel_name(layer, channel),
                                      Imf::Channel(type_in_file(layer)));
     return header;
 }
@@ -182,7 +174,7 @@ class WrittenPlanes {
         for (const Layer& layer : image.layers) {
             if (layer.half) halves_.push_back(halves_of(layer));
             for (std::size_t c = 0; c < layer.channels.size(); ++c)
-                frame_.insert(written_name(layer, layer.channels[c]),
+                frame_.insert(full_channel_name(layer, layer.channels[c]),
                               layer.half ? half_slice(c * pixels, image.width)
                                          : plane_slice(layer, layer.values.data() + c * pixels,
                                                        image.width, {0, 0}));
@@ -246,7 +238,8 @@ std::vector<Layer> make_layers(const Imf::ChannelList& channels, const std::stri
 
 /// The full name in the file of a channel that make_layers() has placed.
 std::string name_in_file(const Imf::ChannelList& channels, const Layer& layer, char channel) {
-    const std::string split = channel_name(layer, channel);
+    const std::string split =
+        layer.name.empty() ? std::string(1, channel) : layer.name + "." + channel;
     return channels.findChannel(split) != nullptr ? split : layer.name;
 }
 

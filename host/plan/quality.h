@@ -3,7 +3,9 @@
 #ifndef WEFT_PLAN_QUALITY_H
 #define WEFT_PLAN_QUALITY_H
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "plan/frame_plan.h"
 
@@ -11,6 +13,9 @@ namespace weft {
 
 /// Trade-off between the quality and the time of an image. `preview` is the standard setting.
 enum class Quality : std::uint8_t { draft, preview, high };
+
+// Names on the command line and in files, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 
 /// The settings of a quality: which errors of undersampling are accepted, and how many VPLs and
 /// points on lights a pixel's set has.

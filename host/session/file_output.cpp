@@ -75,6 +75,22 @@ SessionImage every_line(const SessionImage& of, std::uint32_t step) {
 
 }  // namespace
 
+void describe(SessionImage& rendered, const FileOutputSettings& settings) {
+    std::map<std::string, std::string>& metadata = rendered.image.metadata;
+    metadata["software"] = "weft " WEFT_VERSION;
+    metadata["scene"] = settings.scene;
+    metadata["algorithm"] = to_string(rendered.algorithm);
+    metadata["samples"] = std::to_string(rendered.samples);
+    if (!rendered.light.empty()) metadata["light"] = light_text(rendered.light);
+    metadata["seed"] = std::to_string(rendered.seed);
+    if (settings.background) metadata["background"] = to_string(*settings.background);
+}
+
+PngSettings png_settings(const Image& image, const FileOutputSettings& settings) {
+    return {settings.exposure_ev ? *settings.exposure_ev : auto_exposure(image), settings.tone,
+            settings.background};
+}
+
 void FileOutput::write(SessionImage rendered) {
     write_files(rendered, WriteMode::flushed);
 }
@@ -82,18 +98,9 @@ void FileOutput::write(SessionImage rendered) {
 void FileOutput::write_files(SessionImage& rendered, WriteMode mode) {
     Image& image = rendered.image;
     if (settings_.with_sums && rendered.sums) attach_sums(*rendered.sums, image);
-    image.metadata["software"] = "weft " WEFT_VERSION;
-    image.metadata["scene"] = settings_.scene;
-    image.metadata["algorithm"] = to_string(rendered.algorithm);
-    image.metadata["samples"] = std::to_string(rendered.samples);
-    if (!rendered.light.empty()) image.metadata["light"] = light_text(rendered.light);
-    image.metadata["seed"] = std::to_string(rendered.seed);
-    if (settings_.background) image.metadata["background"] = to_string(*settings_.background);
+    describe(rendered, settings_);
     if (is_png(settings_.file)) {
-        write_png(settings_.file, image,
-                  {settings_.exposure_ev ? *settings_.exposure_ev : auto_exposure(image),
-                   settings_.tone, settings_.background},
-                  mode);
+        write_png(settings_.file, image, png_settings(image, settings_), mode);
     } else {
         if (settings_.background) put_behind(*settings_.background, image);
         write_exr(settings_.file, image, mode);

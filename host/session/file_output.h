@@ -10,6 +10,7 @@
 #include "base/diagnostics.h"
 #include "base/file.h"
 #include "image/background.h"
+#include "image/png.h"
 #include "image/tone.h"
 #include "session/output_driver.h"
 
@@ -26,6 +27,12 @@ struct FileOutputSettings {
     bool with_sums = false;                     ///< of path tracing: `file` gets its sums, too
     std::string scene;                          ///< its name, for the metadata
 };
+
+/// Sets the image's metadata, as files have it.
+void describe(SessionImage& rendered, const FileOutputSettings& settings);
+
+/// How the image becomes a PNG file.
+[[nodiscard]] PngSettings png_settings(const Image& image, const FileOutputSettings& settings);
 
 /// Writes each image, and the sums of path tracing, to files.
 class FileOutput : public OutputDriver {

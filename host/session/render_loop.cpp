@@ -89,7 +89,18 @@ bool RenderSession::render_frame(const KeepGoing& keep_going) {
     stats_.add(renderer_->take_stats());
     if (display_ != nullptr && renderer_->samples() > before && !executor_.cancelled())
         resolve_.show(renderer_->film(), *display_);
+    if (renderer_->samples() > before) update_watch();
     return more;
+}
+
+void RenderSession::update_watch() {
+    if (watch_ == nullptr || executor_.cancelled() || watched_.total() < next_watch_ms_) return;
+    const Stopwatch cost;
+    watch_->update(image());
+    constexpr double least_pause_ms = 200.0;
+    constexpr double pause_by_cost = 9.0;
+    next_watch_ms_ = std::max(least_pause_ms, pause_by_cost * cost.total());
+    watched_ = Stopwatch();
 }
 
 /// One call of `render` for a preview.
@@ -168,6 +179,7 @@ class RenderSession::PreviewLoop {
                                                         return !is_ended(budget_);
                                                     });
         session_.stats_.add(refinement->take_stats());
+        if (added) session_.update_watch();
         // A correction takes time of its own.
         if (refinement->can_correct() && !could_correct) session_.delivery_ms_.reset();
         return added;
@@ -251,6 +263,7 @@ void RenderSession::deliver(bool complete) {
         }
     }
     denoise(result);
+    if (watch_ != nullptr) watch_->update(result);
     output_->write(std::move(result));
     delivery_ms_ = watch.total();
     if (unsaved) std::rethrow_exception(unsaved);

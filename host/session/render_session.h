@@ -11,12 +11,14 @@
 #include <optional>
 #include <variant>
 
+#include "base/stopwatch.h"
 #include "denoise/image_denoiser.h"
 #include "device/cancellable_executor.h"
 #include "render/reference_renderer.h"
 #include "render/renderer.h"
 #include "scene/moving_scene.h"
 #include "session/display_resolve.h"
+#include "session/image_watch.h"
 #include "session/matte_pass.h"
 #include "session/output_driver.h"
 #include "session/refinement.h"
@@ -80,6 +82,10 @@ class RenderSession {
     /// Sets what receives 8-bit images after each frame; may be null, which costs nothing. Must
     /// outlive its use.
     void set_display(DisplayDriver* display) { display_ = display; }
+
+    /// Sets what receives the image now and then while it is rendered, and when it is finished; may
+    /// be null. Must outlive its use. It takes at most a tenth of the time.
+    void set_watch(ImageWatch* watch) { watch_ = watch; }
 
     /// Sets which identifiers images get that are handed to the output; by default none.
     void set_mattes(const MatteSettings& mattes) { mattes_ = mattes; }
@@ -147,6 +153,8 @@ class RenderSession {
     SessionEnd render_reference(const RenderBudget& budget);
     /// Renders and shows one frame; returns what FrameRenderer::render_frame does.
     bool render_frame(const KeepGoing& keep_going);
+    /// Hands the image to the watch, where that has waited long enough.
+    void update_watch();
     void deliver(bool complete);
     /// Milliseconds that the next call of `deliver` will take: as long as the one before, or as the
     /// resolve of the image as it is now and a rehearsal of its output.
@@ -167,6 +175,9 @@ class RenderSession {
     OutputDriver* output_ = nullptr;
     std::optional<double> delivery_ms_;  ///< of the last image of these settings for this output
     DisplayDriver* display_ = nullptr;
+    ImageWatch* watch_ = nullptr;
+    Stopwatch watched_;           ///< since the last update of the watch
+    double next_watch_ms_ = 0.0;  ///< when it gets the next
     MatteSettings mattes_;
     const ImageDenoiser* denoiser_ = nullptr;
 };

@@ -324,8 +324,8 @@ TEST(Options, SuggestsNearMisses) {
     EXPECT_EQ(render_refusal({"--dissolve"}), "unknown option '--dissolve'");
     EXPECT_EQ(render_refusal({"--depth", "4"}), "unknown option '--depth'");
     EXPECT_EQ(refusal({"photons"}),
-              "unknown command 'photons', expected render, merge, compare, tradeoff, info, devices "
-              "or selftest");
+              "unknown command 'photons', expected render, view, merge, compare, tradeoff, info, "
+              "devices or selftest");
 }
 
 TEST(Options, HelpMayBeAWord) {

@@ -1,6 +1,6 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""Seeds of the targets preset and peers."""
+"""Seeds of the targets preset, view and peers."""
 import json
 
 
@@ -10,6 +10,29 @@ def text(value):
 
 def preset(**settings):
     return text({"weft_preset": 1, **settings})
+
+
+def view_files():
+    camera = {"from": [0.1, 2.5e-3, -3], "at": [0, 0, 0], "up": [0, 1, 0], "fov": 40}
+    flat = {**camera, "up": [0.1, 2.5e-3, -3]}
+    settings = {
+        "algorithm": "tic", "quality": "high", "size": [640, 480], "exposure": -1.5,
+        "tone": "agx", "paused": True, "camera": "top",
+    }
+    return {
+        "key.json": text({"token": "00112233445566778899aabbccddeeff"}),
+        "ack.json": text({"ack": 4294967295}),
+        "camera.json": text({"camera": camera, "state": 7, "moving": True}),
+        "settings.json": text({"set": settings, "state": 8}),
+        "pick.json": text({"pick": [12, 34]}),
+        "save.json": text({"save": "exr"}),
+        "badalong.json": text({"camera": flat, "state": 7}),
+        "badsize.json": text({"set": {"size": [32768, 32768]}, "state": 8}),
+        "badstate.json": text({"set": {}}),
+        "badkind.json": text({"hello": 1}),
+        "baddeep.json": '{"ack": ' + "[" * 200 + "\n",
+        "badsyntax.json": '{"ack": 1,}\n',
+    }
 
 
 def preset_files():

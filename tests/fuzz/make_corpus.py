@@ -33,6 +33,7 @@ def main():
         "obj": corpus_text.obj_files,
         "options": corpus_text.option_files,
         "preset": corpus_json.preset_files,
+        "view": corpus_json.view_files,
         "peers": corpus_json.peer_files,
         "image": corpus_images.image_files,
         "exr": corpus_images.exr_files,

@@ -25,6 +25,7 @@
 #include "image/read_png.h"
 #include "plan/preset.h"
 #include "render/camera_params.h"
+#include "render/camera_placement.h"
 #include "scene/flat_scene.h"
 #include "scene/load/load_scene.h"
 #include "scene/majorant_grid.h"
@@ -41,6 +42,7 @@
 #include "tests/testing/temporary_folder.h"
 #include "tests/testing/vol_bytes.h"
 #include "tradeoff/other_renderers.h"
+#include "view/view_message.h"
 
 namespace weft::fuzz {
 namespace {
@@ -301,6 +303,21 @@ void read_options_bytes(Bytes bytes) {
     });
 }
 
+void read_view_bytes(Bytes bytes) {
+    expect_error(ExitCode::bad_input, [&] {
+        const ViewMessage message = read_view_message(as_text(bytes));
+        if (const auto* const camera = std::get_if<ViewCamera>(&message)) {
+            const Camera placed = placed_camera({}, {camera->view, camera->fov});
+            for (int column = 0; column < 4; ++column)
+                for (int row = 0; row < 4; ++row)
+                    require(std::isfinite(placed.to_world[column][row]),
+                            "a camera that is not finite");
+        }
+        if (const auto* const settings = std::get_if<ViewSettings>(&message))
+            require(!settings->size || settings->size->width > 0, "an image without pixels");
+    });
+}
+
 void read_preset_bytes(Bytes bytes) {
     expect_error(ExitCode::bad_input, [&] {
         const Preset preset = read_preset(folder().write("preset.json", as_text(bytes)));
@@ -349,7 +366,7 @@ std::span<const Reader> readers() {
         Reader{"image", read_image_bytes},     Reader{"exr", read_exr_bytes},
         Reader{"hdr", read_hdr_bytes},         Reader{"png", read_png_bytes},
         Reader{"options", read_options_bytes}, Reader{"preset", read_preset_bytes},
-        Reader{"peers", read_peers_bytes},
+        Reader{"view", read_view_bytes},       Reader{"peers", read_peers_bytes},
     };
     return all;
 }

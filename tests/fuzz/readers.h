@@ -30,6 +30,7 @@ void read_hdr_bytes(Bytes bytes);
 void read_png_bytes(Bytes bytes);      ///< as an image to compare; `image` reads textures
 void read_options_bytes(Bytes bytes);  ///< one argument a line
 void read_preset_bytes(Bytes bytes);
+void read_view_bytes(Bytes bytes);   ///< as a message of the page of `weft view`
 void read_peers_bytes(Bytes bytes);  ///< for images of the size of pair.hdr
 
 /// That of pair.hdr, which images by others are to have.

@@ -23,6 +23,7 @@
 #include "tests/fuzz/readers.h"
 #include "tests/testing/temporary_folder.h"
 #include "tradeoff/other_renderers.h"
+#include "view/view_message.h"
 
 namespace weft::fuzz_corpus_test {
 namespace {
@@ -94,6 +95,9 @@ void read_valid(const std::string& kind, const TemporaryFolder& folder, const fs
         static_cast<void>(read_exr(copy));
     else if (kind == "preset")
         static_cast<void>(read_preset(copy));
+    else if (kind == "view")
+        static_cast<void>(
+            read_view_message({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
     else if (kind == "peers")
         static_cast<void>(read_other_renderers(copy, fuzz::pair_size));
     else

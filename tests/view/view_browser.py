@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Uses the page of `weft view` in Chromium: the first image, a drag, settings, the inspector, the
+command, and the end of the program.
+
+    tests/view/view_browser.py PROGRAM [FOLDER]
+
+FOLDER: where screenshots of the page go, on a laptop and on a phone.
+"""
+import pathlib
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.chrome.service import Service
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCENE = HERE.parent.parent / "scenes" / "cornell-box.gltf"
+PATIENCE = 60  # seconds, for what takes a fraction of one
+
+
+def browser(width, height):
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                     f"--window-size={width},{height}"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    # The window may be larger than the page.
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+        "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500})
+    return driver
+
+
+def wait(driver, expression, what):
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        if driver.execute_script("return " + expression):
+            return
+        time.sleep(0.05)
+    state = driver.execute_script("return JSON.stringify(window.weftView)")
+    raise SystemExit(f"waited in vain for {what}: {state}")
+
+
+def is_final(state="window.weftView.state"):
+    return (f"window.weftView && window.weftView.lastFrame && window.weftView.lastFrame.final && "
+            f"window.weftView.lastFrame.state === {state}")
+
+
+def check_errors(driver):
+    bad = [entry for entry in driver.get_log("browser")
+           if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
+    if bad:
+        raise SystemExit(f"the browser complains: {bad}")
+
+
+def check_texts(driver):
+    """Refuses texts that are too small to read, and controls without a name."""
+    small = driver.execute_script("""
+        return [...document.querySelectorAll('body *')].filter(e =>
+            e.childNodes.length && [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()) &&
+            e.offsetParent && parseFloat(getComputedStyle(e).fontSize) < 12)
+            .map(e => e.tagName + ': ' + e.textContent.trim().slice(0, 40))""")
+    if small:
+        raise SystemExit(f"texts below 12 px: {small}")
+    nameless = driver.execute_script("""
+        return [...document.querySelectorAll('button, input, select')].filter(e =>
+            !(e.getAttribute('aria-label') || e.title || e.textContent.trim() ||
+              (e.labels && e.labels.length) || e.getAttribute('aria-labelledby')))
+            .map(e => e.outerHTML.slice(0, 80))""")
+    if nameless:
+        raise SystemExit(f"controls without a name: {nameless}")
+
+
+def drag(driver, across, down, steps=8):
+    canvas = driver.find_element(By.TAG_NAME, "canvas")
+    actions = ActionChains(driver, duration=20).move_to_element(canvas).click_and_hold()
+    for _ in range(steps):
+        actions.move_by_offset(across // steps, down // steps)
+    actions.release().perform()
+
+
+def command_of(driver):
+    wait(driver, "window.weftView.status && window.weftView.status.command", "a command")
+    return driver.execute_script("return window.weftView.status.command")
+
+
+def main():
+    program = str(pathlib.Path(sys.argv[1]).resolve())
+    shots = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    with tempfile.TemporaryDirectory() as folder:
+        view = subprocess.Popen(
+            [program, "view", str(SCENE), "--size", "160x160", "--backend", "native",
+             "--output", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        link = re.search(r"http://\S+", view.stdout.readline()).group()
+        driver = browser(1440, 900)
+        try:
+            driver.get(link)
+            wait(driver, is_final("0"), "the first image")
+            check_texts(driver)
+            before = driver.execute_script("return window.weftView.frames")
+            drag(driver, 160, 40)
+            wait(driver, is_final(), "the image after a drag")
+            moved = driver.execute_script("return window.weftView.frames") - before
+            if moved < 3:
+                raise SystemExit(f"{moved} frames came during a drag, expected several")
+            command = command_of(driver)
+            if "--look-from" not in command:
+                raise SystemExit(f"{command} does not say where the camera stands")
+            made = subprocess.run([program, *shlex.split(command)[1:]], cwd=folder)
+            if made.returncode != 0:
+                raise SystemExit(f"{command} fails")
+            # Picks the pixel in the middle, and says what it shows.
+            ActionChains(driver).move_to_element(
+                driver.find_element(By.TAG_NAME, "canvas")).click().perform()
+            wait(driver, "document.body.textContent.includes('indirect')", "what a pixel shows")
+            if shots:
+                driver.save_screenshot(str(shots / "view-laptop.png"))
+            driver.find_element(By.TAG_NAME, "body").send_keys("p")
+            wait(driver, "document.body.textContent.includes('view-001.png')", "a saved image")
+            if not (pathlib.Path(folder) / "view-001.png").is_file():
+                raise SystemExit("no image was saved")
+            check_errors(driver)
+            driver.quit()
+            driver = browser(390, 844)
+            driver.get(link)
+            wait(driver, "window.weftView && window.weftView.lastFrame", "an image on a phone")
+            wide = driver.execute_script(
+                "return document.documentElement.scrollWidth - window.innerWidth")
+            if wide > 0:
+                raise SystemExit(f"the page is {wide} px wider than a phone")
+            check_texts(driver)
+            if shots:
+                driver.save_screenshot(str(shots / "view-phone.png"))
+            check_errors(driver)
+            view.send_signal(signal.SIGINT)
+            if view.wait(PATIENCE) != 0:
+                raise SystemExit(f"the program ended with {view.returncode}")
+            wait(driver, "document.body.textContent.includes('ended')", "the farewell")
+        finally:
+            driver.quit()
+            view.kill()
+    print("the page does what it should")
+
+
+main()
