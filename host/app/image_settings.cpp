@@ -128,6 +128,12 @@ PathSettings path_settings(const RenderOptions& options, const RenderSettings& c
     return settings;
 }
 
+void warn_about_darkness(const FlatScene& flat, const std::string& scene,
+                         Diagnostics& diagnostics) {
+    if (flat.lights.empty() && !(flat.media.radiance > 0.0))
+        diagnostics.warn(scene, "no light shines in the scene, the image will be dark");
+}
+
 void check_media(const RenderOptions& options, const FlatScene& flat) {
     if (!flat.media.present()) return;
     if (options.compensation)

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
+#include "base/diagnostics.h"
 #include "render/reference_renderer.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -25,6 +27,9 @@ struct RenderOptions;
 /// Those of the algorithms that is_reference() names, which share some with others (`common`).
 [[nodiscard]] PathSettings path_settings(const RenderOptions& options,
                                          const RenderSettings& common);
+
+/// Warns where no light shines in the scene.
+void warn_about_darkness(const FlatScene& flat, const std::string& scene, Diagnostics& diagnostics);
 
 /// Refuses options that do not support participating media in a scene with any. Throws Error (exit
 /// code 1).

@@ -39,7 +39,6 @@ constexpr std::array<std::string_view, 3> progress_names = {"auto", "plain", "no
 constexpr std::array<std::string_view, 2> matte_names = {"object", "material"};
 constexpr std::array<std::string_view, 8> command_names = {
     "render", "view", "merge", "compare", "tradeoff", "info", "devices", "selftest"};
-constexpr double max_exposure_ev = 100.0;
 
 void add_render(CLI::App& app) {
     CLI::App& render = add_command(app, "render", "Renders a scene to an EXR or PNG file");

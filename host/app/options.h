@@ -35,6 +35,9 @@ namespace weft {
 /// native build tracing with Weft's own BVH.
 enum class Backend { opencl, embree, native };
 
+/// The largest exposure that images are given, up or down, stops.
+inline constexpr double max_exposure_ev = 100.0;
+
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(Backend backend);
 /// The name the command line uses.

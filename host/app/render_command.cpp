@@ -363,9 +363,7 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
         placed_camera(choose_camera(scene, flat, options.camera.value_or(""),
                                     options.placement.view ? unheard : diagnostics, shown),
                       options.placement);
-    const bool media_shine = flat.media.radiance > 0.0;
-    if (flat.lights.empty() && !media_shine)
-        diagnostics.warn(scene.source, "no light shines in the scene, the image will be dark");
+    warn_about_darkness(flat, scene.source, diagnostics);
     check_media(options, flat);
     check_orthographic(options, settings, flat, camera);
     check_frames(moving, camera, options, diagnostics);

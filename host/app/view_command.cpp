@@ -202,6 +202,11 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
     Diagnostics unheard;
     const Camera given = choose_camera(moving.at_rest(), moving.flat(), image.camera.value_or(""),
                                        image.placement.view ? unheard : diagnostics);
+    warn_about_darkness(moving.flat(), moving.at_rest().source, diagnostics);
+    if (has_materials && !is_reference(image.algorithm))
+        diagnostics.warn(image.scene.string(),
+                         "some materials are more than diffuse, the view renders them as diffuse, "
+                         "expected --algorithm path");
     std::unique_ptr<Executor> executor = choose_executor(image, diagnostics);
     print_warnings(diagnostics, image.verbose);
     image.size = image.size.value_or(moving.at_rest().film.value_or(FilmSize{512, 512}));

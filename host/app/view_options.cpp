@@ -12,11 +12,6 @@
 #include "base/limits.h"
 
 namespace weft {
-namespace {
-
-constexpr double max_exposure_ev = 100.0;
-
-}  // namespace
 
 void add_view(CLI::App& app) {
     CLI::App& view = add_command(app, "view", "Shows a scene in a browser, to move through");

@@ -423,7 +423,7 @@ class ViewServer::Impl {
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    [[nodiscard]] std::uint16_t port() const { return tcp_ ? tcp_->endpoint().port() : 0; }
+    [[nodiscard]] std::uint16_t port() const { return port_; }
     [[nodiscard]] std::size_t pages() const { return shared_.page_count; }
 
     void send(std::uint32_t page, std::string text) {
@@ -457,6 +457,7 @@ class ViewServer::Impl {
         try {
             tcp_.emplace(context_, endpoint, shared_);
             tcp_->listen();
+            port_ = tcp_->endpoint().port();
         } catch (const boost::system::system_error& error) {
             throw Error(ExitCode::output, fmt::format("port {} of 127.0.0.1", port),
                         "cannot be served: " + error.code().message());
@@ -505,6 +506,7 @@ class ViewServer::Impl {
     asio::io_context context_{1};
     Shared shared_;
     ViewAddress address_;
+    std::uint16_t port_ = 0;
     asio::steady_timer end_;
     std::optional<Listener<asio::ip::tcp>> tcp_;
     std::optional<Listener<asio::local::stream_protocol>> local_;
