@@ -437,7 +437,7 @@ class ViewServer::Impl {
             for (const auto& [page, connection] : shared_.pages) connection->send_text(text);
         });
     }
-    void send_status(std::string status, std::uint64_t version) {
+    void send_status(const std::string& status, std::uint64_t version) {
         asio::post(context_, [this, members = status.substr(1), version] {
             for (const auto& [page, connection] : shared_.pages)
                 connection->send_text(fmt::format(R"({{"status":{{"state":{},{}}})",
@@ -529,8 +529,8 @@ void ViewServer::send(std::uint32_t page, std::string text) {
 void ViewServer::send(std::string text) {
     impl_->send(std::move(text));
 }
-void ViewServer::send_status(std::string status, std::uint64_t version) {
-    impl_->send_status(std::move(status), version);
+void ViewServer::send_status(const std::string& status, std::uint64_t version) {
+    impl_->send_status(status, version);
 }
 void ViewServer::show(ViewFrame frame) {
     impl_->show(std::move(frame));

@@ -60,7 +60,7 @@ class ViewServer {
     void send(std::string text);
     /// Sends all pages a `status`, a JSON object that has members, of a version of the view: pages
     /// know it by their own number, `state`.
-    void send_status(std::string status, std::uint64_t version);
+    void send_status(const std::string& status, std::uint64_t version);
     /// Shows all pages a frame. One that has two frames to draw yet gets the newest once it has
     /// drawn one of them.
     void show(ViewFrame frame);

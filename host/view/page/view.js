@@ -33,7 +33,9 @@ const FRAME_TYPES = ['image/jpeg', 'image/png'];
 const MOVING = 1;                    // flags of a frame
 const FINAL = 2;
 const NOTHING = '–';
-const PHASES = { moving: 'Moving', refining: 'Refining', paused: 'Paused' };
+const PHASES = {
+    moving: 'Moving', refining: 'Refining', finished: 'Finished', paused: 'Paused',
+};
 
 const byId = (id) => document.getElementById(id);
 const canvas = byId('canvas');
@@ -903,19 +905,11 @@ function writeValue(value) {
     return value.toExponential(2);
 }
 
-/** The phase in words: a view is finished once its final frame has all of its samples. */
-function phaseOf(status) {
-    const frame = report.lastFrame;
-    const finished = frame && frame.final && frame.state === status.state
-        && status.samples <= frame.samples;
-    if (status.phase === 'refining' && finished) return 'Finished';
-    return PHASES[status.phase] ?? status.phase;
-}
-
+/** Shows the phase, the samples and the speed. */
 function showFigures() {
     const { status } = report;
     if (!status) return;
-    const phase = phaseOf(status);
+    const phase = PHASES[status.phase] ?? status.phase;
     const samples = figure(whole, status.samples);
     byId('phase').textContent = phase;
     byId('samples').textContent = samples;
