@@ -148,7 +148,8 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
             name == "resume" || name == "frames" || name == "edits" || name == "cache_records" ||
             name == "cache_rays" || name == "cache_error" || name == "preset" ||
             name == "background" || name == "max_bounces" || name == "light" ||
-            name == "environment";
+            name == "environment" || name == "look_from" || name == "look_at" || name == "up" ||
+            name == "fov" || name == "tev";
         EXPECT_EQ(value.is_null(), has_no_default) << name;
     }
     EXPECT_EQ(chosen.at("algorithm"), "ais");

@@ -82,8 +82,10 @@ class OpenView {
 
     /// The command that makes the image that final_file() returned last.
     std::string command() {
-        while (true) {
-            const json status = next("status");
+        // Statuses may come before the frame that they are about.
+        for (std::size_t i = 0;; ++i) {
+            while (statuses_.size() <= i) (void)receive();
+            const json& status = statuses_[i];
             const std::string found = status.at("command");
             if (found.find(" --spp " + std::to_string(samples_) + " ") != std::string::npos &&
                 status.at("state") == state_)
@@ -96,6 +98,10 @@ class OpenView {
         ViewReceived received = page_->receive();
         if (!received.ended.empty()) throw std::runtime_error("the view ended: " + received.ended);
         if (!received.bytes.empty()) page_->ack(received.sequence());
+        if (!received.text.empty()) {
+            const json text = json::parse(received.text);
+            if (text.contains("status")) statuses_.push_back(text.at("status"));
+        }
         return received;
     }
 
@@ -105,6 +111,7 @@ class OpenView {
     std::uint16_t port_ = 0;
     std::string key_;
     std::uint32_t state_ = 0, samples_ = 0;
+    std::vector<json> statuses_;
 };
 
 /// What a command writes to view.png.
