@@ -191,10 +191,6 @@ void read_denoiser(const CLI::App& command, RenderOptions& options) {
 
 }  // namespace
 
-std::string_view to_string(Quality quality) {
-    return quality_names.at(static_cast<std::size_t>(quality));
-}
-
 void add_algorithm(CLI::App& render) {
     add_value(
         render, "--algorithm", "NAME",

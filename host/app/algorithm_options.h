@@ -16,9 +16,6 @@ namespace weft {
 
 struct RenderOptions;
 
-/// The name the command line uses.
-[[nodiscard]] std::string_view to_string(Quality quality);
-
 /// Adds the options that choose what `weft render` computes.
 void add_algorithm(CLI::App& render);
 

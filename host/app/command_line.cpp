@@ -39,6 +39,11 @@ void add_flag(CLI::App& command, const std::string& name, const std::string& des
     command.add_flag(name, description)->disable_flag_override();
 }
 
+void add_scene(CLI::App& command) {
+    add_value(command, "SCENE", "",
+              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
+}
+
 void add_verbose(CLI::App& command) {
     add_flag(command, "--verbose", "Names every place of a warning, not only the first");
 }

@@ -37,6 +37,9 @@ void add_values(CLI::App& command, const std::string& name, const std::string& d
 /// Adds an option without a value.
 void add_flag(CLI::App& command, const std::string& name, const std::string& description);
 
+/// Adds the argument SCENE, the file of a scene.
+void add_scene(CLI::App& command);
+
 /// Adds --verbose to a command that reads a scene.
 void add_verbose(CLI::App& command);
 

@@ -24,6 +24,7 @@
 #include "app/tradeoff_options.h"
 #include "app/view_options.h"
 #include "base/error.h"
+#include "base/json_text.h"
 #include "base/limits.h"
 #include "base/quote.h"
 #include "base/shell_word.h"
@@ -42,8 +43,7 @@ constexpr std::array<std::string_view, 8> command_names = {
 
 void add_render(CLI::App& app) {
     CLI::App& render = add_command(app, "render", "Renders a scene to an EXR or PNG file");
-    add_value(render, "SCENE", "",
-              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
+    add_scene(render);
     add_value(render, "-o,--output", "FILE",
               "Image to write, .exr or .png (default: the scene's name with .exr, in the current "
               "folder)");
@@ -108,8 +108,7 @@ void add_commands(CLI::App& app) {
     add_compare(app);
     add_tradeoff(app);
     CLI::App& info = add_command(app, "info", "Says what a scene holds, and what is approximated");
-    add_value(info, "SCENE", "",
-              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
+    add_scene(info);
     add_reading(info);
     add_flag(info, "--json", "Prints JSON");
     add_verbose(info);
@@ -293,7 +292,7 @@ RenderOptions read_render(const CLI::App& command) {
 /// Text as valid UTF-8, which JSON needs and file names need not be.
 nlohmann::json json_text(const std::string& text) {
     using nlohmann::json;
-    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+    return json::parse(json_line(text));
 }
 
 template <typename Value>
@@ -311,10 +310,6 @@ ProgressMode read_progress(const CLI::App& command) {
 
 std::string_view to_string(ProgressMode mode) {
     return progress_names.at(static_cast<std::size_t>(mode));
-}
-
-std::string_view to_string(ToneCurve curve) {
-    return tone_names.at(static_cast<std::size_t>(curve));
 }
 
 bool RenderOptions::names_component(std::string_view name) const {

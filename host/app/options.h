@@ -42,8 +42,6 @@ inline constexpr double max_exposure_ev = 100.0;
 [[nodiscard]] std::string_view to_string(Backend backend);
 /// The name the command line uses.
 [[nodiscard]] std::string_view to_string(ProgressMode mode);
-/// The name the command line uses.
-[[nodiscard]] std::string_view to_string(ToneCurve curve);
 /// Reads --progress of a command. Throws Error (exit code 1).
 [[nodiscard]] ProgressMode read_progress(const CLI::App& command);
 

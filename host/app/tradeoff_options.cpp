@@ -83,8 +83,7 @@ void read_measurement(const CLI::App& command, TradeoffOptions& options) {
 void add_tradeoff(CLI::App& app) {
     CLI::App& tradeoff =
         add_command(app, "tradeoff", "Measures what accuracy costs on a scene, and gives advice");
-    add_value(tradeoff, "SCENE", "",
-              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
+    add_scene(tradeoff);
     add_value(tradeoff, "-o,--output", "DIR",
               "Folder to write to (default: the scene's name with -tradeoff, in the current "
               "folder)");

@@ -36,12 +36,8 @@ constexpr double moving_seconds = 0.07;
 class CommandRecipe : public ViewRecipe {
   public:
     /// `given`: the camera that the view begins with.
-    CommandRecipe(const RenderOptions& options, const MovingScene& scene, Camera given,
-                  bool has_materials)
-        : options_(options),
-          scene_(scene),
-          given_(std::move(given)),
-          has_materials_(has_materials) {}
+    CommandRecipe(const RenderOptions& options, const MovingScene& scene, Camera given)
+        : options_(options), scene_(scene), given_(std::move(given)) {}
 
     [[nodiscard]] std::vector<Algorithm> algorithms() const override {
         std::vector<Algorithm> found;
@@ -49,7 +45,7 @@ class CommandRecipe : public ViewRecipe {
             const auto algorithm = static_cast<Algorithm>(i);
             // Materials that are more than diffuse are there for path tracing, or for none.
             const bool fits =
-                !has_materials_ || is_reference(algorithm) == is_reference(options_.algorithm);
+                !has_materials() || is_reference(algorithm) == is_reference(options_.algorithm);
             const bool knows_media =
                 !scene_.flat().media.present() || algorithm != Algorithm::irradiance_cache;
             if (fits && knows_media) found.push_back(algorithm);
@@ -70,7 +66,7 @@ class CommandRecipe : public ViewRecipe {
         if (moving) {
             const bool is_slow =
                 is_reference(options.algorithm) || options.algorithm == Algorithm::irradiance_cache;
-            if (is_slow && !has_materials_) options.algorithm = Algorithm::ais;
+            if (is_slow && !has_materials()) options.algorithm = Algorithm::ais;
             options.spp = 1;
             if (options.algorithm == Algorithm::ais) options.frame_seconds = moving_seconds;
         } else if (goes_on(options)) {
@@ -136,6 +132,8 @@ class CommandRecipe : public ViewRecipe {
     }
 
   private:
+    /// Whether some materials are more than diffuse.
+    [[nodiscard]] bool has_materials() const { return scene_.flat().surfaces.present(); }
     [[nodiscard]] RenderOptions options_of(const ViewChoice& choice) const {
         RenderOptions options = options_;
         options.algorithm = choice.algorithm;
@@ -155,17 +153,7 @@ class CommandRecipe : public ViewRecipe {
     const RenderOptions& options_;
     const MovingScene& scene_;
     Camera given_;
-    bool has_materials_;
 };
-
-/// Reads the scene as it stands; returns whether some of its materials are more than diffuse.
-bool read_scene(const RenderOptions& options, Diagnostics& diagnostics, Scene& scene) {
-    scene = load_scene(options.scene, diagnostics, options.reading);
-    hold_still(scene);
-    const bool has_materials = flatten(scene).surfaces.present();
-    if (!is_reference(options.algorithm)) empty_surfaces(scene);
-    return has_materials;
-}
 
 void print_address(const ViewOptions& options, const ViewServer& server, const std::string& token) {
     if (options.socket) {
@@ -196,14 +184,15 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
                         "is no folder, expected one to write to");
     }
     const ThreadLimit limit(image.threads);
-    Scene scene;
-    const bool has_materials = read_scene(image, diagnostics, scene);
+    Scene scene = load_scene(image.scene, diagnostics, image.reading);
+    hold_still(scene);
+    if (!is_reference(image.algorithm)) empty_surfaces(scene);
     MovingScene moving(std::move(scene), {}, image.frame_rate);
     Diagnostics unheard;
     const Camera given = choose_camera(moving.at_rest(), moving.flat(), image.camera.value_or(""),
                                        image.placement.view ? unheard : diagnostics);
     warn_about_darkness(moving.flat(), moving.at_rest().source, diagnostics);
-    if (has_materials && !is_reference(image.algorithm))
+    if (moving.flat().surfaces.present() && !is_reference(image.algorithm))
         diagnostics.warn(image.scene.string(),
                          "some materials are more than diffuse, the view renders them as diffuse, "
                          "expected --algorithm path");
@@ -217,11 +206,11 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
     choice.exposure_ev = image.exposure_ev.value_or(0.0);
     choice.tone = image.tone;
     choice.placement = image.placement;
-    const CommandRecipe first(image, moving, given, has_materials);
+    const CommandRecipe first(image, moving, given);
     const ImageSettings settings = first.settings(choice, choice.size, false);
     const Camera camera = first.camera(choice);
     RenderSession session(std::move(executor), std::move(moving), camera, settings);
-    const CommandRecipe recipe(image, session.scene(), given, has_materials);
+    const CommandRecipe recipe(image, session.scene(), given);
     ViewLoop loop(session, recipe, choice, options.folder, diagnostics);
     const std::string token = make_view_token();
     ViewServer server({options.port, options.socket}, token, loop);

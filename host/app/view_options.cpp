@@ -15,8 +15,7 @@ namespace weft {
 
 void add_view(CLI::App& app) {
     CLI::App& view = add_command(app, "view", "Shows a scene in a browser, to move through");
-    add_value(view, "SCENE", "",
-              "glTF (.gltf, .glb), Mitsuba XML (.xml), OBJ (.obj) or PLY (.ply) scene");
+    add_scene(view);
     add_value(view, "--port", "N",
               "Port of this machine that serves the page (default: a free one)");
     add_value(view, "--socket", "PATH", "Unix socket that serves it instead, for ssh -L");

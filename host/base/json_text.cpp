@@ -59,4 +59,8 @@ Error number_too_large(const std::string& file, std::string_view text) {
         "the number " + quote(fault.token()) + " is too large, expected at most 1.8e308");
 }
 
+std::string json_line(const nlohmann::json& json) {
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace weft

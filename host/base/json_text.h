@@ -4,6 +4,7 @@
 #define WEFT_BASE_JSON_TEXT_H
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ namespace weft {
 /// The error (exit code 2) for JSON text that the parser refuses because of a number which no
 /// double can hold: it names the number and its line. `text` is read once more.
 [[nodiscard]] Error number_too_large(const std::string& file, std::string_view text);
+
+/// JSON in one line of valid UTF-8: names of files, and what others have sent, may be any bytes.
+[[nodiscard]] std::string json_line(const nlohmann::json& json);
 
 }  // namespace weft
 

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "base/json_text.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -53,7 +54,7 @@ std::string manifest_of(const std::set<std::string>& names) {
     nlohmann::json manifest = nlohmann::json::object();
     for (const std::string& name : names)
         manifest[name] = fmt::format("{:08x}", cryptomatte_id(name));
-    return manifest.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return json_line(manifest);
 }
 
 }  // namespace

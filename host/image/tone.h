@@ -22,6 +22,8 @@ enum class ToneCurve : std::uint32_t {
 // Names on the command line and in files, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 3> tone_names = {"none", "filmic", "agx"};
 
+[[nodiscard]] std::string_view to_string(ToneCurve curve);
+
 /// A linear Rec.709 colour under the curve: linear, within [0, 1] but for ToneCurve::none, which
 /// returns it as it is. NaN and negative values count as 0.
 [[nodiscard]] glm::vec3 toned(ToneCurve curve, const glm::vec3& colour);

@@ -14,6 +14,10 @@ constexpr double residual_spacing = 2.0;
 
 }  // namespace
 
+std::string_view to_string(Quality quality) {
+    return quality_names.at(static_cast<std::size_t>(quality));
+}
+
 SamplingSettings sampling_of(Quality quality) {
     SamplingSettings settings;
     if (quality == Quality::draft) {

@@ -17,6 +17,8 @@ enum class Quality : std::uint8_t { draft, preview, high };
 // Names on the command line and in files, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 3> quality_names = {"draft", "preview", "high"};
 
+[[nodiscard]] std::string_view to_string(Quality quality);
+
 /// The settings of a quality: which errors of undersampling are accepted, and how many VPLs and
 /// points on lights a pixel's set has.
 [[nodiscard]] SamplingSettings sampling_of(Quality quality);

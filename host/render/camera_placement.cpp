@@ -8,14 +8,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/quote.h"
 
 namespace weft {
 namespace {
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Of length 1, also where the square of the length is more or less than doubles hold; 0 where the
 /// vector is 0.

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "base/error.h"
+#include "base/json_text.h"
 #include "image/png.h"
 #include "image/write_jpeg.h"
 #include "pipeline/stage.h"
@@ -33,19 +33,14 @@ constexpr double least_file_pause_ms = 300.0;
 constexpr double file_pause_by_cost = 10.0;
 constexpr double status_pause_ms = 100.0;
 constexpr double unbiased_ms = 250.0;  // of path tracing, between two looks at what is asked
-constexpr std::size_t most_stages = 12;
-
-std::string text_of(const Json& json) {
-    // Names of files and of scenes may be any bytes.
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json json_of(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
+/// A column of a camera's transform: where it stands, or an axis of any length.
 glm::dvec3 column(const Camera& camera, int i) {
-    return {camera.to_world[i].x, camera.to_world[i].y, camera.to_world[i].z};
+    return {camera.to_world[i]};
 }
 
 glm::dvec3 centre_of(const FlatScene& scene) {
@@ -63,7 +58,7 @@ Json camera_json(const Camera& camera, const CameraPlacement& placement, const F
         view = *placement.view;
     } else {
         constexpr double least_share = 0.1;
-        const glm::dvec3 forward = -glm::normalize(column(camera, 2));
+        const glm::dvec3 forward = viewing_axis(camera);
         view.from = column(camera, 3);
         const double along = glm::dot(centre_of(scene) - view.from, forward);
         view.at = view.from + forward * std::max(along, least_share * radius_of(scene));
@@ -78,10 +73,10 @@ Json camera_json(const Camera& camera, const CameraPlacement& placement, const F
 
 Json settings_json(const ViewChoice& choice, bool paused) {
     return {{"algorithm", to_string(choice.algorithm)},
-            {"quality", quality_names.at(static_cast<std::size_t>(choice.quality))},
+            {"quality", to_string(choice.quality)},
             {"size", {choice.size.width, choice.size.height}},
             {"exposure", choice.exposure_ev},
-            {"tone", tone_names.at(static_cast<std::size_t>(choice.tone))},
+            {"tone", to_string(choice.tone)},
             {"paused", paused}};
 }
 
@@ -93,12 +88,12 @@ glm::dvec3 point_at(const Camera& camera, FilmSize size, const ViewPick& pick, d
     const double scale = camera.orthographic() ? half_height(camera, aspect)
                                                : depth * vertical_tangent(camera, aspect);
     const double side = camera.mirror_x ? -1.0 : 1.0;
-    return column(camera, 3) - glm::normalize(column(camera, 2)) * depth +
+    return column(camera, 3) + viewing_axis(camera) * depth +
            glm::normalize(column(camera, 0)) * (side * across * aspect * scale) +
            glm::normalize(column(camera, 1)) * (up * scale);
 }
 
-/// The longest stages of a frame, in the order in which they ran.
+/// What each kind of stage of a frame took, in the order in which they ran.
 Json stages_json(const FrameStats& frame) {
     std::vector<std::pair<std::string, double>> stages;
     for (const StageStats& stage : frame.stages) {
@@ -110,16 +105,8 @@ Json stages_json(const FrameStats& frame) {
         else
             found->second += stage.ms;
     }
-    double least = 0.0;
-    if (stages.size() > most_stages) {
-        std::vector<double> times;
-        for (const auto& [name, ms] : stages) times.push_back(ms);
-        std::ranges::nth_element(times, times.end() - most_stages);
-        least = times[times.size() - most_stages];
-    }
     Json json = Json::array();
-    for (const auto& [name, ms] : stages)
-        if (ms >= least) json.push_back({name, ms});
+    for (const auto& [name, ms] : stages) json.push_back({name, ms});
     return json;
 }
 
@@ -197,7 +184,6 @@ void ViewLoop::wait_for_pages() {
 void ViewLoop::run(ViewServer& server, const std::atomic<bool>& ended) {
     server_ = &server;
     ended_ = &ended;
-    send_camera();
     while (!ended) {
         apply(take_asked());
         if (phase_ == Phase::moving && since_camera_.total() > most_silence_ms) {
@@ -231,6 +217,7 @@ void ViewLoop::apply_camera(const ViewCamera& camera) {
     next.placement.fov =
         camera_.orthographic() ? std::optional<double>() : std::optional(camera.fov);
     if (!adopt(next)) return;
+    camera_moved_ = true;
     since_camera_ = Stopwatch();
     const Phase wanted = camera.moving ? Phase::moving : Phase::refining;
     if (wanted != phase_ && (wanted == Phase::moving || phase_ == Phase::moving)) stale_ = true;
@@ -241,6 +228,7 @@ void ViewLoop::apply_settings(const ViewSettings& settings) {
     if (settings.paused) {
         paused_ = *settings.paused;
         if (!paused_ && phase_ == Phase::paused) phase_ = Phase::refining;
+        write_hello();
     }
     const bool recoloured = settings.exposure_ev || settings.tone;
     const bool anew = settings.algorithm || settings.quality || settings.size || settings.camera;
@@ -271,11 +259,16 @@ bool ViewLoop::adopt(const ViewChoice& choice) {
         (void)recipe_.settings(choice, choice.size, false);
         camera_ = camera;
         choice_ = choice;
-        camera_moved_ = true;
+        last_ = recipe_.samples(choice);
     } catch (const Error& error) {
         say(error.what());
         return false;
     }
+    write_hello();
+    return true;
+}
+
+void ViewLoop::write_hello() {
     const FlatScene& flat = session_.scene().flat();
     Json hello{
         {"version", WEFT_VERSION},
@@ -293,10 +286,9 @@ bool ViewLoop::adopt(const ViewChoice& choice) {
         hello["algorithms"].push_back(to_string(algorithm));
     for (const Camera& camera : session_.scene().at_rest().cameras)
         hello["cameras"].push_back(camera.name);
-    const std::string text = text_of({{"hello", hello}});
+    std::string text = json_line({{"hello", hello}});
     const std::lock_guard guard(mutex_);
-    hello_ = text;
-    return true;
+    hello_ = std::move(text);
 }
 
 void ViewLoop::render_moving() {
@@ -328,19 +320,15 @@ void ViewLoop::render_still() {
     if (stale_) session_.set_settings(recipe_.settings(choice_, choice_.size, false));
     if (stale_ || camera_moved_) {
         session_.set_camera(camera_);
-        if (std::holds_alternative<PathSettings>(session_.settings()) && !stale_)
-            session_.set_settings(recipe_.settings(choice_, choice_.size, false));
         shown_as_file_ = false;
         file_samples_ = 0;
         next_file_ms_ = 0.0;
     }
     stale_ = false;
     camera_moved_ = false;
-    const std::optional<std::uint32_t> last = recipe_.samples(choice_);
-    const bool exact = std::holds_alternative<PathSettings>(session_.settings());
     RenderBudget budget;
     budget.end_early = ended_;
-    if (exact)
+    if (std::holds_alternative<PathSettings>(session_.settings()))
         budget.time_ms = unbiased_ms;
     else
         budget.samples = static_cast<std::uint32_t>(session_.samples()) + 1;
@@ -358,7 +346,7 @@ void ViewLoop::render_still() {
     const std::uint64_t made = session_.samples() - before;
     if (end == SessionEnd::cancelled || made == 0) return;
     sample_ms_ = watch.total() / static_cast<double>(made);
-    const bool done = last && session_.samples() >= *last;
+    const bool done = last_ && session_.samples() >= *last_;
     if (has_command() && (paused_ || done || since_file_.total() > next_file_ms_)) show_file();
     if (done) phase_ = Phase::finished;
     if (paused_) phase_ = Phase::paused;
@@ -385,8 +373,7 @@ void ViewLoop::show(const DisplayFrame& frame) {
 bool ViewLoop::has_command() const {
     const auto* const preview = std::get_if<RenderSettings>(&session_.settings());
     if (preview == nullptr) return session_.samples() > 0;
-    const std::optional<std::uint32_t> last = recipe_.samples(choice_);
-    return session_.samples() >= last.value_or(std::max(1U, preview->refined_after));
+    return session_.samples() >= last_.value_or(std::max(1U, preview->refined_after));
 }
 
 void ViewLoop::show_file() {
@@ -430,13 +417,12 @@ void ViewLoop::send_status() {
         status["rays_per_second"] =
             frame.ms > 0.0 ? 1000.0 * static_cast<double>(frame.rays) / frame.ms : 0.0;
     }
-    server_->send_status(text_of(status), version_);
+    server_->send_status(json_line(status), version_);
 }
 
 void ViewLoop::send_camera() {
-    (void)adopt(choice_);
     server_->send(
-        text_of({{"camera", camera_json(camera_, choice_.placement, session_.scene().flat())}}));
+        json_line({{"camera", camera_json(camera_, choice_.placement, session_.scene().flat())}}));
 }
 
 void ViewLoop::pick(std::uint32_t page, const ViewPick& pick) {
@@ -462,7 +448,7 @@ void ViewLoop::pick(std::uint32_t page, const ViewPick& pick) {
     if (depth != nullptr && depth->values[pixel] > 0.0F)
         picked["point"] = json_of(point_at(camera_, {image.width, image.height}, pick,
                                            static_cast<double>(depth->values[pixel])));
-    server_->send(page, text_of({{"picked", picked}}));
+    server_->send(page, json_line({{"picked", picked}}));
 }
 
 std::filesystem::path ViewLoop::next_file(const char* extension) const {
@@ -484,14 +470,14 @@ void ViewLoop::save(const ViewSave& save) {
         const std::filesystem::path file = next_file(save.exr ? ".exr" : ".png");
         FileOutput output(recipe_.output(choice_, file), diagnostics_);
         output.write(session_.image());
-        server_->send(text_of({{"saved", file.string()}}));
+        server_->send(json_line({{"saved", file.string()}}));
     } catch (const Error& error) {
         say(error.what());
     }
 }
 
 void ViewLoop::say(const std::string& line) {
-    if (server_ != nullptr) server_->send(text_of({{"error", line}}));
+    if (server_ != nullptr) server_->send(json_line({{"error", line}}));
 }
 
 }  // namespace weft

@@ -61,6 +61,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     void apply_settings(const ViewSettings& settings);
     /// Takes a choice, if there are settings for it; else says why not and returns false.
     bool adopt(const ViewChoice& choice);
+    /// Writes what a page is told first, from what the view shows now.
+    void write_hello();
     void render_moving();
     void render_still();
     /// Whether the image is one that a command makes.
@@ -84,6 +86,7 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     // Of the thread that renders.
     ViewChoice choice_;
     Camera camera_;
+    std::optional<std::uint32_t> last_;  ///< samples of a finished image; empty: it goes on
     ViewPace pace_;
     Phase phase_ = Phase::refining;
     bool paused_ = false;

@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/json_text.h"
 #include "view/view_origin.h"
 #include "view/view_page.h"
 #include "view/view_token.h"
@@ -51,9 +52,7 @@ constexpr std::string_view policy =
     "form-action 'none'; frame-ancestors 'none'";
 
 std::string error_text(std::string_view line) {
-    // A page may send any bytes, and messages quote them.
-    return nlohmann::json{{"error", line}}.dump(-1, ' ', false,
-                                                nlohmann::json::error_handler_t::replace);
+    return json_line({{"error", line}});
 }
 
 class Connection;

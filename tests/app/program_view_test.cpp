@@ -52,6 +52,8 @@ class OpenView {
     [[nodiscard]] const json& hello() const { return hello_; }
     [[nodiscard]] std::uint16_t port() const { return port_; }
     [[nodiscard]] const std::string& key() const { return key_; }
+    /// Of the image that final_file() returned last.
+    [[nodiscard]] std::uint32_t samples() const { return samples_; }
 
     void send(json message) {
         message["state"] = ++state_;
@@ -155,6 +157,15 @@ TEST(ProgramView, RestsOnWhatItsCommandMakes) {
         view.send({{"set", {{"algorithm", "ais"}, {"quality", "draft"}}}});
         expect_command_makes_it(view, "at draft quality");
     }
+}
+
+TEST(ProgramView, ShowsAnImageInOtherColoursWithoutMakingItAnew) {
+    OpenView view({shipped_scene("cornell-box.gltf"), "--size", "56x48"});
+    while (view.samples() < 24) (void)view.final_file();
+    const std::uint32_t before = view.samples();
+    view.send({{"set", {{"exposure", 1.5}, {"tone", "filmic"}}}});
+    (void)view.final_file();
+    EXPECT_GE(view.samples(), before);
 }
 
 TEST(ProgramView, TellsWhatAPixelShowsAndSaves) {
