@@ -5,6 +5,9 @@
 input until an image shows it, scene by scene.
 
     ./weft bench view [--scenes NAME ...] [--size WxH] [--seconds S] [--backend NAME] [--json FILE]
+    ./weft bench view --soak MINUTES [--scenes NAME]
+
+With --soak it uses one view for so long, and watches its memory and its answers: see soak.py.
 
 It needs Chromium, its driver and Selenium (Debian packages chromium-driver, python3-selenium), and
 a machine that does nothing else: the browser draws on the same processor.
@@ -145,7 +148,12 @@ def main():
     parser.add_argument("--seconds", type=float, default=5.0, help="of a drag")
     parser.add_argument("--backend", help="as of weft render")
     parser.add_argument("--json", help="file for all figures")
+    parser.add_argument("--soak", type=float, metavar="MINUTES",
+                        help="use one view for so long instead, without a browser")
     arguments = parser.parse_args()
+    if arguments.soak:
+        from soak import soak
+        return soak(arguments, ROOT / "scenes" / f"{arguments.scenes[0]}.gltf")
     try:
         import selenium  # noqa: F401
     except ImportError:

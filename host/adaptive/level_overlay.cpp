@@ -74,11 +74,8 @@ std::vector<std::string> overlay_layers(const Image& image) {
     return names;
 }
 
-Image level_overlay(const Image& image, const std::string& layer, double exposure_ev) {
-    const Layer* const shown = image.find(layer);
-    const Kind* const kind = kind_of(layer);
-    if (shown == nullptr || kind == nullptr)
-        throw std::invalid_argument("an overlay needs a layer of levels, samples or errors");
+Image value_overlay(const Image& image, const std::function<std::optional<double>(std::size_t)>& of,
+                    double exposure_ev) {
     const std::vector<float> under = grey(image, exposure_ev);
     const std::size_t pixels = under.size();
     Image result;
@@ -86,7 +83,7 @@ Image level_overlay(const Image& image, const std::string& layer, double exposur
     result.height = image.height;
     result.layers = {{"", "RGB", std::vector<float>(3 * pixels)}};
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-        const std::optional<double> place = kind->scale(shown->values[pixel]);
+        const std::optional<double> place = of(pixel);
         const std::array<std::uint8_t, 3> colour = viridis(place.value_or(0.0));
         for (std::size_t c = 0; c < colour.size(); ++c) {
             const float over = place ? static_cast<float>(colour.at(c)) / 255.0F : under[pixel];
@@ -95,6 +92,15 @@ Image level_overlay(const Image& image, const std::string& layer, double exposur
         }
     }
     return result;
+}
+
+Image level_overlay(const Image& image, const std::string& layer, double exposure_ev) {
+    const Layer* const shown = image.find(layer);
+    const Kind* const kind = kind_of(layer);
+    if (shown == nullptr || kind == nullptr)
+        throw std::invalid_argument("an overlay needs a layer of levels, samples or errors");
+    return value_overlay(
+        image, [&](std::size_t pixel) { return kind->scale(shown->values[pixel]); }, exposure_ev);
 }
 
 }  // namespace weft

@@ -3,6 +3,9 @@
 #ifndef WEFT_ADAPTIVE_LEVEL_OVERLAY_H
 #define WEFT_ADAPTIVE_LEVEL_OVERLAY_H
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +23,13 @@ inline constexpr double brightest_error = 128.0;
 
 /// Whether a layer of that name is one that overlays are made of.
 [[nodiscard]] bool is_overlay_layer(std::string_view name);
+
+/// Shows a number of each pixel on its image: the image in grey, at an exposure of 2^exposure_ev,
+/// half covered by the colours of viridis for the number that `of` has for a row-major index, from
+/// 0 to 1, or not covered where it has none. Linear values for `write_png` without exposure.
+[[nodiscard]] Image value_overlay(const Image& image,
+                                  const std::function<std::optional<double>(std::size_t)>& of,
+                                  double exposure_ev);
 
 /// Shows a layer of overlay_layers on its image: the image in grey, at an exposure of
 /// 2^exposure_ev, half covered by the colours of viridis for the layer's levels (coarse to full),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/command_line.h"
@@ -34,9 +35,11 @@ bool is_numbered_output(const std::filesystem::path& given, const std::filesyste
 void add_frames(CLI::App& render) {
     add_value(render, "--frames", "A:B",
               "Frames A to B - 1 of the scene's animation, each an image of its own");
-    add_value(render, "--frame-rate", "R", "Frames per second of --frames (default: 30)");
+    add_value(render, "--frame", "N", "Instead: one image, of frame N of that animation");
+    add_value(render, "--frame-rate", "R",
+              "Frames per second of --frames and --frame (default: 30)");
     add_value(render, "--edits", "FILE",
-              "Changes of objects, lights and materials over --frames, from a JSON file");
+              "Changes of objects, lights and materials over the frames, from a JSON file");
 }
 
 void read_frames(const CLI::App& command, RenderOptions& options) {
@@ -44,16 +47,24 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
     constexpr double most_rate = 1000.0;
     if (const auto text = value_of(command, "--frames"))
         options.frames = parse_frames("--frames", *text);
+    if (const auto text = value_of(command, "--frame")) {
+        options.frame = parse_unsigned("--frame", *text, 0, limits::max_frames - 1);
+        if (options.frames)
+            throw usage_error(
+                "--frame: is one image instead of those of --frames, expected one of them");
+    }
+    const auto check_animated = [&](const char* name) {
+        if (!options.chosen_frames())
+            throw usage_error(std::string(name) +
+                              ": is for animations, expected it together with --frames or --frame");
+    };
     if (const auto text = value_of(command, "--frame-rate")) {
         options.frame_rate = parse_number("--frame-rate", *text, least_rate, most_rate);
-        if (!options.frames)
-            throw usage_error(
-                "--frame-rate: is for animations, expected it together with --frames");
+        check_animated("--frame-rate");
     }
     if (const auto text = value_of(command, "--edits")) {
         options.edits = *text;
-        if (!options.frames)
-            throw usage_error("--edits: is for animations, expected it together with --frames");
+        check_animated("--edits");
     }
     if (!options.frames) return;
     for (const char* const name : {"--samples", "--resume"})
@@ -62,6 +73,15 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
                               ": is for a single image, expected it without --frames");
     if (options.stats && is_numbered_output(options.output, *options.stats))
         throw usage_error("--stats: names the same file as one of the images of --frames");
+}
+
+EditTimeline read_edits(const std::filesystem::path& given, Scene& scene) {
+    const std::string& text = given.native();
+    if (!text.starts_with('{')) return read_scene_edits(given, scene);
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_discarded())
+        throw input_error("--edits", "is not valid JSON, expected edits or a file of them");
+    return read_scene_edits(json, "--edits", scene);
 }
 
 std::filesystem::path numbered_output(const std::filesystem::path& output, std::uint32_t frame) {

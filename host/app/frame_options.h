@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "scene/scene_edits.h"
+
 namespace CLI {
 class App;
 }
@@ -25,6 +27,10 @@ void add_frames(CLI::App& render);
 
 /// Reads these options, after all others have been read. Throws Error (exit code 1).
 void read_frames(const CLI::App& command, RenderOptions& options);
+
+/// Reads the edits that --edits gives for a scene: a file, or where the text begins with a brace,
+/// themselves. Throws Error as read_scene_edits does.
+[[nodiscard]] EditTimeline read_edits(const std::filesystem::path& given, Scene& scene);
 
 /// The file of one frame: `out.png` becomes `out.0007.png`, with more digits from 10000 on.
 [[nodiscard]] std::filesystem::path numbered_output(const std::filesystem::path& output,

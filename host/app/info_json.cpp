@@ -31,7 +31,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double pi = std::numbers::pi;
-constexpr double default_frame_rate = 30.0;  // that of --frame-rate
 
 /// Names of the effects that the scene needs.
 std::vector<std::string> effects_of(const FlatScene& flat) {
@@ -204,14 +203,9 @@ json light_list(const Scene& scene, const FlatScene& flat) {
 json animation_list(const Scene& scene) {
     json list = json::array();
     for (const AnimationClip& clip : scene.animation.clips) {
-        // A last key between two frames is shown by the frame before it. Rounding must not drop one
-        // on a frame.
-        constexpr double rounding = 1e-6;
-        const double steps =
-            std::min(std::floor(clip.duration * default_frame_rate * (1.0 + rounding)), 1e15);
         list.push_back({{"name", clip.name},
                         {"duration", clip.duration},
-                        {"frames", static_cast<std::uint64_t>(steps) + 1},
+                        {"frames", frame_count(clip.duration, default_frame_rate)},
                         {"channels", clip.channels},
                         {"channels_played", clip.channels_played}});
     }

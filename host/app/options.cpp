@@ -375,6 +375,7 @@ nlohmann::json options_json(const RenderOptions& options) {
     json["materials"] = material_detail_name(options.reading.materials);
     json["frames"] = nullptr;
     if (options.frames) json["frames"] = {options.frames->first, options.frames->end};
+    json["frame"] = json_or_null(options.frame);
     json["frame_rate"] = options.frame_rate;
     json["edits"] = options.edits ? json_text(options.edits->string()) : nullptr;
     json["components"] = json_or_null(options.components);

@@ -23,6 +23,7 @@
 #include "plan/denoiser.h"
 #include "plan/preset.h"
 #include "render/camera_placement.h"
+#include "scene/animation.h"
 #include "tev/tev_connection.h"
 
 namespace CLI {
@@ -61,15 +62,16 @@ struct RenderOptions {
     std::optional<double> cache_error;           ///< of irradiance_cache: 0 to 1
     bool compensation = false;                   ///< of all that gather VPLs by pixels
     std::optional<Backend> backend;
-    std::optional<std::string> device;     ///< an index if all digits (fits 32 bits), else a name
-    std::optional<std::uint32_t> threads;  ///< 1 and up
-    std::uint32_t tile = 64;               ///< edge in pixels, 1 to 4096
-    std::optional<FilmSize> size;          ///< default: the scene's
-    std::optional<std::string> camera;     ///< default: the scene's first
-    CameraPlacement placement;             ///< what is different of it
-    std::optional<FrameRange> frames;      ///< of the animation; default: one image of it at rest
-    double frame_rate = 30.0;              ///< frames per second, above 0
-    std::optional<std::filesystem::path> edits;  ///< of the animation: what changes in its frames
+    std::optional<std::string> device;       ///< an index if all digits (fits 32 bits), else a name
+    std::optional<std::uint32_t> threads;    ///< 1 and up
+    std::uint32_t tile = 64;                 ///< edge in pixels, 1 to 4096
+    std::optional<FilmSize> size;            ///< default: the scene's
+    std::optional<std::string> camera;       ///< default: the scene's first
+    CameraPlacement placement;               ///< what is different of it
+    std::optional<FrameRange> frames;        ///< of the animation; default: one image of it at rest
+    std::optional<std::uint32_t> frame;      ///< instead: one image, of that frame
+    double frame_rate = default_frame_rate;  ///< frames per second, above 0
+    std::optional<std::filesystem::path> edits;  ///< what changes in the frames; see read_edits
     std::optional<std::vector<std::string>> components;  ///< of choosable_components
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
     std::optional<SampleRange> samples;                  ///< of path tracing: only these
@@ -98,6 +100,10 @@ struct RenderOptions {
     /// Whether indirect light comes from irradiance records.
     [[nodiscard]] bool caches_indirect() const {
         return weft::caches_indirect(algorithm, indirect.value_or(IndirectSource::vpl));
+    }
+    /// The frames of the animation that images are made of; empty: it is at rest.
+    [[nodiscard]] std::optional<FrameRange> chosen_frames() const {
+        return frame ? std::optional(FrameRange{*frame, *frame + 1}) : frames;
     }
     /// Whether irradiance records outlast their frame.
     [[nodiscard]] bool keeps_records() const {

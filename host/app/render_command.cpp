@@ -13,6 +13,7 @@
 #include "app/choose_executor.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/frame_options.h"
 #include "app/frame_time_warning.h"
 #include "app/image_settings.h"
 #include "app/interrupt.h"
@@ -235,30 +236,33 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
 /// The camera in one frame of an animation.
 Camera camera_of_frame(const Scene& scene, const Camera& camera, const RenderOptions& options,
                        std::uint32_t frame) {
-    return options.frames ? camera_at(scene, camera, frame / options.frame_rate) : camera;
+    return options.chosen_frames() ? camera_at(scene, camera, frame / options.frame_rate) : camera;
 }
 
-/// Reads the scene and its edits. Things move only where --frames is given.
+/// Reads the scene and its edits. Things move only where frames are chosen.
 MovingScene read_moving_scene(const RenderOptions& options, Diagnostics& diagnostics) {
     Scene scene = load_scene(options.scene, diagnostics, options.reading);
     if (!is_reference(options.algorithm)) empty_surfaces(scene);
     EditTimeline edits;
-    if (!options.frames) hold_still(scene);
-    if (options.edits) edits = read_scene_edits(*options.edits, scene);
+    if (!options.chosen_frames()) hold_still(scene);
+    if (options.edits) edits = read_edits(*options.edits, scene);
     return {std::move(scene), std::move(edits), options.frame_rate};
 }
 
 /// Checks all frames before the first is rendered.
 void check_frames(MovingScene& moving, const Camera& camera, const RenderOptions& options,
                   Diagnostics& diagnostics) {
-    if (!options.frames) return;
+    const std::optional<FrameRange> frames = options.chosen_frames();
+    if (!frames) return;
     const Scene& scene = moving.at_rest();
     if (!camera.motion.moves() && !moving.moves()) {
-        diagnostics.warn(scene.source, "neither the scene nor camera " + quote(camera.name) +
-                                           " is animated, all frames are the same");
+        diagnostics.warn(
+            scene.source,
+            "neither the scene nor camera " + quote(camera.name) + " is animated, " +
+                (options.frame ? "the image is that of every frame" : "all frames are the same"));
         return;
     }
-    for (std::uint32_t frame = options.frames->first; frame < options.frames->end; ++frame) {
+    for (std::uint32_t frame = frames->first; frame < frames->end; ++frame) {
         moving.check_frame(frame);
         (void)camera_of_frame(scene, camera, options, frame);
     }
@@ -305,7 +309,7 @@ RenderBudget budget_of_frame(const RenderOptions& options, std::uint32_t frame,
 std::uint32_t render_images(RenderSession& session, CommandOutput& output, TevWatch* tev,
                             const Camera& camera, const RenderOptions& options, Progress& progress,
                             const CommandClock& clock) {
-    const FrameRange frames = options.frames.value_or(FrameRange{});
+    const FrameRange frames = options.chosen_frames().value_or(FrameRange{});
     const std::uint32_t count = frames.end - frames.first;
     for (std::uint32_t done = 0; done < count; ++done) {
         const std::uint32_t frame = frames.first + done;
@@ -379,8 +383,8 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
         progress.prepare("compiling kernels", now.left_ms / 1000.0);
     });
     progress.update(0.0, "building");
-    const FrameRange frames = options.frames.value_or(FrameRange{});
-    if (options.frames) moving.set_frame(frames.first);
+    const FrameRange frames = options.chosen_frames().value_or(FrameRange{});
+    if (options.chosen_frames()) moving.set_frame(frames.first);
     const Camera first_camera = camera_of_frame(scene, camera, options, frames.first);
     RenderSession session = make_session(std::move(executor), std::move(moving), first_camera,
                                          options, settings, diagnostics);

@@ -120,7 +120,7 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
                            {"build_ms", build.build_ms},
                            {"flags", build.flags},
                            {"from_cache", build.from_cache}});
-    const std::uint32_t first_frame = options.frames ? options.frames->first : 0;
+    const std::uint32_t first_frame = options.chosen_frames().value_or(FrameRange{}).first;
     nlohmann::json frames = nlohmann::json::array();
     for (const FrameStats& frame : session.stats().last_frames())
         frames.push_back(frame_json(frame, first_frame));

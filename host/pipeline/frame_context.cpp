@@ -57,6 +57,25 @@ void upload_surfaces(Executor& executor, const FlatSurfaces& surfaces, owned::Su
             upload<kinds::SurfaceValues>(executor, surfaces.values, "tables of albedos");
 }
 
+/// Replaces what a buffer holds, by another buffer where there are more or fewer values.
+template <class Kind>
+void replace(Executor& executor, const std::vector<typename Kind::Element>& values,
+             DeviceBuffer<Kind>& to, std::string_view what) {
+    if (values.empty()) return;
+    if (to && to->bytes() == values.size() * sizeof(typename Kind::Element))
+        write_buffer(executor, to, values);
+    else
+        to = upload<Kind>(executor, values, what);
+}
+
+/// Writes what edits change of surfaces: their records, and the maps and tables that these read.
+void update_surfaces(Executor& executor, const FlatSurfaces& surfaces, owned::SurfaceTables& to) {
+    if (!surfaces.present()) return;
+    replace(executor, surfaces.records, to.surface_records, "surfaces");
+    replace(executor, surfaces.maps, to.surface_maps, "texture maps");
+    replace(executor, surfaces.values, to.surface_values, "tables of albedos");
+}
+
 }  // namespace
 
 SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
@@ -98,6 +117,7 @@ void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene
     }
     write_buffer(executor, to.instances, flat.instances);
     write_buffer(executor, to.materials, flat.materials);
+    update_surfaces(executor, flat.surfaces, scene.surfaces);
     upload_lights(executor, flat, scene);
 }
 

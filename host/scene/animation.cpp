@@ -179,4 +179,12 @@ glm::dmat4 to_world_at(const Animation& animation, const Attachment& attachment,
     return to_world * attachment.to_node;
 }
 
+std::uint64_t frame_count(double seconds, double frame_rate) {
+    // Rounding must not drop a key that lies on a frame.
+    constexpr double rounding = 1e-6;
+    constexpr double most = 1e15;
+    const double steps = std::min(std::floor(seconds * frame_rate * (1.0 + rounding)), most);
+    return static_cast<std::uint64_t>(steps) + 1;
+}
+
 }  // namespace weft

@@ -84,6 +84,13 @@ struct Animation {
     std::vector<MovingNode> nodes;  ///< parents before children
 };
 
+/// Frames per second where none are named.
+inline constexpr double default_frame_rate = 30.0;
+
+/// The frames of so many seconds at a frame rate, 1 and up. A last key between two frames is shown
+/// by the frame before it.
+[[nodiscard]] std::uint64_t frame_count(double seconds, double frame_rate);
+
 /// A moving node's own transform at `time`, seconds.
 [[nodiscard]] glm::dmat4 local_at(const Animation& animation, const MovingNode& node, double time);
 

@@ -92,6 +92,7 @@ struct Change {
             fade(material.emission.radiance,
                  glm::dvec3(change.emission.value_or(material.emission.radiance)) *
                      change.emission_factor);
+            if (change.roughness) fade_roughness(material, *change.roughness, share);
         }
     }
 

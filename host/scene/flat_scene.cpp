@@ -404,6 +404,7 @@ void update_flat(const Scene& scene, FlatScene& flat) {
     const bool textures = !flat.texture_coordinates.empty();
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
         flat.materials[m] = material_record(scene.materials[m], textures);
+    update_surfaces(scene, flat.surfaces);
     flat.mean_reflectance = mean_surfaces(scene, flat).reflectance;
     measure_extent(flat);
     flat.lights.clear();

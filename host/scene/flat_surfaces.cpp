@@ -7,12 +7,12 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "base/error.h"
 #include "scene/flat_scene.h"
 #include "scene/surface/facet_albedo.h"
-#include "scene/surface/plastic_table.h"
 
 namespace weft {
 namespace {
@@ -270,26 +270,69 @@ void add_glass_tables(FlatSurfaces& surfaces) {
             known.try_emplace(record.eta.x, static_cast<std::uint32_t>(surfaces.values.size()));
         record.table = at->second;
         if (!is_new) continue;
-        const auto eta = static_cast<double>(record.eta.x);
-        for (const double ratio : {eta, 1.0 / eta}) {
-            const std::vector<float> table = glass_albedo_table(ratio);
-            surfaces.values.insert(surfaces.values.end(), table.begin(), table.end());
+        std::vector<float>& pair = surfaces.tables.glass[record.eta.x];
+        if (pair.empty()) {
+            const auto eta = static_cast<double>(record.eta.x);
+            for (const double ratio : {eta, 1.0 / eta}) {
+                const std::vector<float> table = glass_albedo_table(ratio);
+                pair.insert(pair.end(), table.begin(), table.end());
+            }
         }
+        surfaces.values.insert(surfaces.values.end(), pair.begin(), pair.end());
     }
 }
 
 /// Adds the tables of what the boundaries of rough plastics let in.
 void add_plastic_tables(FlatSurfaces& surfaces) {
+    const auto known = std::exchange(surfaces.tables.plastic, {});
     for (shared::SurfaceRecord& record : surfaces.records) {
         if (record.model != SURFACE_PLASTIC || !(record.roughness_u > 0.0F)) continue;
-        const PlasticTable table = plastic_table(static_cast<double>(record.roughness_u),
-                                                 static_cast<double>(record.eta.x),
-                                                 (record.flags & SURFACE_BECKMANN) != 0);
+        const bool beckmann = (record.flags & SURFACE_BECKMANN) != 0;
+        const std::tuple key{record.roughness_u, record.eta.x, beckmann};
+        const auto found = known.find(key);
+        const PlasticTable& table =
+            surfaces.tables.plastic
+                .try_emplace(key, found != known.end()
+                                      ? found->second
+                                      : plastic_table(static_cast<double>(record.roughness_u),
+                                                      static_cast<double>(record.eta.x), beckmann))
+                .first->second;
         record.table = static_cast<std::uint32_t>(surfaces.values.size());
         record.inner = table.inner_reflectance;
         surfaces.values.insert(surfaces.values.end(), table.transmittance.begin(),
                                table.transmittance.end());
     }
+}
+
+/// Makes records of the plain ones, and the tables of albedos that they read.
+void add_tables(FlatSurfaces& surfaces) {
+    surfaces.records = surfaces.plain;
+    surfaces.values.clear();
+    add_glass_tables(surfaces);
+    add_plastic_tables(surfaces);
+}
+
+/// The records of all materials, and the textures that they name.
+std::vector<shared::SurfaceRecord> plain_records(const Scene& scene,
+                                                 std::vector<shared::SurfaceMap>& maps) {
+    std::vector<shared::SurfaceRecord> records;
+    for (const Material& material : scene.materials) {
+        if (scatters_by_record(material)) {
+            records.push_back(RecordBuilder(maps).build(*material.description));
+            continue;
+        }
+        shared::SurfaceRecord record{};
+        record.model = SURFACE_LAMBERT;
+        record.table = INVALID_INDEX;
+        records.push_back(record);
+    }
+    return records;
+}
+
+/// Whether two records of one material have the same colours and roughness.
+bool same_numbers(const shared::SurfaceRecord& a, const shared::SurfaceRecord& b) {
+    return a.base.x == b.base.x && a.base.y == b.base.y && a.base.z == b.base.z &&
+           a.roughness_u == b.roughness_u && a.roughness_v == b.roughness_v;
 }
 
 double volume_of(const FlatScene& flat, const InstanceRange& range) {
@@ -409,18 +452,8 @@ FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
             return scatters_by_record(scene.materials[instance.material]);
         }))
         return surfaces;
-    for (const Material& material : scene.materials) {
-        if (scatters_by_record(material)) {
-            surfaces.records.push_back(RecordBuilder(surfaces.maps).build(*material.description));
-            continue;
-        }
-        shared::SurfaceRecord record{};
-        record.model = SURFACE_LAMBERT;
-        record.table = INVALID_INDEX;
-        surfaces.records.push_back(record);
-    }
-    add_glass_tables(surfaces);
-    add_plastic_tables(surfaces);
+    surfaces.plain = plain_records(scene, surfaces.maps);
+    add_tables(surfaces);
     append_coordinates(scene, flat, surfaces);
     if (std::any_of(surfaces.records.begin(), surfaces.records.end(), asks_for_tangents)) {
         surfaces.tangents.assign(flat.positions.size(), {0.0F, 0.0F, 0.0F, 0.0F});
@@ -434,6 +467,19 @@ FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
                    ((record.flags & SURFACE_THIN) != 0 && record.transmission > 0.0F);
         });
     return surfaces;
+}
+
+void update_surfaces(const Scene& scene, FlatSurfaces& surfaces) {
+    if (!surfaces.present()) return;
+    // There are fewer maps where roughness becomes the same along both directions.
+    std::vector<shared::SurfaceMap> maps;
+    std::vector<shared::SurfaceRecord> records = plain_records(scene, maps);
+    if (std::equal(records.begin(), records.end(), surfaces.plain.begin(), surfaces.plain.end(),
+                   same_numbers))
+        return;
+    surfaces.plain = std::move(records);
+    surfaces.maps = std::move(maps);
+    add_tables(surfaces);
 }
 
 }  // namespace weft

@@ -4,9 +4,12 @@
 #define WEFT_SCENE_FLAT_SURFACES_H
 
 #include <cstdint>
+#include <map>
+#include <tuple>
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/surface/plastic_table.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -14,10 +17,18 @@ namespace weft {
 struct FlatMedia;
 struct FlatScene;
 
+/// Tables of albedos by what they depend on, since some take 0.1 s to make.
+struct AlbedoTables {
+    std::map<float, std::vector<float>> glass;  ///< by index: from outside, then from inside
+    /// By roughness, index and whether the distribution is Beckmann's.
+    std::map<std::tuple<float, float, bool>, PlasticTable> plastic;
+};
+
 /// What kernels read of materials with more than Lambert's lobe (kernels/bsdf/surface_maps.h).
 /// Empty in scenes without one.
 struct FlatSurfaces {
     std::vector<shared::SurfaceRecord> records;  ///< by material
+    std::vector<shared::SurfaceRecord> plain;    ///< the same without what tables add to them
     std::vector<shared::SurfaceMap> maps;
     std::vector<float> coordinates;  ///< 2 a vertex, one set of a mesh after the other
     /// SURFACE_INSTANCE_WORDS by instance: what leads from a vertex to its coordinates in each set,
@@ -27,6 +38,7 @@ struct FlatSurfaces {
     std::vector<shared::float4> tangents;  ///< by vertex; empty where nothing asks for them
     std::vector<shared::InterfaceRecord> interfaces;
     std::vector<float> values;  ///< of tables of albedos
+    AlbedoTables tables;        ///< those of glass and of the present plastics
 
     bool see_through = false;  ///< some let light pass straight on
 
@@ -42,6 +54,10 @@ void link_boundaries(const Scene& scene, const FlatMedia& media, FlatSurfaces& s
 
 /// The surfaces of a scene whose instances have been flattened to `flat`.
 [[nodiscard]] FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat);
+
+/// Brings records and tables up to date with the materials of a scene, whose colours and roughness
+/// may have changed, but nothing else.
+void update_surfaces(const Scene& scene, FlatSurfaces& surfaces);
 
 }  // namespace weft
 

@@ -40,4 +40,20 @@ void set_albedo_texture(Material& material, int texture) {
         colour->map.texture = texture;
 }
 
+std::optional<double> perceived_roughness(const Material& material) {
+    if (!material.description || is_lambertian(*material.description)) return {};
+    SurfaceDescription surface = *material.description;
+    const std::vector<Roughness*> found = roughness_of(surface);
+    if (found.empty()) return {};
+    return perceived(*found.front());
+}
+
+void fade_roughness(Material& material, double goal, double share) {
+    if (!perceived_roughness(material)) return;
+    for (Roughness* const found : roughness_of(*material.description)) {
+        const double before = perceived(*found);
+        set_perceived(*found, share < 1.0 ? before + (goal - before) * share : goal);
+    }
+}
+
 }  // namespace weft

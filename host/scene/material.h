@@ -70,6 +70,12 @@ void set_diffuse_albedo(Material& material, const glm::vec3& albedo);
 /// Replaces albedo_texture, likewise; -1 for none.
 void set_albedo_texture(Material& material, int texture);
 
+/// The perceived roughness of a material's surface, 0 to 1, which its texture is multiplied with,
+/// along u where it has two; empty where it has none, as a diffuse one.
+[[nodiscard]] std::optional<double> perceived_roughness(const Material& material);
+/// Brings it by a share of the way to `goal`, along both directions, where there is one.
+void fade_roughness(Material& material, double goal, double share = 1.0);
+
 }  // namespace weft
 
 #endif

@@ -56,6 +56,12 @@ bool same_attachment(const Attachment& a, const Attachment& b) {
     return a.node == b.node && a.to_node == b.to_node;
 }
 
+/// Whether both are flattened alike, wherever those are that may move.
+bool flattens_alike(const Instance& a, const Instance& b) {
+    return a.mesh == b.mesh && a.material == b.material && a.may_move == b.may_move &&
+           a.deformation == b.deformation && same_attachment(a.motion, b.motion);
+}
+
 /// Whether update_flat can follow the changes of instances: only those that may move are elsewhere.
 /// Marks others that have moved as instances that may move from now on.
 bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& now) {
@@ -68,9 +74,7 @@ bool let_moved_move(const std::vector<Instance>& before, std::vector<Instance>& 
                                   old.flip_normals != instance.flip_normals ||
                                   old.present != instance.present;
         if (is_elsewhere && !instance.may_move) instance.may_move = true;
-        can_follow = can_follow && old.mesh == instance.mesh && old.material == instance.material &&
-                     old.may_move == instance.may_move && old.deformation == instance.deformation &&
-                     same_attachment(old.motion, instance.motion);
+        can_follow = can_follow && flattens_alike(old, instance);
     }
     return can_follow;
 }
@@ -107,7 +111,8 @@ MovingScene::MovingScene(Scene scene, EditTimeline edits, double frame_rate)
       edits_(std::move(edits)),
       frame_rate_(frame_rate),
       moves_(!edits_.edits.empty() || is_animated(rest_)),
-      flat_(flatten(rest_)) {
+      flat_(flatten(rest_)),
+      first_powers_(flat_.first_powers) {
     if (moves_) posed_ = rest_;
 }
 
@@ -149,12 +154,14 @@ void MovingScene::flatten_anew() {
     check_targets(edits_, rest_);
     FlatScene flat = flatten(rest_);
     std::swap(flat, flat_);
+    std::vector<double> powers = std::exchange(first_powers_, flat_.first_powers);
     const bool moves = std::exchange(moves_, !edits_.edits.empty() || is_animated(rest_));
     Scene posed = std::exchange(posed_, moves_ ? rest_ : Scene{});
     try {
         if (posed_once_) set_frame(frame_);
     } catch (...) {
         std::swap(flat, flat_);
+        first_powers_ = std::move(powers);
         moves_ = moves;
         posed_ = std::move(posed);
         throw;
@@ -177,6 +184,7 @@ bool MovingScene::edit(const std::function<void(const SceneParts&)>& change) {
     const std::vector<Material> materials = rest_.materials;
     const std::vector<PunctualLight> lights = rest_.lights;
     const std::optional<Environment> environment = rest_.environment;
+    unedited_.reset();
     try {
         change({rest_.instances, rest_.materials, rest_.lights, rest_.environment});
         const bool moved_all_may = let_moved_move(instances, rest_.instances);
@@ -197,7 +205,39 @@ bool MovingScene::edit(const std::function<void(const SceneParts&)>& change) {
     }
 }
 
+bool MovingScene::set_edits(const std::function<EditTimeline(Scene&)>& read, std::uint32_t frame) {
+    if (!unedited_) unedited_ = rest_.instances;
+    std::vector<Instance> instances = std::exchange(rest_.instances, *unedited_);
+    EditTimeline edits = std::exchange(edits_, {});
+    const std::uint32_t old_frame = std::exchange(frame_, frame);
+    const bool posed = posed_once_;
+    try {
+        edits_ = read(rest_);
+        const bool moves = !edits_.edits.empty() || is_animated(rest_);
+        posed_once_ = moves;
+        const bool in_place = moves == moves_ && std::equal(instances.begin(), instances.end(),
+                                                            rest_.instances.begin(),
+                                                            rest_.instances.end(), flattens_alike);
+        if (!in_place) {
+            flatten_anew();
+        } else if (moves) {
+            pose(frame);
+            // A light that some earlier edit made shine did so in no frame of these edits.
+            flat_.first_powers = first_powers_;
+            update_flat(posed_, flat_);
+        }
+        return in_place;
+    } catch (...) {
+        rest_.instances = std::move(instances);
+        edits_ = std::move(edits);
+        frame_ = old_frame;
+        posed_once_ = posed;
+        throw;
+    }
+}
+
 void MovingScene::rebuild(const std::function<void(Scene&)>& change) {
+    unedited_.reset();
     Scene before = rest_;
     try {
         change(rest_);

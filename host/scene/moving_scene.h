@@ -49,10 +49,17 @@ class MovingScene {
     /// (exit code 2) as validate_scene, validate_pose and set_frame do, and where a frame's edits
     /// change what is no longer there; the scene stays what it was.
     bool edit(const std::function<void(const SceneParts&)>& change);
-    /// The same for any changes, meshes and textures included; always flattens anew.
+    /// Replaces all edits by those that `read` finds for the scene at rest, in which it marks and
+    /// adds instances as read_scene_edits does, and brings the scene to a frame. From then on the
+    /// scene is what one made with these edits is, whatever it was before. Returns as `edit` does.
+    /// Throws what `read` throws, and Error as set_frame does; the scene stays what it was.
+    bool set_edits(const std::function<EditTimeline(Scene&)>& read, std::uint32_t frame);
+    /// As `edit` for any changes, meshes and textures included; always flattens anew.
     void rebuild(const std::function<void(Scene&)>& change);
 
     [[nodiscard]] const Scene& at_rest() const { return rest_; }
+    /// The scene in the present frame; at rest where it does not move, or no frame was chosen.
+    [[nodiscard]] const Scene& now() const { return moves_ && posed_once_ ? posed_ : rest_; }
     /// Stays the same object. Its vertices and triangles keep their places in memory, unless an
     /// edit flattens anew.
     [[nodiscard]] const FlatScene& flat() const { return flat_; }
@@ -69,6 +76,9 @@ class MovingScene {
     bool posed_once_ = false;  ///< false: the scene is at rest
     bool moves_;
     FlatScene flat_;
+    std::vector<double> first_powers_;  ///< those of flat_ when it was flattened
+    /// Those at rest without edits; empty where set_edits has not been called since `edit`.
+    std::optional<std::vector<Instance>> unedited_;
 };
 
 }  // namespace weft

@@ -150,6 +150,7 @@ struct Scene {
     std::string source;  ///< path it was read from
     std::vector<Texture> textures;
     std::vector<Material> materials;
+    MaterialDetail detail = MaterialDetail::full;  ///< what was kept of them
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<PunctualLight> lights;

@@ -279,8 +279,9 @@ class EditReader {
     }
 
     void read_material_edit(const JsonValue& value, const Json& json, SceneEdit& edit) const {
-        check_keys(value, json,
-                   {"frame", "until", "material", "albedo", "emission", "emission_factor"});
+        check_keys(
+            value, json,
+            {"frame", "until", "material", "albedo", "emission", "emission_factor", "roughness"});
         edit.targets = {look_up_one(materials_, value.at("material"), "material")};
         MaterialChange change;
         change.albedo = colour_of(value, "albedo", 1.0, "is outside [0, 1]");
@@ -288,8 +289,19 @@ class EditReader {
                                     "is negative or not finite as a float");
         const std::optional<JsonValue> factor = value.find("emission_factor");
         if (factor) change.emission_factor = factor_of(*factor);
-        if (!change.albedo && !change.emission && !factor)
-            throw value.error("lacks a change, expected 'albedo', 'emission' or 'emission_factor'");
+        const std::optional<JsonValue> roughness = value.find("roughness");
+        if (roughness) {
+            change.roughness = roughness->as_number();
+            if (!(*change.roughness >= 0.0 && *change.roughness <= 1.0))
+                throw roughness->error("is outside [0, 1]");
+            // Of a scene that was read as diffuse nobody knows, and nothing is changed.
+            if (scene_.detail == MaterialDetail::full &&
+                !perceived_roughness(scene_.materials[edit.targets.front()]))
+                throw roughness->error("is for a material that has none");
+        }
+        if (!change.albedo && !change.emission && !factor && !roughness)
+            throw value.error(
+                "lacks a change, expected 'albedo', 'emission', 'emission_factor' or 'roughness'");
         edit.change = change;
     }
 
@@ -315,9 +327,13 @@ class EditReader {
 }  // namespace
 
 EditTimeline read_scene_edits(const std::filesystem::path& file, Scene& scene) {
-    const Json json = read_json_file(file, limits::max_text_file_bytes);
+    return read_scene_edits(read_json_file(file, limits::max_text_file_bytes), file.string(),
+                            scene);
+}
+
+EditTimeline read_scene_edits(const Json& json, const std::string& place, Scene& scene) {
     EditReader reader(scene);
-    reader.read({json, file.string() + "#"}, json);
+    reader.read({json, place + "#"}, json);
     scene.instances.insert(scene.instances.end(), reader.added.begin(), reader.added.end());
     for (const SceneEdit& edit : reader.timeline.edits)
         if (edit.is_of_object())

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -49,6 +50,7 @@ struct MaterialChange {
     std::optional<glm::vec3> albedo;    ///< new value, [0,1]
     std::optional<glm::vec3> emission;  ///< new value before `emission_factor`, W/(m^2 sr)
     double emission_factor = 1.0;       ///< not negative
+    std::optional<double> roughness;    ///< new value, perceived, [0,1]
 };
 
 /// A change of a scene: a part of it at every frame from `frame` to `until`, all of it from then
@@ -78,6 +80,10 @@ struct EditTimeline {
 /// those that edits add: not present, and marked as well. Throws Error (exit code 2) where the file
 /// or a value of it is wrong; `scene` is then as before.
 [[nodiscard]] EditTimeline read_scene_edits(const std::filesystem::path& file, Scene& scene);
+
+/// The same for edits that are read already, from what messages call `place`.
+[[nodiscard]] EditTimeline read_scene_edits(const nlohmann::json& json, const std::string& place,
+                                            Scene& scene);
 
 /// What makes a transform to the world unusable, as `a transform that ...`, or null.
 [[nodiscard]] const char* transform_flaw(const glm::dmat4& to_world);

@@ -4,6 +4,7 @@
 #define WEFT_SESSION_MATTE_PASS_H
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ struct MatteView {
 bool add_mattes(Executor& executor, const Scene& scene, const FlatScene& flat,
                 const SceneBuffers& buffers, const MatteView& view, const MatteSettings& settings,
                 Image& image);
+
+/// The instance that the pixel in column `x` and row `y` shows at its centre; empty where it shows
+/// none, lies outside, or that was cancelled.
+[[nodiscard]] std::optional<std::uint32_t> instance_at(Executor& executor, const FlatScene& flat,
+                                                       const SceneBuffers& buffers,
+                                                       const MatteView& view, std::uint32_t x,
+                                                       std::uint32_t y);
 
 /// The name of the object that each instance of a scene belongs to: its own. The parts of one mesh
 /// are one object; other instances of a name that was there before get a number.

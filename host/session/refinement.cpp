@@ -11,19 +11,6 @@
 namespace weft {
 namespace {
 
-PathSettings exact_settings(const RenderSettings& preview) {
-    PathSettings settings;
-    settings.algorithm = Algorithm::reference;
-    settings.width = preview.width;
-    settings.height = preview.height;
-    settings.seed = preview.seed;
-    settings.samples = {0, limits::max_samples_per_pixel};
-    settings.hides_environment = preview.hides_environment;
-    settings.direct = preview.direct;
-    settings.indirect = preview.indirect;
-    return settings;
-}
-
 /// The light and the alpha of an image.
 Image light_of(Image image) {
     std::erase_if(image.layers, [](const Layer& layer) {
@@ -49,6 +36,19 @@ Image rest_of(const Image& whole, std::uint64_t samples, const Image& part,
 }
 
 }  // namespace
+
+PathSettings exact_settings(const RenderSettings& preview) {
+    PathSettings settings;
+    settings.algorithm = Algorithm::reference;
+    settings.width = preview.width;
+    settings.height = preview.height;
+    settings.seed = preview.seed;
+    settings.samples = {0, limits::max_samples_per_pixel};
+    settings.hides_environment = preview.hides_environment;
+    settings.direct = preview.direct;
+    settings.indirect = preview.indirect;
+    return settings;
+}
 
 Refinement::Refinement(Executor& executor, const FlatScene& scene,
                        std::shared_ptr<SceneBuffers> uploaded, const Camera& camera,

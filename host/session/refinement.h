@@ -14,6 +14,10 @@
 
 namespace weft {
 
+/// The settings of the unbiased image that a preview with these settings is of, with any number of
+/// samples.
+[[nodiscard]] PathSettings exact_settings(const RenderSettings& preview);
+
 /// Leads a finished preview on towards the truth: adds unbiased samples of the same image, by
 /// Algorithm::reference, and corrects the preview by them (correct_preview).
 class Refinement {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/limits.h"
 #include "base/stopwatch.h"
 
 namespace weft {
@@ -97,6 +98,18 @@ void RenderSession::edit(const std::function<void(const SceneParts&)>& change) {
     make_renderer({});
 }
 
+void RenderSession::set_edits(const std::function<EditTimeline(Scene&)>& read, std::uint32_t frame,
+                              const Camera& camera) {
+    if (scene_.set_edits(read, frame)) {
+        follow_scene();
+        move_camera(camera);
+        return;
+    }
+    camera_ = camera;
+    upload();
+    make_renderer({});
+}
+
 void RenderSession::rebuild(const std::function<void(Scene&)>& change) {
     scene_.rebuild(change);
     upload();
@@ -124,6 +137,37 @@ void RenderSession::add_identifiers(Image& image) {
     }
     (void)add_mattes(executor_, scene_.at_rest(), scene_.flat(), *buffers_,
                      {camera_, image.width, image.height, samples, seed}, mattes_, image);
+}
+
+std::unique_ptr<ReferencePair> RenderSession::make_references() {
+    PathSettings settings;
+    if (const auto* const preview = std::get_if<RenderSettings>(&settings_)) {
+        settings = exact_settings(*preview);
+    } else {
+        settings = std::get<PathSettings>(settings_);
+        settings.samples = {0, limits::max_samples_per_pixel};
+    }
+    return std::make_unique<ReferencePair>(executor_, scene_.flat(), buffers_, camera_, settings);
+}
+
+bool RenderSession::grow(ReferencePair& references, double ms, const std::atomic<bool>* end_early) {
+    bool added = false;
+    {
+        const CancellableExecutor::Scope cancelling(executor_);
+        added = references.render_frame(
+            ms, [&](Stage, double) { return end_early == nullptr || !*end_early; });
+    }
+    return !executor_.take_request() && added;
+}
+
+std::optional<std::uint32_t> RenderSession::instance_at(std::uint32_t x, std::uint32_t y) {
+    const auto size = std::visit(
+        [](const auto& settings) {
+            return FilmSize{settings.width, settings.height};
+        },
+        settings_);
+    return weft::instance_at(executor_, scene_.flat(), *buffers_,
+                             {camera_, size.width, size.height}, x, y);
 }
 
 void RenderSession::denoise(SessionImage& image) const {

@@ -21,6 +21,7 @@
 #include "session/image_watch.h"
 #include "session/matte_pass.h"
 #include "session/output_driver.h"
+#include "session/reference_pair.h"
 #include "session/refinement.h"
 #include "session/session_stats.h"
 
@@ -121,9 +122,23 @@ class RenderSession {
     /// Changes instances, materials and lights, and begins the next image of the sequence; uploads
     /// what has to be. Throws as MovingScene::edit does; then nothing has changed.
     void edit(const std::function<void(const SceneParts&)>& change);
+    /// Replaces all edits of the scene and brings it to a frame of its animation, seen from a
+    /// camera. Begins the next image of the sequence, or another image where instances begin or end
+    /// to be movable. Throws as MovingScene::set_edits does; then nothing has changed.
+    void set_edits(const std::function<EditTimeline(Scene&)>& read, std::uint32_t frame,
+                   const Camera& camera);
     /// Changes anything in the scene and begins another image; uploads all of the scene. Throws as
     /// MovingScene::rebuild does; then nothing has changed.
     void rebuild(const std::function<void(Scene&)>& change);
+
+    /// Begins references of the image that is being rendered. They hold until the scene, the
+    /// camera, the size or the settings change, and must be gone before the session is.
+    [[nodiscard]] std::unique_ptr<ReferencePair> make_references();
+    /// Lets references grow: ReferencePair::render_frame. `cancel` ends that, and so does
+    /// `end_early` once it is set, which may be null.
+    bool grow(ReferencePair& references, double ms, const std::atomic<bool>* end_early);
+    /// The instance that a pixel of the image shows at its centre; empty where that is none.
+    [[nodiscard]] std::optional<std::uint32_t> instance_at(std::uint32_t x, std::uint32_t y);
 
     /// The image rendered so far, which has at least one sample; a path-traced frame that was
     /// cancelled is finished first.

@@ -31,13 +31,6 @@ constexpr std::string_view policy =
     "default-src 'self'; img-src 'self' blob:; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'";
 
-/// The page's number of what it asks for; 0 where that changes nothing.
-std::uint32_t state_of(const ViewMessage& message) {
-    if (const auto* const camera = std::get_if<ViewCamera>(&message)) return camera->state;
-    if (const auto* const settings = std::get_if<ViewSettings>(&message)) return settings->state;
-    return 0;
-}
-
 }  // namespace
 
 auto ViewConnection::written() {
@@ -66,7 +59,7 @@ void ViewConnection::send_text(std::string text) {
 }
 
 void ViewConnection::show(const ViewFrame& frame) {
-    waiting_ = frame;
+    waiting_.at(frame.pane) = frame;
     write_next();
 }
 
@@ -204,7 +197,8 @@ void ViewConnection::take_key(std::string_view text) {
     pages_.count = pages_.shown.size();
     socket_->set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     send_text(pages_.events.hello());
-    if (pages_.frame) show(*pages_.frame);
+    for (const std::optional<ViewFrame>& frame : pages_.frames)
+        if (frame) show(*frame);
 }
 
 void ViewConnection::take_message(std::string_view text) {
@@ -225,11 +219,18 @@ void ViewConnection::take_ack(const ViewAck& ack) {
     write_next();
 }
 
+std::optional<ViewFrame>* ViewConnection::next_frame() {
+    std::optional<ViewFrame>* next = nullptr;
+    for (std::optional<ViewFrame>& frame : waiting_)
+        if (frame && (next == nullptr || frame->number < (*next)->number)) next = &frame;
+    return next;
+}
+
 void ViewConnection::write_next() {
     if (is_writing_ || !socket_) return;
     if (!texts_.empty()) return write_text();
     if (farewell_) return say_farewell();
-    if (is_page() && waiting_ && undrawn_.size() < most_undrawn) write_frame();
+    if (is_page() && next_frame() != nullptr && undrawn_.size() < most_undrawn) write_frame();
 }
 
 void ViewConnection::write_text() {
@@ -242,8 +243,9 @@ void ViewConnection::write_text() {
 
 void ViewConnection::write_frame() {
     is_writing_ = true;
-    sent_ = std::move(*waiting_);
-    waiting_.reset();
+    std::optional<ViewFrame>& next = *next_frame();
+    sent_ = std::move(*next);
+    next.reset();
     state_ = state_at(sent_.version);
     while (!asked_.empty() && asked_.front().first <= sent_.version) asked_.pop_front();
     undrawn_.push_back(++sequence_);

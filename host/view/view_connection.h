@@ -37,7 +37,8 @@ struct ViewPages {
     std::map<std::uint32_t, ViewConnection*> shown{};  ///< those that have shown the key
     std::atomic<std::size_t> count = 0;                ///< of these
     std::uint32_t next_page = 1;
-    std::optional<ViewFrame> frame{};    ///< the last that was shown
+    std::array<std::optional<ViewFrame>, view_panes> frames{};  ///< the last that were shown
+    std::uint64_t next_number = 1;                              ///< of a frame
     std::function<void()> when_empty{};  ///< called once no connection is left; may be empty
 };
 
@@ -102,6 +103,9 @@ class ViewConnection : public std::enable_shared_from_this<ViewConnection> {
 
     void write_text();
 
+    /// The oldest of the frames that wait; null where none does.
+    [[nodiscard]] std::optional<ViewFrame>* next_frame();
+
     void write_frame();
 
     void say_farewell();
@@ -119,7 +123,7 @@ class ViewConnection : public std::enable_shared_from_this<ViewConnection> {
     std::optional<std::string> farewell_;
     bool is_writing_ = false;
 
-    std::optional<ViewFrame> waiting_;
+    std::array<std::optional<ViewFrame>, view_panes> waiting_;  ///< the newest of each pane
     ViewFrame sent_;
     std::array<std::byte, view_frame_head_bytes> head_{};
     std::uint32_t sequence_ = 0;

@@ -25,7 +25,7 @@ std::array<std::byte, view_frame_head_bytes> view_frame_head(const ViewFrame& fr
     };
     for (const char c : {'W', 'F', 'T', '1'}) put(c);
     put(static_cast<std::uint8_t>(frame.codec));
-    put(std::uint8_t{0});  // the pane: there is one
+    put(static_cast<std::uint8_t>(frame.pane));
     put(static_cast<std::uint16_t>((frame.moving ? moving_flag : 0) |
                                    (frame.final ? final_flag : 0)));
     put(sequence);

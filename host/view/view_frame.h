@@ -11,12 +11,16 @@
 
 namespace weft {
 
+/// Images that a page can show beside each other.
+inline constexpr std::size_t view_panes = 2;
+
 /// How the image of a frame is coded.
 enum class ViewCodec : std::uint8_t { jpeg, png };
 
 /// An image of a view, as its pages get it.
 struct ViewFrame {
     ViewCodec codec{};
+    std::uint32_t pane = 0;               ///< below view_panes; 1: what is compared
     bool moving = false;                  ///< the camera does
     bool final = false;                   ///< the file that `weft render` would write
     std::uint64_t version = 0;            ///< of what pages have asked for: the last that it shows
@@ -24,6 +28,7 @@ struct ViewFrame {
     std::uint32_t samples = 0;            ///< of every pixel
     float milliseconds = 0.0F;            ///< that its last sample took
     std::shared_ptr<const std::vector<std::byte>> file;
+    std::uint64_t number = 0;  ///< given by the server, in the order in which they are shown
 };
 
 /// Bytes before the file of a frame.

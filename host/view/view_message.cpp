@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/json_text.h"
 #include "base/json_value.h"
 #include "base/limits.h"
 #include "base/quote.h"
@@ -95,7 +96,16 @@ ViewCamera camera_of(const JsonValue& message, const JsonValue& value) {
     return camera;
 }
 
-ViewSettings settings_of(const JsonValue& message, const JsonValue& value) {
+ViewComparison comparison_of(const JsonValue& value) {
+    constexpr double least_seconds = 0.01;
+    constexpr double most_seconds = 3600.0;
+    return {named<Algorithm>(value.at("algorithm"), algorithm_names),
+            named<Quality>(value.at("quality"), quality_names),
+            number(value.at("seconds"), least_seconds, most_seconds)};
+}
+
+ViewSettings settings_of(const JsonValue& message, const JsonValue& value,
+                         const nlohmann::json& json) {
     ViewSettings settings;
     if (const auto member = value.find("algorithm"))
         settings.algorithm = named<Algorithm>(*member, algorithm_names);
@@ -108,6 +118,16 @@ ViewSettings settings_of(const JsonValue& message, const JsonValue& value) {
         settings.tone = named<ToneCurve>(*member, tone_names);
     if (const auto member = value.find("paused")) settings.paused = member->as_bool();
     if (const auto member = value.find("camera")) settings.camera = member->as_string();
+    if (const auto member = value.find("frame"))
+        settings.frame = whole(*member, limits::max_frames - 1);
+    if (const auto member = value.find("samples"))
+        settings.samples = whole(*member, limits::max_samples_per_pixel);
+    if (const auto member = value.find("overlay")) settings.overlay = member->as_string();
+    if (const auto member = value.find("compare"))
+        settings.compare =
+            json.at("compare").is_null() ? std::nullopt : std::optional(comparison_of(*member));
+    if (const auto member = value.find("trust")) settings.trust = member->as_bool();
+    settings.moving = message.bool_or("moving", false);
     settings.state = whole(message.at("state"));
     return settings;
 }
@@ -117,11 +137,18 @@ ViewPick pick_of(const JsonValue& value) {
     return {whole(value.element(0)), whole(value.element(1))};
 }
 
-ViewSave save_of(const JsonValue& value) {
-    const std::string& format = value.as_string();
-    if (format != "png" && format != "exr")
-        throw value.error("is " + quote(format) + ", expected png or exr");
-    return {format == "exr"};
+ViewEdit edit_of(const JsonValue& message, const nlohmann::json& json) {
+    if (!json.at("edit").is_object())
+        throw message.at("edit").error("is no object, expected an edit");
+    return {json_line(json.at("edit")), message.bool_or("continues", false),
+            message.bool_or("moving", false), whole(message.at("state"))};
+}
+
+ViewUndo undo_of(const JsonValue& message, const JsonValue& value) {
+    const std::string& text = value.as_string();
+    if (text != "last" && text != "all")
+        throw value.error("is " + quote(text) + ", expected last or all");
+    return {text == "all", whole(message.at("state"))};
 }
 
 }  // namespace
@@ -131,11 +158,25 @@ ViewMessage read_view_message(std::string_view text) {
     const JsonValue message(json, place);
     if (const auto value = message.find("camera")) return camera_of(message, *value);
     if (const auto value = message.find("ack")) return ViewAck{whole(*value)};
-    if (const auto value = message.find("set")) return settings_of(message, *value);
+    if (const auto value = message.find("set")) return settings_of(message, *value, json.at("set"));
     if (const auto value = message.find("pick")) return pick_of(*value);
-    if (const auto value = message.find("save")) return save_of(*value);
+    if (message.find("edit")) return edit_of(message, json);
+    if (const auto value = message.find("undo")) return undo_of(message, *value);
+    if (const auto value = message.find("measure")) return ViewMeasure{value->as_bool()};
+    if (const auto value = message.find("adopt")) return ViewAdopt{whole(*value)};
+    if (const auto value = message.find("save"))
+        return ViewSave{named<SavedFile>(*value, saved_file_names)};
     if (const auto value = message.find("token")) return ViewKey{value->as_string()};
     throw message.error("is of no known kind");
+}
+
+std::uint32_t state_of(const ViewMessage& message) {
+    return std::visit(
+        [](const auto& asked) -> std::uint32_t {
+            if constexpr (requires { asked.state; }) return asked.state;
+            return 0;
+        },
+        message);
 }
 
 }  // namespace weft

@@ -69,10 +69,14 @@ class ViewServer::Impl {
                                                   connection->state_at(version), members));
         });
     }
+    void forget(std::uint32_t pane) {
+        asio::post(context_, [this, pane] { pages_.frames.at(pane).reset(); });
+    }
     void show(ViewFrame frame) {
-        asio::post(context_, [this, frame = std::move(frame)] {
+        asio::post(context_, [this, frame = std::move(frame)]() mutable {
+            frame.number = pages_.next_number++;
             for (const auto& [page, connection] : pages_.shown) connection->show(frame);
-            pages_.frame = frame;
+            pages_.frames.at(frame.pane) = std::move(frame);
         });
     }
 
@@ -148,6 +152,9 @@ void ViewServer::send(std::string text) {
 }
 void ViewServer::send_status(const std::string& status, std::uint64_t version) {
     impl_->send_status(status, version);
+}
+void ViewServer::forget(std::uint32_t pane) {
+    impl_->forget(pane);
 }
 void ViewServer::show(ViewFrame frame) {
     impl_->show(std::move(frame));

@@ -62,8 +62,10 @@ class ViewServer {
     /// know it by their own number, `state`.
     void send_status(const std::string& status, std::uint64_t version);
     /// Shows all pages a frame. One that has two frames to draw yet gets the newest once it has
-    /// drawn one of them.
+    /// drawn one of them; of each pane, where there are two.
     void show(ViewFrame frame);
+    /// Shows pages that come later no frame of that pane before there is another.
+    void forget(std::uint32_t pane);
 
   private:
     class Impl;

@@ -111,7 +111,7 @@ TEST(AlgorithmOptions, RecordsThatOutlastTheirFrame) {
                       .find("--cache-records: "),
                   0U);
     EXPECT_EQ(render_refusal({"--edits", "edits.json"}),
-              "--edits: is for animations, expected it together with --frames");
+              "--edits: is for animations, expected it together with --frames or --frame");
 }
 
 TEST(AlgorithmOptions, RecordsOfHemispheres) {

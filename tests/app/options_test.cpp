@@ -201,6 +201,36 @@ TEST(Options, FramesOfAnAnimation) {
             << text;
 }
 
+TEST(Options, OneFrameOfAnAnimation) {
+    EXPECT_NE(std::get<HelpText>(parse({"render", "--help"})).text.find("--frame N"),
+              std::string::npos);
+    EXPECT_FALSE(render({}).frame || render({}).chosen_frames());
+    EXPECT_FALSE(render({"--frames", "3:5"}).frame);
+    EXPECT_EQ(render({"--frames", "3:5"}).chosen_frames()->end, 5u);
+    const RenderOptions options =
+        render({"--frame", "16777215", "--frame-rate", "25", "--edits", "edits.json", "--algorithm",
+                "path", "--resume", "sums.exr", "--samples", "0:8"});
+    EXPECT_EQ(options.frame, 16777215u);
+    EXPECT_EQ(options.frame_rate, 25.0);
+    EXPECT_EQ(options.edits, "edits.json");
+    EXPECT_TRUE(options.resume && options.samples) << "it is a single image";
+    EXPECT_FALSE(options.frames);
+    EXPECT_EQ(options.chosen_frames()->first, 16777215u);
+    EXPECT_EQ(options.chosen_frames()->end, 16777216u);
+    EXPECT_EQ(options_json(options).at("frame"), 16777215);
+    EXPECT_TRUE(options_json(options).at("frames").is_null());
+    EXPECT_TRUE(options_json(render({})).at("frame").is_null());
+    for (const char* text : {"", "1:2", "-1", "1.5", " 1", "+1", "16777216", "99999999999"})
+        EXPECT_EQ(render_refusal({"--frame", text}).find("--frame: "), 0u) << text;
+    EXPECT_EQ(render_refusal({"--frame", "1", "--frames", "0:2"}),
+              "--frame: is one image instead of those of --frames, expected one of them");
+    EXPECT_EQ(render_refusal({"--frame-rate", "25"}),
+              "--frame-rate: is for animations, expected it together with --frames or --frame");
+    EXPECT_EQ(render({"-o", "o/out.png", "--frame", "1", "--stats", "o/out.0001.png"}).stats,
+              "o/out.0001.png")
+        << "the image has no number";
+}
+
 TEST(Options, FramesAreNumberedBeforeTheExtension) {
     EXPECT_EQ(numbered_output("out.png", 0), "out.0000.png");
     EXPECT_EQ(numbered_output("a.b/c d.e.EXR", 42), "a.b/c d.e.0042.EXR");

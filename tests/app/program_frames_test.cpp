@@ -132,6 +132,100 @@ TEST_F(ProgramFrames, EveryFrameIsTheImageFromThere) {
         }
 }
 
+TEST_F(ProgramFrames, OneFrameIsAnImageUnderItsOwnName) {
+    for (const std::string algorithm : {"igi", "path"}) {
+        SCOPED_TRACE(algorithm);
+        const std::vector<std::string> options{"--backend", "native", "--algorithm",  algorithm,
+                                               "--spp",     "3",      "--frame-rate", "1"};
+        const auto with = [&](const std::string& name, const std::string& value) {
+            std::vector<std::string> all = options;
+            all.insert(all.end(), {name, value});
+            return all;
+        };
+        ASSERT_EQ(run_program(command("moving.gltf", "out.exr", with("--frames", "1:2"))).exit_code,
+                  0);
+        const ProgramResult one =
+            run_program(command("moving.gltf", "one.exr", with("--frame", "1")));
+        ASSERT_EQ(one.exit_code, 0) << one.err;
+        EXPECT_EQ(one.err, "");
+        EXPECT_TRUE(same_values(read_exr(at("one.exr")), read_exr(at("out.0001.exr"))));
+    }
+    // It is refined and split in parts like any other single image.
+    const ProgramResult parts =
+        run_program(command("moving.gltf", "part.exr",
+                            {"--backend", "native", "--algorithm", "path", "--frame", "2",
+                             "--frame-rate", "1", "--samples", "2:4"}));
+    EXPECT_EQ(parts.exit_code, 0) << parts.err;
+}
+
+TEST_F(ProgramFrames, OneFrameShowsItsEdits) {
+    const std::string edits = std::filesystem::path(shipped_scene("cornell-box.gltf"))
+                                  .replace_filename("cornell-box-edits.json");
+    const std::vector<std::string> common{"--backend", "native", "--algorithm", "path",
+                                          "--spp",     "4",      "--size",      "24x24",
+                                          "--edits",   edits,    "--progress",  "none"};
+    const auto run = [&](const std::string& output, const std::vector<std::string>& more) {
+        std::vector<std::string> all{"render", shipped_scene("cornell-box.gltf"), "-o", at(output)};
+        all.insert(all.end(), common.begin(), common.end());
+        all.insert(all.end(), more.begin(), more.end());
+        const ProgramResult result = run_program(all);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+    };
+    run("all.exr", {"--frames", "3:5"});
+    run("three.exr", {"--frame", "3", "--stats", at("stats.json")});
+    run("four.exr", {"--frame", "4"});
+    EXPECT_TRUE(same_values(read_exr(at("three.exr")), read_exr(at("all.0003.exr"))));
+    EXPECT_TRUE(same_values(read_exr(at("four.exr")), read_exr(at("all.0004.exr"))));
+    EXPECT_FALSE(same_values(read_exr(at("three.exr")), read_exr(at("four.exr"))));
+    const json stats = json::parse(text_of_file(at("stats.json")));
+    EXPECT_EQ(stats.at("options").at("frame"), 3);
+    for (const json& sample : stats.at("frames")) EXPECT_EQ(sample.at("frame"), 3);
+}
+
+TEST_F(ProgramFrames, PartsOfOneFrameAreNotThoseOfAnother) {
+    const auto part = [&](const std::string& output, const char* frame, const char* samples) {
+        const ProgramResult result =
+            run_program(command("moving.gltf", output,
+                                {"--backend", "native", "--algorithm", "path", "--frame", frame,
+                                 "--frame-rate", "1", "--samples", samples}));
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    part("a.exr", "1", "0:2");
+    part("b.exr", "1", "2:4");
+    part("c.exr", "2", "2:4");
+    const auto merged = [&](const char* other) {
+        return run_program({"merge", at("a.exr"), at(other), "-o", at("merged.exr")}).exit_code;
+    };
+    EXPECT_EQ(merged("c.exr"), 2);
+    EXPECT_EQ(merged("b.exr"), 0);
+    const ProgramResult whole =
+        run_program(command("moving.gltf", "whole.exr",
+                            {"--backend", "native", "--algorithm", "path", "--frame", "1",
+                             "--frame-rate", "1", "--spp", "4"}));
+    ASSERT_EQ(whole.exit_code, 0) << whole.err;
+    EXPECT_EQ(read_exr(at("merged.exr")).find("")->values,
+              read_exr(at("whole.exr")).find("")->values);
+}
+
+TEST_F(ProgramFrames, EditsMayStandInTheCommand) {
+    const std::string edits = R"({"edits":[{"frame":0,"object":"short block","move":[0.1,0,0]}]})";
+    folder_.write("edits.json", edits);
+    const std::vector<std::string> options{"--backend", "native", "--spp",  "2",
+                                           "--frame",   "0",      "--edits"};
+    const auto with = [&](const std::string& value) {
+        std::vector<std::string> all = options;
+        all.push_back(value);
+        return all;
+    };
+    ASSERT_EQ(run_program(command("moving.gltf", "file.exr", with(at("edits.json")))).exit_code, 0);
+    ASSERT_EQ(run_program(command("moving.gltf", "text.exr", with(edits))).exit_code, 0);
+    EXPECT_TRUE(same_values(read_exr(at("file.exr")), read_exr(at("text.exr"))));
+    const ProgramResult bad = run_program(command("moving.gltf", "bad.exr", with("{\"edits\"")));
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_NE(bad.err.find("--edits"), std::string::npos) << bad.err;
+}
+
 TEST_F(ProgramFrames, FramesStandOnTheirOwn) {
     // Half a second is between two keys. Nothing depends on which frames were asked for.
     const std::vector<std::string> rate{"--backend",    "embree", "--algorithm", "igi",
@@ -197,6 +291,13 @@ TEST_F(ProgramFrames, AStillCameraGivesEqualFramesAndAWarning) {
         << result.err;
     EXPECT_TRUE(text_of_file(at("out.0000.png")) == text_of_file(at("out.0001.png")));
     EXPECT_FALSE(text_of_file(at("out.0001.png")).empty());
+    const ProgramResult one =
+        run_program(command("still0.gltf", "one.png", {"--backend", "embree", "--frame", "1"}));
+    EXPECT_EQ(one.exit_code, 0);
+    EXPECT_NE(one.err.find("neither the scene nor camera 'camera' is animated, the image is that "
+                           "of every frame"),
+              std::string::npos)
+        << one.err;
 }
 
 TEST_F(ProgramFrames, WithoutFramesTheSceneIsAtRest) {
@@ -268,6 +369,9 @@ TEST_F(ProgramFrames, ImpossibleOptionsAreUsageErrors) {
         {{"--frames", "0:3", "--frame-rate", "0"}, "--frame-rate: '0' is not valid"},
         {{"--frames", "0:3", "--frame-rate", "1001"}, "--frame-rate: '1001' is not valid"},
         {{"--frame-rate", "25"}, "--frame-rate: is for animations, expected it together with"},
+        {{"--frame", "-1"}, "--frame: '-1' is not valid"},
+        {{"--frame", "16777216"}, "--frame: '16777216' is not valid"},
+        {{"--frame", "1", "--frames", "0:3"}, "--frame: is one image instead of those of --frames"},
         {{"--frames", "0:3", "--algorithm", "path", "--samples", "0:4"},
          "--samples: is for a single image, expected it without --frames"},
         {{"--frames", "0:3", "--algorithm", "path", "--resume", at("sums.exr")},

@@ -145,9 +145,9 @@ TEST_F(ProgramRender, StatisticsShowWhatOptionsCameTo) {
     for (const auto& [name, value] : chosen.items()) {
         const bool has_no_default =
             name == "time" || name == "frame_time" || name == "samples" || name == "target_error" ||
-            name == "resume" || name == "frames" || name == "edits" || name == "cache_records" ||
-            name == "cache_rays" || name == "cache_error" || name == "preset" ||
-            name == "background" || name == "max_bounces" || name == "light" ||
+            name == "resume" || name == "frames" || name == "frame" || name == "edits" ||
+            name == "cache_records" || name == "cache_rays" || name == "cache_error" ||
+            name == "preset" || name == "background" || name == "max_bounces" || name == "light" ||
             name == "environment" || name == "look_from" || name == "look_at" || name == "up" ||
             name == "fov" || name == "tev";
         EXPECT_EQ(value.is_null(), has_no_default) << name;

@@ -19,6 +19,11 @@ def view_files():
         "algorithm": "tic", "quality": "high", "size": [640, 480], "exposure": -1.5,
         "tone": "agx", "paused": True, "camera": "top",
     }
+    more = {
+        "frame": 12, "samples": 16, "overlay": "direct.level", "trust": True,
+        "compare": {"algorithm": "igi", "quality": "draft", "seconds": 0.3},
+    }
+    turn = {"axis": [0, 1, 0], "degrees": 30, "about": [1, 0, 0]}
     return {
         "key.json": text({"token": "00112233445566778899aabbccddeeff"}),
         "ack.json": text({"ack": 4294967295}),
@@ -26,6 +31,19 @@ def view_files():
         "settings.json": text({"set": settings, "state": 8}),
         "pick.json": text({"pick": [12, 34]}),
         "save.json": text({"save": "exr"}),
+        "more.json": text({"set": more, "state": 3, "moving": True}),
+        "move.json": text({"edit": {"object": "box", "move": [1, 0, 0.5]}, "state": 4}),
+        "turn.json": text({"edit": {"object": "box", "rotate": turn}, "state": 4,
+                           "continues": True, "moving": True}),
+        "paint.json": text({"edit": {"material": "red", "albedo": [0, 0.5, 1],
+                                     "emission_factor": 2}, "state": 5}),
+        "dim.json": text({"edit": {"light": "lamp", "intensity": 0.5}, "state": 6}),
+        "copy.json": text({"edit": {"object": "box", "add": {"name": "b"}}, "state": 6}),
+        "undo.json": text({"undo": "last", "state": 7}),
+        "measure.json": text({"measure": True}),
+        "adopt.json": text({"adopt": 2}),
+        "badfar.json": text({"edit": {"object": "box", "move": [1e300, 0, 0]}, "state": 4}),
+        "badframe.json": text({"edit": {"frame": 1, "object": "box", "scale": 2}, "state": 4}),
         "badalong.json": text({"camera": flat, "state": 7}),
         "badsize.json": text({"set": {"size": [32768, 32768]}, "state": 8}),
         "badstate.json": text({"set": {}}),

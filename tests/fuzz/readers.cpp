@@ -42,6 +42,7 @@
 #include "tests/testing/temporary_folder.h"
 #include "tests/testing/vol_bytes.h"
 #include "tradeoff/other_renderers.h"
+#include "view/view_edits.h"
 #include "view/view_message.h"
 
 namespace weft::fuzz {
@@ -303,6 +304,24 @@ void read_options_bytes(Bytes bytes) {
     });
 }
 
+namespace {
+
+/// A scene of one object, one material and one light, with the names that the dictionary has.
+Scene edited_scene() {
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    scene.meshes.push_back(mesh);
+    scene.materials.emplace_back().name = "red";
+    Instance& instance = scene.instances.emplace_back();
+    instance.name = "box";
+    scene.lights.emplace_back().name = "lamp";
+    return scene;
+}
+
+}  // namespace
+
 void read_view_bytes(Bytes bytes) {
     expect_error(ExitCode::bad_input, [&] {
         const ViewMessage message = read_view_message(as_text(bytes));
@@ -315,6 +334,16 @@ void read_view_bytes(Bytes bytes) {
         }
         if (const auto* const settings = std::get_if<ViewSettings>(&message))
             require(!settings->size || settings->size->width > 0, "an image without pixels");
+        if (const auto* const edit = std::get_if<ViewEdit>(&message)) {
+            ViewEdits edits;
+            edits.add(edit->change, 0, edit->continues);
+            Scene scene = edited_scene();
+            const EditTimeline timeline =
+                read_scene_edits(nlohmann::json::parse(edits.text()), "edits", scene);
+            apply_edits(timeline, 0, scene);
+            for (const Instance& instance : scene.instances)
+                require(transform_flaw(instance.to_world) == nullptr, "an unusable transform");
+        }
     });
 }
 

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "scene/moving_scene.h"
+#include "scene/pose_scene.h"
 #include "tests/testing/moving_room.h"
 
 // Scenes that move and are edited from outside while they do: nothing of an edit is lost, nothing
@@ -132,6 +135,94 @@ TEST(MovingSceneEdit, WhatIsAttachedToANodeMovesFromThenOn) {
                   });
               }),
               ExitCode::bad_input);
+}
+
+/// The room with names for its parts, and an edit that begins with a dark light.
+Scene named_room() {
+    Scene scene = open_room();
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        scene.instances[i].name = "thing " + std::to_string(i);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        scene.materials[i].name = "material " + std::to_string(i);
+    return scene;
+}
+
+std::function<EditTimeline(Scene&)> reading(const std::string& edits) {
+    return [edits](Scene& scene) {
+        return edits.empty() ? EditTimeline{}
+                             : read_scene_edits(nlohmann::json::parse(edits), "edits", scene);
+    };
+}
+
+/// That a scene is what one is that was made with these edits.
+void expect_made_with(const MovingScene& moving, const Scene& scene, const std::string& edits,
+                      std::uint32_t frame) {
+    Scene rest = scene;
+    EditTimeline timeline = reading(edits)(rest);
+    MovingScene made(std::move(rest), std::move(timeline), 1.0);
+    made.set_frame(frame);
+    const FlatScene& a = moving.flat();
+    const FlatScene& b = made.flat();
+    const auto same_bytes = [](const auto& x, const auto& y) {
+        return x.size() == y.size() &&
+               (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0);
+    };
+    EXPECT_TRUE(same_bytes(a.positions, b.positions)) << edits;
+    EXPECT_TRUE(same_bytes(a.triangles, b.triangles)) << edits;
+    EXPECT_TRUE(same_bytes(a.materials, b.materials)) << edits;
+    EXPECT_TRUE(same_bytes(a.lights, b.lights)) << edits;
+    EXPECT_EQ(a.first_powers, b.first_powers) << edits;
+    EXPECT_EQ(a.first_moving_triangle, b.first_moving_triangle) << edits;
+    EXPECT_EQ(a.features, b.features) << edits;
+}
+
+TEST(MovingSceneEdit, EditsThatAreReplacedLeaveNothingBehind) {
+    const std::string move = R"({"edits":[{"frame":0,"object":"thing 1","move":[0.1,0,0]},)"
+                             R"({"frame":0,"material":"material 1","emission":[1,2,3]}]})";
+    const std::string farther = R"({"edits":[{"frame":0,"object":"thing 1","move":[0.2,0,0]}]})";
+    const std::string copy = R"({"edits":[{"frame":1,"object":"thing 1","add":{"name":"copy"}},)"
+                             R"({"frame":2,"object":"copy","remove":true}]})";
+    const std::string shine =
+        R"({"edits":[{"frame":0,"material":"material 1","emission":[4,4,4]}]})";
+    for (const bool animated : {false, true}) {
+        Scene scene = named_room();
+        if (!animated) hold_still(scene);
+        MovingScene moving(scene, {}, 1.0);
+        EXPECT_FALSE(moving.set_edits(reading(move), 0));
+        expect_made_with(moving, scene, move, 0);
+        // The same instances may move.
+        EXPECT_TRUE(moving.set_edits(reading(farther), 0));
+        expect_made_with(moving, scene, farther, 0);
+        for (const std::uint32_t frame : {1U, 2U}) {
+            (void)moving.set_edits(reading(copy), frame);
+            expect_made_with(moving, scene, copy, frame);
+        }
+        // Its power is that of these edits, not of the ones before.
+        (void)moving.set_edits(reading(move), 0);
+        (void)moving.set_edits(reading(shine), 0);
+        expect_made_with(moving, scene, shine, 0);
+        (void)moving.set_edits(reading(""), 3);
+        expect_made_with(moving, scene, "", 3);
+        EXPECT_EQ(moving.now().instances.size(), scene.instances.size());
+    }
+}
+
+TEST(MovingSceneEdit, RefusedEditsLeaveTheOnesBefore) {
+    const Scene scene = named_room();
+    const std::string good = R"({"edits":[{"frame":0,"object":"thing 1","move":[0.1,0,0]}]})";
+    MovingScene moving(scene, {}, 1.0);
+    (void)moving.set_edits(reading(good), 0);
+    for (const char* bad : {R"({"edits":[{"frame":0,"object":"nothing","move":[0.1,0,0]}]})",
+                            R"({"edits":[{"frame":0,"object":"thing 1","move":[1e300,0,0]}]})",
+                            R"({"edits":[{"frame":0,"object":"thing 2","move":[1e300,0,0]}]})",
+                            R"({"edits":[{"frame":0,"object":"thing 1","scale":1e-320}]})"}) {
+        EXPECT_EQ(code_of([&] { (void)moving.set_edits(reading(bad), 0); }), ExitCode::bad_input)
+            << bad;
+        expect_made_with(moving, scene, good, 0);
+        moving.set_frame(2);
+        expect_made_with(moving, scene, good, 2);
+        moving.set_frame(0);
+    }
 }
 
 }  // namespace

@@ -105,9 +105,9 @@ TEST(SceneEditsHostile, RefuseUnknownAndContradictoryKeys) {
         {R"({"frame": 0, "light": "Bulb"})", "0: lacks a change, expected 'intensity' or 'move'"},
         {R"({"frame": 0, "material": "Red", "move": [0,0,0]})",
          "0: has the unknown key 'move', expected 'frame', 'until', 'material', 'albedo', "
-         "'emission', 'emission_factor'"},
+         "'emission', 'emission_factor', 'roughness'"},
         {R"({"frame": 0, "material": "Red"})",
-         "0: lacks a change, expected 'albedo', 'emission' or 'emission_factor'"},
+         "0: lacks a change, expected 'albedo', 'emission', 'emission_factor' or 'roughness'"},
     });
 }
 
@@ -170,6 +170,9 @@ TEST(SceneEditsHostile, RefuseValues) {
          "0/intensity: is negative, expected a factor from 0 on"},
         {R"({"frame": 0, "material": "Red", "albedo": [0, 1.5, 0]})",
          "0/albedo/1: is outside [0, 1]"},
+        {R"({"frame": 0, "material": "Red", "roughness": 1.5})", "0/roughness: is outside [0, 1]"},
+        {R"({"frame": 0, "material": "Red", "roughness": 0.5})",
+         "0/roughness: is for a material that has none"},
         {R"({"frame": 0, "material": "Red", "emission": [0, 0, 1e39]})",
          "0/emission/2: is negative or not finite as a float"},
     });

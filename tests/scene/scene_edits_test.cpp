@@ -155,6 +155,63 @@ TEST(SceneEdits, ChangeMaterials) {
     for (const Instance& instance : edited.rest.instances) EXPECT_FALSE(instance.may_move);
 }
 
+TEST(SceneEdits, ChangeTheRoughnessOfSurfacesThatHaveOne) {
+    Scene scene = room();
+    ConductorSurface mirror;
+    mirror.roughness_u.value.factor = mirror.roughness_v.value.factor = 0.25F;
+    scene.materials[0].description = SurfaceDescription{mirror, {}, {}};
+    const EditTimeline timeline = read_text(
+        R"({"edits": [{"frame": 1, "until": 2, "material": "Red", "roughness": 0.1}]})", scene);
+    const auto alphas = [&](std::uint32_t frame) {
+        Scene at = scene;
+        apply_edits(timeline, frame, at);
+        const auto& surface = std::get<ConductorSurface>(at.materials[0].description->model);
+        return glm::vec2(surface.roughness_u.value.factor, surface.roughness_v.value.factor);
+    };
+    // The file's scale is alpha, the square of the roughness, which was 0.5.
+    EXPECT_EQ(alphas(0), glm::vec2(0.25F));
+    EXPECT_NEAR(alphas(1).x, 0.09F, 1e-7F);
+    EXPECT_NEAR(alphas(2).x, 0.01F, 1e-7F);
+    EXPECT_EQ(alphas(2).x, alphas(2).y);
+    // Each direction changes evenly from its own.
+    auto& surface = std::get<ConductorSurface>(scene.materials[0].description->model);
+    surface.roughness_v.value.factor = 0.81F;
+    EXPECT_NEAR(alphas(1).x, 0.09F, 1e-7F);
+    EXPECT_NEAR(alphas(1).y, 0.25F, 1e-7F);
+    EXPECT_EQ(alphas(2).x, alphas(2).y);
+}
+
+TEST(SceneEdits, ChangeRoughnessOnTheScaleOfTheFile) {
+    const auto factor = [&](RoughnessScale scale, float before, const char* roughness) {
+        Scene scene = room();
+        scene.materials[0].description = SurfaceDescription{
+            SpecularSurface{.roughness = {ScalarParameter{before}, scale}}, {}, {}};
+        const EditTimeline timeline =
+            read_text(R"({"edits": [{"frame": 0, "material": "Red", "roughness": )" +
+                          std::string(roughness) + "}]}",
+                      scene);
+        apply_edits(timeline, 0, scene);
+        const auto& surface = std::get<SpecularSurface>(scene.materials[0].description->model);
+        EXPECT_NEAR(*perceived_roughness(scene.materials[0]), std::stod(roughness), 0.02);
+        return surface.roughness.value.factor;
+    };
+    EXPECT_EQ(factor(RoughnessScale::roughness, 0.5F, "0.2"), 0.2F);
+    EXPECT_EQ(factor(RoughnessScale::glossiness, 0.5F, "0.2"), 0.8F);
+    EXPECT_NEAR(factor(RoughnessScale::alpha, 0.5F, "0.2"), 0.04F, 1e-8F);
+    EXPECT_NEAR(factor(RoughnessScale::exponent, 10.0F, "0.5"), 30.0F, 1e-5F);
+    EXPECT_EQ(factor(RoughnessScale::exponent, 10.0F, "1"), 0.0F);
+    EXPECT_EQ(factor(RoughnessScale::exponent, 10.0F, "0"), 1e8F) << "smooth, but finite";
+}
+
+TEST(SceneEdits, ChangeNoRoughnessOfScenesReadAsDiffuse) {
+    Scene scene = room();
+    scene.detail = MaterialDetail::diffuse;
+    const EditTimeline timeline =
+        read_text(R"({"edits": [{"frame": 0, "material": "Red", "roughness": 0.1}]})", scene);
+    apply_edits(timeline, 0, scene);
+    EXPECT_FALSE(scene.materials[0].description);
+}
+
 TEST(SceneEdits, GoByFrameThenByOrderInTheFile) {
     const std::string turn =
         R"("object": "Box", "rotate": {"axis": [0, 0, 1], "degrees": 90, "about": [0, 0, 0]}})";

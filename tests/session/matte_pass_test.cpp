@@ -173,5 +173,33 @@ TEST(MattePass, NamesAreUniqueAndPartsOfAMeshAreOneObject) {
               (std::vector<std::string>{"wood", "material 1", "wood#2", "wood", "wood"}));
 }
 
+TEST(MattePass, FindsTheInstanceThatAPixelShows) {
+    for (const TestBackend backend : test::backends()) {
+        CountedSession made = test::counted_session(
+            backend, two_halves({{width / 2.0, height / 2.0}, {1.0, 0.0}}), test::front_camera(),
+            test::small_settings(Algorithm::igi, width, height));
+        KeptOutput output;
+        made.session->set_output(&output);
+        made.session->set_mattes({true, false});
+        ASSERT_EQ(made.session->render({}), SessionEnd::complete);
+        const Image& image = output.images.at(0).image;
+        const std::vector<std::string> names = object_names(made.session->scene().at_rest());
+        std::size_t seen = 0;
+        for (std::uint32_t y = 0; y < height; y += 5)
+            for (std::uint32_t x = 0; x < width; x += 5) {
+                const auto found = made.session->instance_at(x, y);
+                const auto all = shares(image, "CryptoObject", std::size_t{y} * width + x);
+                if (all.size() > 1) continue;  // an edge
+                ASSERT_EQ(found.has_value(), !all.empty()) << x << ' ' << y;
+                if (!found) continue;
+                ++seen;
+                EXPECT_EQ(cryptomatte_id(names.at(*found)), all.begin()->first) << x << ' ' << y;
+            }
+        EXPECT_GT(seen, 10U);
+        EXPECT_FALSE(made.session->instance_at(width, 0));
+        EXPECT_FALSE(made.session->instance_at(0, height));
+    }
+}
+
 }  // namespace
 }  // namespace weft::matte_pass_test

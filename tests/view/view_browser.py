@@ -2,7 +2,7 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
 """Uses the page of `weft view` in Chromium: the first image, a drag, settings, the inspector, the
-command, and the end of the program.
+command, edits, a comparison, judging and measuring, and the end of the program.
 
     tests/view/view_browser.py PROGRAM [FOLDER]
 
@@ -73,6 +73,7 @@ def check_texts(driver):
         raise SystemExit(f"texts below 12 px: {small}")
     nameless = driver.execute_script("""
         return [...document.querySelectorAll('button, input, select')].filter(e =>
+            e.offsetParent &&
             !(e.getAttribute('aria-label') || e.title || e.textContent.trim() ||
               (e.labels && e.labels.length) || e.getAttribute('aria-labelledby')))
             .map(e => e.outerHTML.slice(0, 80))""")
@@ -91,6 +92,65 @@ def drag(driver, across, down, steps=8):
 def command_of(driver):
     wait(driver, "window.weftView.status && window.weftView.status.command", "a command")
     return driver.execute_script("return window.weftView.status.command")
+
+
+def press(driver, name):
+    """Presses a button, wherever it is."""
+    driver.execute_script("const b = document.getElementById(arguments[0]);"
+                          "b.closest('details')?.setAttribute('open', ''); b.click()", name)
+
+
+def set_field(driver, name, value):
+    """Gives a field a value as a hand would, which drags first and lets go then."""
+    driver.execute_script("""
+        const field = document.getElementById(arguments[0]);
+        field.closest('details')?.setAttribute('open', '');
+        field.value = arguments[1];
+        for (const kind of ['input', 'change'])
+            field.dispatchEvent(new Event(kind, {bubbles: true}));""", name, value)
+
+
+def check_edits(driver):
+    set_field(driver, "target", "material green")
+    set_field(driver, "albedo", "#3040c0")
+    wait(driver, "window.weftView.scene.edits.length === 1", "an edit")
+    wait(driver, is_final(), "the image of an edited scene")
+    if "--edits" not in command_of(driver):
+        raise SystemExit("the command does not have the edit")
+    set_field(driver, "target", "object short block")
+    driver.find_element(By.TAG_NAME, "body").send_keys("g")
+    drag(driver, 40, 0)
+    wait(driver, "window.weftView.scene.edits.length === 2", "the edit of a drag")
+    driver.find_element(By.TAG_NAME, "body").send_keys("g")
+    press(driver, "undo")
+    wait(driver, "window.weftView.scene.edits.length === 1", "an undone edit")
+    press(driver, "undo-all")
+    wait(driver, "window.weftView.scene.edits.length === 0", "the scene as it was")
+    wait(driver, is_final(), "its image")
+
+
+def check_comparison(driver):
+    set_field(driver, "seconds", "0.3")
+    set_field(driver, "algorithm-b", "igi")
+    press(driver, "compare")
+    wait(driver, "window.weftView.lastFrameB && window.weftView.lastFrameB.final", "picture B")
+    wait(driver, "window.weftView.status.phase === 'finished'", "picture A")
+    wait(driver, "!document.getElementById('copy-b').disabled", "the command of B")
+    if not driver.execute_script("return !document.getElementById('divider').hidden"):
+        raise SystemExit("there is no border between both pictures")
+
+
+def check_judging(driver):
+    press(driver, "trust")
+    wait(driver, "window.weftView.trust && window.weftView.trust.panes.length === 2",
+         "a judgement of both pictures")
+    press(driver, "trust")
+    press(driver, "compare")
+    press(driver, "measure")
+    wait(driver, "window.weftView.front && window.weftView.front.running === false && "
+                 "window.weftView.front.points.length >= 3", "what settings cost")
+    if driver.execute_script("return document.querySelectorAll('#front circle').length") < 3:
+        raise SystemExit("the plot has no points")
 
 
 def main():
@@ -128,6 +188,14 @@ def main():
             wait(driver, "document.body.textContent.includes('view-001.png')", "a saved image")
             if not (pathlib.Path(folder) / "view-001.png").is_file():
                 raise SystemExit("no image was saved")
+            check_edits(driver)
+            check_comparison(driver)
+            if shots:
+                driver.save_screenshot(str(shots / "view-comparison.png"))
+            check_judging(driver)
+            check_texts(driver)
+            if shots:
+                driver.save_screenshot(str(shots / "view-costs.png"))
             check_errors(driver)
             driver.quit()
             driver = browser(390, 844)

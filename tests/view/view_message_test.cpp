@@ -52,8 +52,37 @@ TEST(ViewMessage, ReadsEveryKind) {
     const auto pick = std::get<ViewPick>(read_view_message(R"({"pick":[12,34]})"));
     EXPECT_EQ(pick.x, 12U);
     EXPECT_EQ(pick.y, 34U);
-    EXPECT_TRUE(std::get<ViewSave>(read_view_message(R"({"save":"exr"})")).exr);
-    EXPECT_FALSE(std::get<ViewSave>(read_view_message(R"({"save":"png"})")).exr);
+    EXPECT_EQ(std::get<ViewSave>(read_view_message(R"({"save":"exr"})")).file, SavedFile::exr);
+    EXPECT_EQ(std::get<ViewSave>(read_view_message(R"({"save":"edits"})")).file, SavedFile::edits);
+}
+
+TEST(ViewMessage, ReadsWhatChangesAndJudgesAView) {
+    const auto settings = std::get<ViewSettings>(read_view_message(
+        R"({"set":{"frame":12,"samples":16,"overlay":"direct.level","trust":true,
+            "compare":{"algorithm":"igi","quality":"draft","seconds":0.3}},
+            "moving":true,"state":3})"));
+    EXPECT_EQ(settings.frame, 12U);
+    EXPECT_EQ(settings.samples, 16U);
+    EXPECT_EQ(settings.overlay, "direct.level");
+    EXPECT_EQ(settings.trust, true);
+    EXPECT_TRUE(settings.moving);
+    ASSERT_TRUE(settings.compare && *settings.compare);
+    EXPECT_EQ(**settings.compare, (ViewComparison{Algorithm::igi, Quality::draft, 0.3}));
+    const auto none =
+        std::get<ViewSettings>(read_view_message(R"({"set":{"compare":null},"state":4})"));
+    ASSERT_TRUE(none.compare);
+    EXPECT_FALSE(*none.compare);
+    const auto edit = std::get<ViewEdit>(read_view_message(
+        R"({"edit":{"object":"lamp","move":[1,0,0.5]},"continues":true,"moving":true,"state":5})"));
+    EXPECT_EQ(edit.change, R"({"move":[1,0,0.5],"object":"lamp"})");
+    EXPECT_TRUE(edit.continues && edit.moving);
+    EXPECT_EQ(edit.state, 5U);
+    EXPECT_TRUE(std::get<ViewUndo>(read_view_message(R"({"undo":"all","state":6})")).all);
+    EXPECT_FALSE(std::get<ViewUndo>(read_view_message(R"({"undo":"last","state":7})")).all);
+    EXPECT_FALSE(std::get<ViewMeasure>(read_view_message(R"({"measure":false})")).begin);
+    EXPECT_EQ(std::get<ViewAdopt>(read_view_message(R"({"adopt":2})")).point, 2U);
+    EXPECT_EQ(state_of(read_view_message(R"({"undo":"last","state":7})")), 7U);
+    EXPECT_EQ(state_of(read_view_message(R"({"adopt":2})")), 0U);
 }
 
 TEST(ViewMessage, RefusesWhatIsNoMessage) {
@@ -81,6 +110,17 @@ TEST(ViewMessage, RefusesWhatIsNoMessage) {
           R"({"set":{"exposure":1e9},"state":1})",
           R"({"set":{"tone":3},"state":1})",
           R"({"set":{"paused":1},"state":1})",
+          R"({"set":{"frame":16777216},"state":1})",
+          R"({"set":{"samples":-1},"state":1})",
+          R"({"set":{"overlay":3},"state":1})",
+          R"({"set":{"compare":{"algorithm":"igi","quality":"draft"}},"state":1})",
+          R"({"set":{"compare":{"algorithm":"igi","quality":"draft","seconds":0}},"state":1})",
+          R"({"set":{"compare":4},"state":1})",
+          R"({"edit":[1],"state":1})",
+          R"({"edit":{"object":"lamp"}})",
+          R"({"undo":"first","state":1})",
+          R"({"measure":1})",
+          R"({"adopt":-1})",
           R"({"set":{}})",
           R"({"set":{},"state":-1})",
           R"({"camera":{"from":[1,2,3],"at":[1,2,3],"up":[0,1,0],"fov":40},"state":1})",

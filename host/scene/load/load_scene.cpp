@@ -70,6 +70,7 @@ void set_environment(const SceneReading& reading, Scene& scene, Diagnostics& dia
 Scene load_scene(const std::filesystem::path& path, Diagnostics& diagnostics,
                  const SceneReading& reading) {
     Scene scene = read_scene(path, diagnostics, reading.materials);
+    scene.detail = reading.materials;
     set_environment(reading, scene, diagnostics);
     add_missing_tangents(scene);
     validate_scene(scene);

@@ -41,6 +41,34 @@ struct Roughness {
     return 1.0;
 }
 
+/// The value on that scale for a width alpha of 0 to 1: the inverse of alpha_of. Exponents, which
+/// would be endless for smooth surfaces, end at 10^8.
+[[nodiscard]] inline double value_of(double alpha, RoughnessScale scale) {
+    constexpr double most_exponent = 1e8;
+    switch (scale) {
+        case RoughnessScale::roughness:
+            return std::sqrt(alpha);
+        case RoughnessScale::glossiness:
+            return 1.0 - std::sqrt(alpha);
+        case RoughnessScale::alpha:
+            return alpha;
+        case RoughnessScale::exponent:
+            return std::min(2.0 / (alpha * alpha) - 2.0, most_exponent);
+    }
+    return alpha;
+}
+
+/// Perceived roughness, 0 to 1, as glTF defines it: the root of alpha, without the texture.
+[[nodiscard]] inline double perceived(const Roughness& roughness) {
+    const auto value = static_cast<double>(roughness.value.factor);
+    return std::min(std::sqrt(alpha_of(value, roughness.scale)), 1.0);
+}
+
+/// Changes it. Its texture stays, and so does the scale on which that multiplies.
+inline void set_perceived(Roughness& roughness, double perceived) {
+    roughness.value.factor = static_cast<float>(value_of(perceived * perceived, roughness.scale));
+}
+
 }  // namespace weft
 
 #endif

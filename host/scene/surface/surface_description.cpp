@@ -175,6 +175,17 @@ ColourParameter* diffuse_colour(SurfaceDescription& surface) {
     return nullptr;
 }
 
+std::vector<Roughness*> roughness_of(SurfaceDescription& surface) {
+    if (auto* const s = std::get_if<MetallicSurface>(&surface.model)) return {&s->roughness};
+    if (auto* const s = std::get_if<SpecularSurface>(&surface.model)) return {&s->roughness};
+    if (auto* const s = std::get_if<PlasticSurface>(&surface.model)) return {&s->roughness};
+    if (auto* const s = std::get_if<ConductorSurface>(&surface.model))
+        return {&s->roughness_u, &s->roughness_v};
+    if (auto* const s = std::get_if<DielectricSurface>(&surface.model))
+        return {&s->roughness_u, &s->roughness_v};
+    return {};
+}
+
 std::vector<const TextureMap*> texture_maps(const SurfaceDescription& surface) {
     std::vector<const TextureMap*> maps;
     std::visit(Maps(maps), surface.model);

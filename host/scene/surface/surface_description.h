@@ -41,6 +41,10 @@ struct SurfaceDescription {
 /// The colour that stands for the albedo where edits replace it, or null for metal and glass.
 [[nodiscard]] ColourParameter* diffuse_colour(SurfaceDescription& surface);
 
+/// How rough the surface itself is, but not its coat: along both directions, where it has two; none
+/// where it is neither rough nor smooth.
+[[nodiscard]] std::vector<Roughness*> roughness_of(SurfaceDescription& surface);
+
 /// All textures that the surface has, each as often as it is used.
 [[nodiscard]] std::vector<const TextureMap*> texture_maps(const SurfaceDescription& surface);
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // This is the program of `weft view`'s page: it shows the frames that the renderer sends, and tells
-// it where the camera goes and what the settings are.
+// it where the camera goes and what the settings are. What lies in other files: the panes of a
+// comparison (view_panes.js), edits and the animation (view_edit.js), what is measured and judged
+// (view_judge.js) and how all of it begins (view_start.js).
 
 'use strict';
 
@@ -24,6 +26,9 @@ const TOUCH_SLOP = 10;
 const DOUBLE_CLICK = { time: 400, distance: 24 };  // milliseconds, pixels
 const EXPOSURE_LIMIT = 10;           // stops
 const SIDES = [256, 384, 512, 768, 1024];
+const PICTURE_STAYS = new Set(['paused', 'overlay', 'trust']);  // settings that change no picture
+const RECOLOURS = new Set(['exposure', 'tone']);  // settings that change no picture's errors
+const SAMPLE_LIMITS = [0, 1, 6, 16, 64, 256];
 const MOST_STAGES = 12;
 const MOST_MESSAGES = 4;
 const NOTICE_TIME = 8000;            // milliseconds that a notice stays
@@ -35,6 +40,7 @@ const FINAL = 2;
 const NOTHING = '–';
 const PHASES = {
     moving: 'Moving', refining: 'Refining', finished: 'Finished', paused: 'Paused',
+    measuring: 'Measuring',
 };
 
 const byId = (id) => document.getElementById(id);
@@ -45,10 +51,15 @@ const narrow = window.matchMedia('(max-width: 760px)');
 
 /** The report is for browser tests, which read it and change nothing. */
 const report = {
-    state: 0,         // the number of the last camera or set message
+    state: 0,         // the number of the last message that has one
+    pictureState: 0,  // the last of these that changes what pictures show
     sent: 0,          // text messages sent, of every kind
     frames: 0,        // frames drawn
     lastFrame: null,  // the frame on the canvas
+    lastFrameB: null, // that of picture B
+    scene: null,      // what can be edited, and the edits
+    trust: null,      // the last judgement
+    front: null,      // what was measured
     status: null,     // the last status of the server
 };
 window.weftView = report;
@@ -235,6 +246,7 @@ function reconnect() {
 function endSession(reason) {
     const silent = session.camera ? 'the connection was lost' : 'weft view does not answer';
     stopMotion();
+    timeline.playing = false;
     session.camera = null;
     session.pending = {};
     enableControls(false);
@@ -264,6 +276,9 @@ const receivers = new Map([
     ['camera', receiveCamera],
     ['status', receiveStatus],
     ['picked', receivePicked],
+    ['scene', (scene) => receiveScene(scene)],
+    ['trust', (trust) => receiveTrust(trust)],
+    ['front', (front) => showFront(front)],
     ['saved', (path) => showMessage(`Saved ${path}`, 'notice')],
     ['error', (text) => showMessage(text, 'error')],
 ]);
@@ -273,10 +288,16 @@ function receiveHello(hello) {
     session.hello = hello;
     session.settings = { ...hello.settings };
     session.pickedPixel = null;
-    Object.assign(report, { state: 0, lastFrame: null, status: null });
+    Object.assign(report, {
+        state: 0, pictureState: 0, lastFrame: null, lastFrameB: null, status: null,
+    });
+    forgetPanes();
+    forgetEditing();
     receiveCamera(hello.camera);
     session.home = session.camera;
     showHello();
+    showTrust({ samples: 0, panes: [] });
+    showFront({ done: 0, running: false, floor: null, points: [] });
     placeMarker();
     enableControls(true);
     showCover('Waiting for the first picture…', false);
@@ -292,8 +313,12 @@ function receiveCamera(camera) {
 function receiveStatus(status) {
     report.status = status;
     const current = status.state >= report.state && Object.keys(session.pending).length === 0;
-    if (current) takeSize(status.size);
+    if (current) takeSettings(status.settings);
     setCommand(current ? status.command : '');
+    setCommandB(current ? status.command_b : '');
+    showOverlays(status.overlays);
+    showRecords(status.records);
+    showHistory(status);
     showFigures();
     showStages(status.stages);
 }
@@ -321,6 +346,7 @@ function parseFrame(buffer) {
         state: header.getUint32(12, true),
         width: header.getUint16(16, true),
         height: header.getUint16(18, true),
+        pane: header.getUint8(5),
         samples: header.getUint32(20, true),
         moving: (flags & MOVING) !== 0,
         final: (flags & FINAL) !== 0,
@@ -337,7 +363,8 @@ async function receiveFrame(socket, buffer) {
     }
     try {
         const bitmap = await createImageBitmap(frame.image, { colorSpaceConversion: 'none' });
-        const isNewer = !report.lastFrame || frame.seq > report.lastFrame.seq;
+        const last = frame.pane === 0 ? report.lastFrame : report.lastFrameB;
+        const isNewer = !last || frame.seq > last.seq;
         if (isNewer && socket === session.socket) drawFrame(frame, bitmap);
         bitmap.close();
     } catch (error) {
@@ -346,14 +373,15 @@ async function receiveFrame(socket, buffer) {
     send(socket, { ack: frame.seq });
 }
 
-/** Puts a frame on the canvas, which has as many pixels as the frame. */
+/** Takes a frame in, and puts what there is now on the canvas. */
 function drawFrame(frame, bitmap) {
-    if (canvas.width !== frame.width) canvas.width = frame.width;
-    if (canvas.height !== frame.height) canvas.height = frame.height;
-    context.drawImage(bitmap, 0, 0, frame.width, frame.height);
+    keepPane(frame, bitmap);
     const { image, ...shown } = frame;
-    report.lastFrame = shown;
+    if (frame.pane === 0) report.lastFrame = shown;
+    else report.lastFrameB = shown;
     report.frames += 1;
+    if (!report.lastFrame) return;
+    drawPanes();
     hideCover();
     layOut();
     showFigures();
@@ -377,6 +405,7 @@ function layOut() {
     const pixelSize = (width * zoom) / frame.width;
     canvas.classList.toggle('pixelated', !frame.moving && pixelSize > 2);
     placeMarker();
+    placeDivider();
 }
 
 /** Finds the pixel of the full-size picture under the pointer; null beside the picture. */
@@ -418,14 +447,16 @@ function tick(now) {
         moveByKeys([...keys.held], clamp((now - keys.time) / 1000, 0, LONGEST_STEP));
         keys.time = now;
     }
+    playTimeline(now);
     sendSettings();
+    sendEdits();
     sendCamera();
-    if (keys.held.size > 0) requestTick();
+    if (keys.held.size > 0 || timeline.playing) requestTick();
 }
 
 /** Motion goes on while a drag lasts, keys are held or the wheel has just turned. */
 function isMoving() {
-    const dragging = gesture.moved && gesture.pointers.size > 0;
+    const dragging = gesture.moved && gesture.pointers.size > 0 && gesture.mode !== 'object';
     return dragging || keys.held.size > 0 || gesture.wheelTimer !== 0;
 }
 
@@ -450,12 +481,19 @@ function moveTo(camera) {
     requestTick();
 }
 
-/** Counts the state up; what was known of the one before no longer holds. */
-function nextState() {
+/**
+ * Counts the state up; where pictures change, what was known of the ones before is void, and so is
+ * their judgement, unless only their colours on screen change.
+ */
+function nextState(changesPictures = true, changesErrors = changesPictures) {
     report.state += 1;
+    if (!changesPictures) return report.state;
+    report.pictureState = report.state;
     session.pickedPixel = null;
     placeMarker();
     setCommand('');
+    setCommandB('');
+    if (changesErrors) forgetJudgement();
     return report.state;
 }
 
@@ -474,7 +512,13 @@ function sendCamera() {
 /** Sends the settings that changed since the last animation frame, in one message. */
 function sendSettings() {
     if (Object.keys(session.pending).length === 0) return;
-    send(session.socket, { set: session.pending, state: nextState() });
+    const changed = Object.keys(session.pending).filter((key) => !PICTURE_STAYS.has(key));
+    // Two pictures are rendered again even for other colours.
+    const recolours = !comparison() && changed.every((key) => RECOLOURS.has(key));
+    const state = nextState(changed.length > 0, changed.length > 0 && !recolours);
+    const message = { set: session.pending, state };
+    if ('frame' in session.pending) message.moving = timeline.moving;
+    send(session.socket, message);
     session.pending = {};
 }
 
@@ -528,6 +572,7 @@ const placeOf = (event) => [event.clientX, event.clientY];
 
 /** The button and the keys with it say what a drag does. */
 function dragMode(event) {
+    if (editing.drags && event.button === 0) return 'object';
     if (event.pointerType === 'touch') return 'orbit';
     if (event.button === 1) return 'dolly';
     const pans = event.button === 2 || event.shiftKey || event.ctrlKey || event.metaKey;
@@ -543,6 +588,9 @@ function onPointerDown(event) {
         gesture.slop = event.pointerType === 'touch' ? TOUCH_SLOP : MOUSE_SLOP;
         gesture.moved = false;
     } else {
+        // Two fingers move the view, even where one moves an object.
+        if (gesture.mode === 'object') endObjectDrag();
+        gesture.mode = 'orbit';
         gesture.moved = true;
     }
     gesture.pointers.set(event.pointerId, placeOf(event));
@@ -564,7 +612,9 @@ function onPointerMove(event) {
 
 function onPointerEnd(event) {
     if (!gesture.pointers.delete(event.pointerId) || gesture.pointers.size > 0) return;
-    const isClick = event.type === 'pointerup' && !gesture.moved && gesture.mode === 'orbit';
+    const clicks = gesture.mode === 'orbit' || gesture.mode === 'object';
+    const isClick = event.type === 'pointerup' && !gesture.moved && clicks;
+    if (gesture.moved && gesture.mode === 'object') endObjectDrag();
     gesture.moved = false;
     viewArea.classList.remove('dragged');
     if (isClick) click(event);
@@ -575,6 +625,7 @@ function onPointerEnd(event) {
 function dragOne(by) {
     if (gesture.mode === 'orbit') dragOrbit(by);
     else if (gesture.mode === 'pan') dragPan(by);
+    else if (gesture.mode === 'object') dragObject(by);
     else dolly(Math.exp(by[1] * MIDDLE_DRAG_RATE));
 }
 
@@ -643,6 +694,12 @@ const COMMAND_KEYS = new Map([
     ['?', toggleHelp],
     ['c', copyCommand],
     ['p', () => save('png')],
+    ['g', () => setDragging(!editing.drags)],
+    ['o', () => nextOverlay()],
+    ['b', () => toggleComparison()],
+    ['t', () => toggleTrust()],
+    [',', () => stepFrame(-1)],
+    ['.', () => stepFrame(1)],
 ]);
 
 const isMotionKey = (code) => FLY_KEYS.has(code) || TURN_KEYS.has(code);
@@ -663,8 +720,9 @@ function isTakenByControl(event) {
     const { target } = event;
     if (!(target instanceof Element)) return false;
     if (target.matches('select, textarea, input[type="number"]')) return true;
-    if (target.matches('input[type="range"]')) return TURN_KEYS.has(event.code);
-    return target.matches('button') && (event.key === ' ' || event.key === 'Enter');
+    if (target.matches('input[type="range"], [role="slider"]')) return TURN_KEYS.has(event.code);
+    const isPressed = target.matches('button, summary, [role="button"]');
+    return isPressed && (event.key === ' ' || event.key === 'Enter');
 }
 
 function onKeyDown(event) {
@@ -673,6 +731,11 @@ function onKeyDown(event) {
     if ((event.ctrlKey || event.metaKey) && !event.altKey && key === 's') {
         event.preventDefault();
         save('png');
+        return;
+    }
+    if ((event.ctrlKey || event.metaKey) && key === 'z' && !isTakenByControl(event)) {
+        event.preventDefault();
+        undo('last');
         return;
     }
     if (event.ctrlKey || event.metaKey || event.altKey || isTakenByControl(event)) return;
@@ -726,10 +789,14 @@ function showHello() {
     fillSelect(byId('algorithm'), hello.algorithms, settings.algorithm);
     fillSelect(byId('quality'), hello.qualities, settings.quality);
     fillSelect(byId('tone'), hello.tones, settings.tone);
+    fillSelect(byId('algorithm-b'), hello.algorithms, hello.algorithms[0]);
+    fillSelect(byId('quality-b'), hello.qualities, settings.quality);
     fillCameras(hello.cameras);
     fillSizes(settings.size);
+    fillSampleLimits(settings.samples);
     showExposure();
     showPause();
+    showComparison();
     showFolder(hello.folder);
 }
 
@@ -741,6 +808,38 @@ function fillCameras(names) {
     free.disabled = true;
     select.prepend(free);
     select.value = '';
+}
+
+/** Offers numbers of samples that end an image, and the one that the server has. */
+function fillSampleLimits(chosen) {
+    const limits = [...new Set([...SAMPLE_LIMITS, chosen])].sort((a, b) => a - b);
+    const name = (limit) => (limit === 0 ? 'Without end' : String(limit));
+    byId('sample-limit').replaceChildren(...limits.map((limit) => new Option(name(limit), limit)));
+    byId('sample-limit').value = String(chosen);
+}
+
+/** Brings the controls in step with what the server has: it may have refused what was asked for. */
+function takeSettings(settings) {
+    takeSize(settings.size);
+    const isOtherComparison =
+        JSON.stringify(settings.compare) !== JSON.stringify(session.settings.compare);
+    session.settings = { ...settings };
+    for (const name of ['algorithm', 'quality', 'tone']) setChoice(name, settings[name]);
+    const [firstView] = byId('camera').options;
+    const text = settings.placed ? 'Free view' : 'First view';
+    if (firstView.text !== text) firstView.text = text;
+    setChoice('camera', settings.placed ? '' : settings.camera);
+    if (byId('sample-limit').value !== String(settings.samples)) fillSampleLimits(settings.samples);
+    if (document.activeElement !== byId('exposure-number')) showExposure();
+    showPause();
+    showTimeline();
+    if (isOtherComparison) showComparison();
+    showTrustState();
+}
+
+/** Sets a select, and leaves it alone where it is right: someone may have opened it. */
+function setChoice(id, value) {
+    if (byId(id).value !== value) byId(id).value = value;
 }
 
 const sizeName = ([width, height]) => `${width} × ${height}`;
@@ -795,6 +894,10 @@ function takeSize(size) {
 /** Enables the controls that need a session. */
 function enableControls(enabled) {
     byId('controls').disabled = !enabled;
+    const sections = ['edit', 'sampling', 'comparison', 'judging', 'costs', 'saving', 'timeline'];
+    for (const id of sections) {
+        byId(id).inert = !enabled;
+    }
     byId('pause').disabled = !enabled;
 }
 
@@ -802,7 +905,8 @@ function enableControls(enabled) {
 function showFolder(folder) {
     const why = 'Nothing can be saved: weft view has no folder to save to.';
     byId('save-hint').textContent = folder ? `Saved to ${folder}` : why;
-    for (const button of [byId('save-png'), byId('save-exr')]) {
+    for (const kind of ['png', 'exr', 'preset', 'edits']) {
+        const button = byId(`save-${kind}`);
         button.disabled = !folder;
         button.title = folder ? '' : why;
     }
@@ -848,24 +952,29 @@ function setCommand(command) {
     const field = byId('command');
     if (field.value !== command) field.value = command;
     byId('copy').disabled = command === '';
+    byId('copy-a').disabled = command === '';
 }
 
-/** Copies the command, or selects it where the browser does not let the page copy. */
-async function copyCommand() {
-    const field = byId('command');
-    if (field.value === '') {
-        showMessage('There is a command once the view is at rest.', 'notice');
-        return;
-    }
+/** Copies a text, or says that it is selected where the browser does not let the page copy. */
+async function copyText(text, field) {
     try {
-        await navigator.clipboard.writeText(field.value);
+        await navigator.clipboard.writeText(text);
         showMessage('The command is copied.', 'notice');
     } catch {
         setCollapsed(false);
+        byId('saving').open = true;
+        field.value = text;
         field.focus();
         field.select();
         showMessage('The command is selected: copy it with Ctrl+C.', 'notice');
     }
+}
+
+/** Copies the command, where there is one yet. */
+function copyCommand() {
+    const field = byId('command');
+    if (field.value === '') showMessage('There is a command once the view is at rest.', 'notice');
+    else copyText(field.value, field);
 }
 
 function toggleHelp() {
@@ -984,6 +1093,8 @@ function showPicked(picked) {
     byId('value-rows').replaceChildren(...rows);
     byId('values').hidden = false;
     session.pickedPixel = picked.at;
+    byId('inspector').open = true;
+    offerEdits(picked);
     placeMarker();
 }
 
@@ -1015,52 +1126,3 @@ function showCover(text, canConnect) {
 function hideCover() {
     byId('cover').hidden = true;
 }
-
-// ------------------------------------------------------------------------------------ start
-
-function listenToView() {
-    viewArea.addEventListener('pointerdown', onPointerDown);
-    viewArea.addEventListener('pointermove', onPointerMove);
-    viewArea.addEventListener('pointerup', onPointerEnd);
-    viewArea.addEventListener('pointercancel', onPointerEnd);
-    viewArea.addEventListener('wheel', onWheel, { passive: false });
-    viewArea.addEventListener('contextmenu', (event) => event.preventDefault());
-    window.addEventListener('keydown', onKeyDown);
-    window.addEventListener('keyup', onKeyUp);
-    window.addEventListener('blur', releaseKeys);
-    window.addEventListener('hashchange', reconnect);
-    new ResizeObserver(([entry]) => {
-        area.width = entry.contentRect.width;
-        area.height = entry.contentRect.height;
-        layOut();
-    }).observe(viewArea);
-}
-
-function listenToControls() {
-    for (const name of ['algorithm', 'quality', 'tone']) {
-        byId(name).addEventListener('change', (event) => change({ [name]: event.target.value }));
-    }
-    byId('size').addEventListener('change', (event) => {
-        change({ size: event.target.value.split('x').map(Number) });
-        layOut();
-    });
-    byId('camera').addEventListener('change', (event) => jumpTo(event.target.value));
-    byId('exposure').addEventListener('input', (event) => setExposure(event.target.value));
-    byId('exposure-number').addEventListener('change', (event) => setExposure(event.target.value));
-    byId('exposure-reset').addEventListener('click', () => setExposure('0'));
-    byId('reset-view').addEventListener('click', resetView);
-    byId('pause').addEventListener('click', togglePause);
-    byId('save-png').addEventListener('click', () => save('png'));
-    byId('save-exr').addEventListener('click', () => save('exr'));
-    byId('copy').addEventListener('click', copyCommand);
-    byId('help-button').addEventListener('click', toggleHelp);
-    byId('collapse').addEventListener('click', () => {
-        setCollapsed(!document.body.classList.contains('collapsed'));
-    });
-    byId('connect-again').addEventListener('click', connect);
-}
-
-setCollapsed(narrow.matches);
-listenToView();
-listenToControls();
-connect();

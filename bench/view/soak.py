@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Uses a view for a long time, as a page would: moves, edits, switches, resizes, judges; and watches
+how much memory the program has, how long it takes to answer, and whether a value is not finite.
+
+It needs the Debian package python3-websockets.
+"""
+import asyncio
+import json
+import math
+import pathlib
+import random
+import re
+import signal
+import struct
+import subprocess
+import sys
+import time
+
+HEAD = struct.Struct("<4sBBHIIHHIf")
+STEP = 1 / 30  # seconds between two messages of a drag
+WARM_UP = 60  # seconds that do not count
+
+
+class Page:
+    """A page of a view: answers frames, and knows when what it asked for was shown."""
+
+    def __init__(self, socket):
+        self.socket = socket
+        self.state = 0
+        self.asked = {}
+        self.waits = []  # seconds, kind, of each request until a frame showed it
+        self.frames = 0
+        self.status = {}
+        self.errors = []
+        self.bad_values = 0
+        self.picked = 0
+
+    async def ask(self, message, kind):
+        self.state += 1
+        message["state"] = self.state
+        self.asked[self.state] = (time.monotonic(), kind)
+        await self.socket.send(json.dumps(message))
+
+    def shown(self, state):
+        now = time.monotonic()
+        for asked in [one for one in self.asked if one <= state]:
+            begin, kind = self.asked.pop(asked)
+            self.waits.append((now - begin, kind))
+
+    def take(self, text):
+        for key, value in json.loads(text).items():
+            if key == "status":
+                self.status = value
+            elif key == "error":
+                self.errors.append(value)
+            elif key == "picked":
+                self.picked += 1
+                numbers = [one for layer in value["values"].values() for one in layer]
+                self.bad_values += sum(not isinstance(one, (int, float)) for one in numbers)
+
+    async def listen(self):
+        async for message in self.socket:
+            if isinstance(message, str):
+                self.take(message)
+                continue
+            _, _, _, _, sequence, state, _, _, _, _ = HEAD.unpack(message[:HEAD.size])
+            self.frames += 1
+            self.shown(state)
+            await self.socket.send(json.dumps({"ack": sequence}))
+
+
+async def drag(page, camera, seconds):
+    """Moves the camera to and fro, and rests a moment."""
+    begin = time.monotonic()
+    while (passed := time.monotonic() - begin) < seconds:
+        await page.ask({"camera": moved(camera, passed), "moving": True}, "move")
+        await asyncio.sleep(STEP)
+    await page.ask({"camera": moved(camera, seconds), "moving": False}, "rest")
+    await asyncio.sleep(1.5)
+
+
+def moved(camera, angle):
+    at = camera["at"]
+    x, z = (camera["from"][i] - at[i] for i in (0, 2))
+    turn = 0.3 * math.sin(angle)
+    return {"from": [at[0] + x * math.cos(turn) + z * math.sin(turn), camera["from"][1],
+                     at[2] + z * math.cos(turn) - x * math.sin(turn)],
+            "at": at, "up": camera["up"], "fov": camera["fov"]}
+
+
+async def edit(page, scene, chance):
+    """Paints a material while a slider moves, moves an object, and takes all of it back."""
+    name = chance.choice(scene["materials"])["name"]
+    for i in range(20):
+        await page.ask({"edit": {"material": name, "albedo": [i / 20, 0.5, 0.5]}, "moving": True,
+                        "continues": i > 0}, "edit")
+        await asyncio.sleep(STEP)
+    thing = chance.choice(scene["objects"])
+    await page.ask({"edit": {"object": thing, "move": [0.01, 0.01, 0]}, "moving": False}, "edit of "
+                   "an object")
+    await asyncio.sleep(1.0)
+    await page.ask({"undo": "all"}, "undo")
+    await asyncio.sleep(1.0)
+
+
+async def switch(page, hello, size, chance):
+    algorithm = chance.choice([one for one in hello["algorithms"]
+                               if one not in ("reference", "irradiance-cache", "ir")])
+    await page.ask({"set": {"algorithm": algorithm}}, "switch")
+    await asyncio.sleep(2.0)
+    await page.ask({"set": {"algorithm": "ais", "trust": True}}, "switch")
+    await asyncio.sleep(2.0)
+    await page.ask({"set": {"size": [size[0] // 2, size[1] // 2], "trust": False}}, "resize")
+    await asyncio.sleep(1.0)
+    await page.ask({"set": {"size": size}}, "resize")
+    await asyncio.sleep(1.0)
+
+
+async def pick(page, size, chance):
+    for _ in range(8):
+        at = [chance.randrange(edge) for edge in size]
+        await page.socket.send(json.dumps({"pick": at}))
+        await asyncio.sleep(0.1)
+
+
+def memory_mib(process):
+    text = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+    return int(re.search(r"VmRSS:\s*(\d+)", text).group(1)) / 1024
+
+
+async def use(process, port, key, minutes, say):
+    import websockets
+    chance = random.Random(0)
+    peaks = {}
+    async with websockets.connect(f"ws://127.0.0.1:{port}/ws", origin=f"http://127.0.0.1:{port}",
+                                  max_size=None) as socket:
+        await socket.send(json.dumps({"token": key}))
+        told = json.loads(await socket.recv())
+        hello, scene = told["hello"], told["scene"]
+        size = hello["settings"]["size"]
+        page = Page(socket)
+        listener = asyncio.create_task(page.listen())
+        begin = time.monotonic()
+        while (passed := time.monotonic() - begin) < 60 * minutes:
+            await drag(page, hello["camera"], 6)
+            await edit(page, scene, chance)
+            await switch(page, hello, size, chance)
+            await pick(page, size, chance)
+            if passed < WARM_UP:
+                page.waits.clear()
+            minute = int(passed / 60)
+            peaks[minute] = max(peaks.get(minute, 0.0), memory_mib(process))
+            say(minute, peaks[minute], page)
+        listener.cancel()
+    return page, peaks
+
+
+def soak(arguments, scene):
+    command = [arguments.weft, "view", str(scene), "--size", arguments.size]
+    if arguments.backend:
+        command += ["--backend", arguments.backend]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    port, key = re.search(r"127.0.0.1:(\d+)/#(\w+)", process.stdout.readline()).groups()
+
+    def say(minute, peak, page):
+        longest = max(page.waits, default=(0.0, "nothing"))
+        print(f"minute {minute}: {peak:.1f} MiB, {page.frames} frames, longest wait "
+              f"{1000 * longest[0]:.0f} ms for {longest[1]}, bad values: {page.bad_values} of "
+              f"{page.picked} pixels, errors: {page.errors[-1:]}", flush=True)
+
+    try:
+        page, peaks = asyncio.run(use(process, port, key, arguments.soak, say))
+    finally:
+        process.send_signal(signal.SIGINT)
+        code = process.wait(60)
+    first = peaks.get(1, peaks[min(peaks)])
+    growth = 100 * (max(peaks.values()) / first - 1)
+    print(f"memory of minute 1: {first:.1f} MiB, at most {max(peaks.values()):.1f} MiB "
+          f"({growth:+.1f} %); the program ended with {code}")
+    if code != 0 or page.bad_values or page.errors:
+        sys.exit("the view did not do what it should")
