@@ -28,15 +28,17 @@ PATIENCE = 120  # seconds, for what takes some
 
 # Before the page begins: when each camera was sent, by its number.
 NOTE_SENDING = """
-window.sentAt = new Map();
-const send = WebSocket.prototype.send;
-WebSocket.prototype.send = function (data) {
-  if (typeof data === 'string' && data.startsWith('{"camera"')) {
-    const state = JSON.parse(data).state;
-    window.sentAt.set(state, performance.now());
-  }
-  return send.call(this, data);
-};
+(() => {
+  window.sentAt = new Map();
+  const send = WebSocket.prototype.send;
+  WebSocket.prototype.send = function (data) {
+    if (typeof data === 'string' && data.startsWith('{"camera"')) {
+      const state = JSON.parse(data).state;
+      window.sentAt.set(state, performance.now());
+    }
+    return send.call(this, data);
+  };
+})();
 """
 
 # A drag of so many seconds, one move each time the browser draws; tells what was drawn, and when.
