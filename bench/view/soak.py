@@ -149,7 +149,7 @@ async def use(process, port, key, minutes, say):
             await switch(page, hello, size, chance)
             await pick(page, size, chance)
             if passed < WARM_UP:
-                page.waits.clear()
+                page.waits.clear()  # kernels are compiled, and memory is touched
             minute = int(passed / 60)
             peaks[minute] = max(peaks.get(minute, 0.0), memory_mib(process))
             say(minute, peaks[minute], page)
@@ -165,10 +165,13 @@ def soak(arguments, scene):
     port, key = re.search(r"127.0.0.1:(\d+)/#(\w+)", process.stdout.readline()).groups()
 
     def say(minute, peak, page):
-        longest = max(page.waits, default=(0.0, "nothing"))
-        print(f"minute {minute}: {peak:.1f} MiB, {page.frames} frames, longest wait "
-              f"{1000 * longest[0]:.0f} ms for {longest[1]}, bad values: {page.bad_values} of "
-              f"{page.picked} pixels, errors: {page.errors[-1:]}", flush=True)
+        longest = {}
+        for seconds, kind in page.waits:
+            longest[kind] = max(longest.get(kind, 0.0), seconds)
+        waits = ", ".join(f"{kind} {1000 * wait:.0f}" for kind, wait in sorted(longest.items()))
+        print(f"minute {minute}: {peak:.1f} MiB, {page.frames} frames, longest waits in ms: "
+              f"{waits}; bad values: {page.bad_values} of {page.picked} pixels, errors: "
+              f"{page.errors[-1:]}", flush=True)
 
     try:
         page, peaks = asyncio.run(use(process, port, key, arguments.soak, say))

@@ -211,27 +211,32 @@ bool MovingScene::set_edits(const std::function<EditTimeline(Scene&)>& read, std
     EditTimeline edits = std::exchange(edits_, {});
     const std::uint32_t old_frame = std::exchange(frame_, frame);
     const bool posed = posed_once_;
+    const bool moved = moves_;
     try {
         edits_ = read(rest_);
         const bool moves = !edits_.edits.empty() || is_animated(rest_);
+        const bool in_place =
+            std::equal(instances.begin(), instances.end(), rest_.instances.begin(),
+                       rest_.instances.end(), flattens_alike);
         posed_once_ = moves;
-        const bool in_place = moves == moves_ && std::equal(instances.begin(), instances.end(),
-                                                            rest_.instances.begin(),
-                                                            rest_.instances.end(), flattens_alike);
         if (!in_place) {
             flatten_anew();
-        } else if (moves) {
-            pose(frame);
-            // A light that some earlier edit made shine did so in no frame of these edits.
-            flat_.first_powers = first_powers_;
-            update_flat(posed_, flat_);
+            return false;
         }
-        return in_place;
+        if (moves && !moves_) posed_ = rest_;
+        moves_ = moves;
+        if (moves) pose(frame);
+        // A light that some earlier edit made shine did so in no frame of these edits.
+        flat_.first_powers = first_powers_;
+        update_flat(now(), flat_);
+        if (!moves) posed_ = Scene{};
+        return true;
     } catch (...) {
         rest_.instances = std::move(instances);
         edits_ = std::move(edits);
         frame_ = old_frame;
         posed_once_ = posed;
+        moves_ = moved;
         throw;
     }
 }

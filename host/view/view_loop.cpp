@@ -31,7 +31,8 @@ constexpr double most_silence_ms = 500.0;
 constexpr double least_file_pause_ms = 300.0;
 constexpr double file_pause_by_cost = 10.0;
 constexpr double status_pause_ms = 100.0;
-constexpr double unbiased_ms = 250.0;  // of path tracing, between two looks at what is asked
+constexpr std::size_t most_waiting = 64;  // requests that wait for an answer
+constexpr double unbiased_ms = 250.0;     // of path tracing, between two looks at what is asked
 
 bool is_same_size(FilmSize a, FilmSize b) {
     return a.width == b.width && a.height == b.height;
@@ -87,7 +88,6 @@ std::string ViewLoop::hello() {
 
 std::uint64_t ViewLoop::take(std::uint32_t page, const ViewMessage& message) {
     const std::lock_guard guard(mutex_);
-    constexpr std::size_t most_waiting = 64;
     const std::size_t waiting = asked_.picks.size() + asked_.saves.size() + asked_.changes.size();
     const auto check_room = [&] {
         if (waiting >= most_waiting)
@@ -139,7 +139,10 @@ std::uint64_t ViewLoop::take(std::uint32_t page, const ViewMessage& message) {
         if (const auto* const save = std::get_if<ViewSave>(&message)) asked_.saves.push_back(*save);
     }
     if (state_of(message) > 0) asked_.version = version = ++asked_version_;
-    if (can_cancel_) session_.cancel();
+    // What is only looked at or saved can wait for the sample under way.
+    const bool can_wait =
+        std::holds_alternative<ViewPick>(message) || std::holds_alternative<ViewSave>(message);
+    if (can_cancel_ && !can_wait) session_.cancel();
     has_asked_.notify_one();
     return version;
 }
@@ -187,7 +190,10 @@ void ViewLoop::apply(const Asked& asked) {
             restart(phase_ == Phase::moving);
     }
     if (asked.adopted) apply_point(*asked.adopted);
-    for (const auto& [page, wish] : asked.picks) pick(page, wish);
+    // Those of a pointer that waits no longer go.
+    if (picks_.size() > most_waiting) picks_.clear();
+    picks_.insert(picks_.end(), asked.picks.begin(), asked.picks.end());
+    answer_picks();
     for (const ViewSave& wish : asked.saves) save(wish);
     if (asked.measuring && *asked.measuring)
         begin_measuring();
@@ -463,6 +469,7 @@ void ViewLoop::render_still() {
         phase_ = Phase::finished;
     if (paused_) phase_ = Phase::paused;
     send_status();
+    answer_picks();
     // A quarter of the time is theirs.
     constexpr double time_of_references = 1.0 / 3.0;
     if (phase_ == Phase::refining && shown_[0].samples > 0)
@@ -720,6 +727,13 @@ void ViewLoop::send_scene() {
     if (server_ != nullptr) server_->send(fmt::format(R"({{"scene":{}}})", text));
     const std::lock_guard guard(mutex_);
     scene_ = std::move(text);
+}
+
+void ViewLoop::answer_picks() {
+    // There is nothing to see before the first sample, and nothing to be sure of while it moves.
+    const bool soon = phase_ == Phase::refining && (stale_ || changed_ || session_.samples() == 0);
+    if (soon) return;
+    for (const auto& [page, wish] : std::exchange(picks_, {})) pick(page, wish);
 }
 
 void ViewLoop::pick(std::uint32_t page, const ViewPick& pick) {

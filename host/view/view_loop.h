@@ -139,6 +139,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     void send_status();
     void send_camera();
     void send_scene();
+    /// Answers the picks that wait, once there is an image.
+    void answer_picks();
     void pick(std::uint32_t page, const ViewPick& pick);
     void save(const ViewSave& save);
     void say(const std::string& line);
@@ -168,7 +170,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     std::array<std::optional<std::uint32_t>, view_panes> planned_;
     std::optional<std::uint32_t> last_;  ///< samples of its finished image; empty: it goes on
     std::array<Shown, view_panes> shown_;
-    std::vector<std::string> overlays_;  ///< of the image in pane 0
+    std::vector<std::string> overlays_;                      ///< of the image in pane 0
+    std::vector<std::pair<std::uint32_t, ViewPick>> picks_;  ///< that wait for an image
     std::uint64_t version_ = 0;
     double sample_ms_ = 0.0;
     double next_file_ms_ = 0.0;  ///< pause before the image is shown as a file again
