@@ -27,8 +27,11 @@ constexpr double moving_seconds = 0.07;
 
 }  // namespace
 
-ViewTimeline timeline_of(const Scene& scene, double frame_rate) {
+ViewTimeline timeline_of(const Scene& scene, const EditTimeline& edits, double frame_rate) {
     constexpr std::uint64_t most = 1000000;
+    std::uint64_t frames = 1;
+    for (const SceneEdit& edit : edits.edits)
+        frames = std::max<std::uint64_t>(frames, std::uint64_t{edit.until} + 1);
     const bool moves =
         is_animated(scene) || std::ranges::any_of(scene.cameras, [](const Camera& camera) {
             return camera.motion.moves();
@@ -36,9 +39,8 @@ ViewTimeline timeline_of(const Scene& scene, double frame_rate) {
     double seconds = 0.0;
     for (const AnimationClip& clip : scene.animation.clips)
         seconds = std::max(seconds, clip.duration);
-    if (!moves) return {1, frame_rate};
-    return {static_cast<std::uint32_t>(std::min(most, frame_count(seconds, frame_rate))),
-            frame_rate};
+    if (moves) frames = std::max<std::uint64_t>(frames, frame_count(seconds, frame_rate));
+    return {static_cast<std::uint32_t>(std::min(most, frames)), frame_rate};
 }
 
 std::vector<Algorithm> CommandRecipe::algorithms() const {

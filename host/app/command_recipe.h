@@ -15,18 +15,18 @@
 
 namespace weft {
 
-/// The frames of a scene's animation, that of the longest of its clips, at so many a second.
-[[nodiscard]] ViewTimeline timeline_of(const Scene& scene, double frame_rate);
+/// The frames of a scene's animation, that of the longest of its clips, at so many a second; with
+/// those that edits reach.
+[[nodiscard]] ViewTimeline timeline_of(const Scene& scene, const EditTimeline& edits,
+                                       double frame_rate);
 
 /// Says how `weft render` renders what a view shows, with the options of the view.
 class CommandRecipe : public ViewRecipe {
   public:
     /// `given`: the camera that the view begins with. `options` and `scene` must outlive it.
-    CommandRecipe(const RenderOptions& options, const MovingScene& scene, Camera given)
-        : options_(options),
-          scene_(scene),
-          given_(std::move(given)),
-          timeline_(timeline_of(scene.at_rest(), options.frame_rate)) {}
+    CommandRecipe(const RenderOptions& options, const MovingScene& scene, Camera given,
+                  const ViewTimeline& timeline)
+        : options_(options), scene_(scene), given_(std::move(given)), timeline_(timeline) {}
 
     [[nodiscard]] std::vector<Algorithm> algorithms() const override;
     [[nodiscard]] ImageSettings settings(const ViewChoice& choice, FilmSize size,

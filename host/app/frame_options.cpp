@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "app/command_line.h"
 #include "app/options.h"
 #include "app/parse_values.h"
+#include "base/json_file.h"
 #include "base/limits.h"
 
 namespace weft {
@@ -42,9 +44,13 @@ void add_frames(CLI::App& render) {
               "Changes of objects, lights and materials over the frames, from a JSON file");
 }
 
-void read_frames(const CLI::App& command, RenderOptions& options) {
+double parse_frame_rate(const std::string& text) {
     constexpr double least_rate = 1e-6;
     constexpr double most_rate = 1000.0;
+    return parse_number("--frame-rate", text, least_rate, most_rate);
+}
+
+void read_frames(const CLI::App& command, RenderOptions& options) {
     if (const auto text = value_of(command, "--frames"))
         options.frames = parse_frames("--frames", *text);
     if (const auto text = value_of(command, "--frame")) {
@@ -59,7 +65,7 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
                               ": is for animations, expected it together with --frames or --frame");
     };
     if (const auto text = value_of(command, "--frame-rate")) {
-        options.frame_rate = parse_number("--frame-rate", *text, least_rate, most_rate);
+        options.frame_rate = parse_frame_rate(*text);
         check_animated("--frame-rate");
     }
     if (const auto text = value_of(command, "--edits")) {
@@ -75,13 +81,19 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
         throw usage_error("--stats: names the same file as one of the images of --frames");
 }
 
-EditTimeline read_edits(const std::filesystem::path& given, Scene& scene) {
+GivenEdits given_edits(const std::filesystem::path& given) {
     const std::string& text = given.native();
-    if (!text.starts_with('{')) return read_scene_edits(given, scene);
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (!text.starts_with('{'))
+        return {read_json_file(given, limits::max_text_file_bytes), given.string()};
+    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_discarded())
         throw input_error("--edits", "is not valid JSON, expected edits or a file of them");
-    return read_scene_edits(json, "--edits", scene);
+    return {std::move(json), "--edits"};
+}
+
+EditTimeline read_edits(const std::filesystem::path& given, Scene& scene) {
+    const GivenEdits edits = given_edits(given);
+    return read_scene_edits(edits.json, edits.place, scene);
 }
 
 std::filesystem::path numbered_output(const std::filesystem::path& output, std::uint32_t frame) {

@@ -8,6 +8,7 @@
 #include "app/choose_executor.h"
 #include "app/command_recipe.h"
 #include "app/commands.h"
+#include "app/frame_options.h"
 #include "app/image_settings.h"
 #include "app/interrupt.h"
 #include "app/print.h"
@@ -15,6 +16,7 @@
 #include "render/camera_params.h"
 #include "scene/load/load_scene.h"
 #include "scene/moving_scene.h"
+#include "view/view_edits.h"
 #include "view/view_loop.h"
 #include "view/view_server.h"
 #include "view/view_token.h"
@@ -36,6 +38,25 @@ void print_address(const ViewOptions& options, const ViewServer& server, const s
                     "From another machine, first: ssh -N -L {0}:127.0.0.1:{0} "
                     "USER@THIS-MACHINE\nCtrl-C ends it.\n",
                     server.port(), token));
+}
+
+/// Brings the scene to the frame that a view begins with, and edits it as its options say. Returns
+/// these edits. Throws Error as MovingScene::set_edits does.
+EditTimeline begin_with(const RenderOptions& options, MovingScene& scene, ViewChoice& choice) {
+    if (!options.edits) {
+        scene.set_frame(choice.frame);
+        return {};
+    }
+    const GivenEdits given = given_edits(*options.edits);
+    EditTimeline edits;
+    (void)scene.set_edits(
+        [&](Scene& at_rest) {
+            edits = read_scene_edits(given.json, given.place, at_rest);
+            return edits;
+        },
+        choice.frame);
+    choice.edits = ViewEdits(given.json).text();
+    return edits;
 }
 
 }  // namespace
@@ -72,12 +93,13 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
     choice.exposure_ev = image.exposure_ev.value_or(0.0);
     choice.tone = image.tone;
     choice.placement = image.placement;
-    moving.set_frame(choice.frame);
-    const CommandRecipe first(image, moving, given);
+    const EditTimeline edits = begin_with(image, moving, choice);
+    const ViewTimeline timeline = timeline_of(moving.at_rest(), edits, image.frame_rate);
+    const CommandRecipe first(image, moving, given, timeline);
     const ImageSettings settings = first.settings(choice, choice.size, false);
     const Camera camera = first.camera(choice);
     RenderSession session(std::move(executor), std::move(moving), camera, settings);
-    const CommandRecipe recipe(image, session.scene(), given);
+    const CommandRecipe recipe(image, session.scene(), given, timeline);
     ViewLoop loop(session, recipe, choice, options.folder, diagnostics);
     const std::string token = make_view_token();
     ViewServer server({options.port, options.socket}, token, loop);

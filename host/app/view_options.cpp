@@ -8,6 +8,7 @@
 #include "app/camera_options.h"
 #include "app/command_line.h"
 #include "app/device_options.h"
+#include "app/frame_options.h"
 #include "app/parse_values.h"
 #include "base/limits.h"
 
@@ -29,6 +30,9 @@ void add_view(CLI::App& app) {
     add_value(view, "--threads", "N", "CPU threads (default: all)");
     add_value(view, "--size", "WxH", "Size of the image (default: the scene's, else 512x512)");
     add_camera(view);
+    add_value(view, "--edits", "FILE",
+              "Changes of objects, lights and materials that it begins with, from a JSON file");
+    add_value(view, "--frame-rate", "R", "Frames per second of animations (default: 30)");
     add_reading(view);
     add_value(view, "--seed", "N", "Seed of all random numbers (default: 0)");
     add_value(view, "--exposure", "EV", "Exposure in stops (default: 0)");
@@ -60,6 +64,9 @@ ViewOptions read_view(const CLI::App& command) {
         image.exposure_ev = parse_number("--exposure", *text, -max_exposure_ev, max_exposure_ev);
     if (const auto text = value_of(command, "--tone"))
         image.tone = static_cast<ToneCurve>(parse_name("--tone", *text, tone_names));
+    if (const auto text = value_of(command, "--edits")) image.edits = *text;
+    if (const auto text = value_of(command, "--frame-rate"))
+        image.frame_rate = parse_frame_rate(*text);
     if (const auto text = value_of(command, "--port"))
         view.port = static_cast<std::uint16_t>(
             parse_unsigned("--port", *text, 1, std::numeric_limits<std::uint16_t>::max()));

@@ -155,21 +155,26 @@ WideBvh BvhCache::build(std::span<const shared::float4> positions,
                         std::span<const shared::Triangle> triangles,
                         const BvhSettings& settings) const {
     if (folder_.empty()) return build_bvh(positions, triangles, settings);
-    const Stopwatch watch;
     const std::string key = key_of(positions, triangles, settings);
-    if (std::optional<WideBvh> found = load(key, positions, triangles, settings)) {
-        found->build_ms = watch.total();
+    if (std::optional<WideBvh> found = load(key, positions, triangles, settings))
         return *std::move(found);
-    }
     WideBvh bvh = build_bvh(positions, triangles, settings);
     if (bvh.build_ms >= limits_.least_build_ms) store(key, bvh);
     return bvh;
+}
+
+std::optional<WideBvh> BvhCache::find(std::span<const shared::float4> positions,
+                                      std::span<const shared::Triangle> triangles,
+                                      const BvhSettings& settings) const {
+    if (folder_.empty()) return {};
+    return load(key_of(positions, triangles, settings), positions, triangles, settings);
 }
 
 std::optional<WideBvh> BvhCache::load(const std::string& key,
                                       std::span<const shared::float4> positions,
                                       std::span<const shared::Triangle> triangles,
                                       const BvhSettings& settings) const {
+    const Stopwatch watch;
     const fs::path path = file_of(key);
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return {};
@@ -180,6 +185,7 @@ std::optional<WideBvh> BvhCache::load(const std::string& key,
         if (bvh && bvh->stack_need <= settings.max_stack && std::isfinite(bvh->sah_cost) &&
             check_bvh(*bvh, positions, triangles, settings).empty()) {
             bvh->from_cache = true;
+            bvh->build_ms = watch.total();
             fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
             return bvh;
         }

@@ -39,6 +39,10 @@ class BvhCache {
     [[nodiscard]] WideBvh build(std::span<const shared::float4> positions,
                                 std::span<const shared::Triangle> triangles,
                                 const BvhSettings& settings) const;
+    /// The same where the folder has it, or else nothing.
+    [[nodiscard]] std::optional<WideBvh> find(std::span<const shared::float4> positions,
+                                              std::span<const shared::Triangle> triangles,
+                                              const BvhSettings& settings) const;
 
   private:
     [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;

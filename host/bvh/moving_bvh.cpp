@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -58,13 +59,21 @@ void make_room(LargeVector<T>& values, std::size_t kept, std::size_t size) {
 
 MovingBvh::MovingBvh(std::span<const shared::float4> positions,
                      std::span<const shared::Triangle> triangles, std::size_t first_moving,
-                     const BvhSettings& settings, const BvhCache* cache)
+                     const BvhSettings& settings, const BvhCache* cache, BvhEffort effort)
     : first_moving_(std::min(first_moving, triangles.size())),
       triangle_count_(triangles.size()),
-      settings_(settings) {
+      settings_(settings),
+      effort_(effort) {
     const auto build = [&](std::span<const shared::Triangle> part, const BvhSettings& used) {
         return cache != nullptr ? cache->build(positions, part, used)
                                 : build_bvh(positions, part, used);
+    };
+    const auto build_soon = [&](std::span<const shared::Triangle> part, BvhSettings used) {
+        std::optional<WideBvh> kept;
+        if (cache != nullptr) kept = cache->find(positions, part, used);
+        if (kept) return *std::move(kept);
+        used.spatial_splits = false;
+        return build_bvh(positions, part, used);
     };
     if (!moves()) {
         bvh_ = build(triangles, settings_);
@@ -74,7 +83,8 @@ MovingBvh::MovingBvh(std::span<const shared::float4> positions,
     }
     BvhSettings below = settings_;
     below.max_stack -= stack_of_root;
-    WideBvh resting = build(triangles.first(first_moving_), below);
+    const auto rests = triangles.first(first_moving_);
+    WideBvh resting = effort_ == BvhEffort::soon ? build_soon(rests, below) : build(rests, below);
     const WideBvh moving = build_moving(positions, triangles);
     try {
         add_resting(std::move(resting));
@@ -93,7 +103,7 @@ bool MovingBvh::update(std::span<const shared::float4> positions,
     if (padding != settings_.padding) {
         BvhSettings settings = settings_;
         settings.padding = padding;
-        *this = MovingBvh(positions, triangles, first_moving_, settings);
+        *this = MovingBvh(positions, triangles, first_moving_, settings, nullptr, effort_);
         return true;
     }
     if (!moves()) return false;

@@ -13,16 +13,25 @@
 
 namespace weft {
 
+/// What the building of a BVH may cost.
+enum class BvhEffort : std::uint8_t {
+    best,  ///< rays are traced for long: spatial splits are tried
+    soon   ///< somebody waits: no spatial splits, unless a cache has the tree with them
+};
+
 /// A BVH over triangles of which those from `first_moving` on may move. Its root has two subtrees:
 /// one over the triangles that rest, as build_bvh makes it, and behind it one over those that may
 /// move, without spatial splits. Where none may move it is the tree of build_bvh alone. It depends
 /// only on the triangles as they are, not on where they were.
 class MovingBvh {
   public:
-    /// The part that rests comes from `cache` where that has it; may be null. Throws as build_bvh.
+    /// The part that rests comes from `cache` where that has it; may be null. `effort` holds for
+    /// that part of a scene in which something moves; else it is the best. Rays that graze a
+    /// triangle may find it in one tree and not in the other. Throws as build_bvh.
     MovingBvh(std::span<const shared::float4> positions,
               std::span<const shared::Triangle> triangles, std::size_t first_moving,
-              const BvhSettings& settings, const BvhCache* cache = nullptr);
+              const BvhSettings& settings, const BvhCache* cache = nullptr,
+              BvhEffort effort = BvhEffort::best);
 
     /// Builds the root and the moving part anew after the moving triangles have changed, whose
     /// number must not. Where the padding differs the resting part is built anew, too; returns
@@ -62,6 +71,7 @@ class MovingBvh {
     std::size_t first_moving_;
     std::size_t triangle_count_;
     BvhSettings settings_;
+    BvhEffort effort_;
     Part resting_;
     std::size_t resting_nodes_ = 0;
     std::size_t resting_floats_ = 0;

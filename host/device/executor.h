@@ -72,6 +72,7 @@ struct TracedGeometry {
     /// Triangles from here on may move: see Executor::update_scene. By default none does.
     std::size_t first_moving = std::numeric_limits<std::size_t>::max();
     bool passing = false;  ///< temporary: built quickly; Executor::bvh and scene_ms ignore it
+    bool soon = false;     ///< somebody waits: see BvhEffort::soon
 };
 
 /// One argument of a launch: a buffer, a value, or neither for a buffer that the launch does not

@@ -11,6 +11,7 @@
 #include "pipeline/edge_samples.h"
 #include "pipeline/media_buffers.h"
 #include "pipeline/tile_geometry.h"
+#include "pipeline/traced_geometry.h"
 #include "pipeline/view_media.h"
 #include "scene/mip_levels.h"
 
@@ -19,15 +20,6 @@ namespace {
 
 /// Number of ray counters, one a stage; all are read before the first is used again.
 constexpr std::uint32_t counter_slots = 32;
-
-TracedGeometry traced_geometry(const FlatScene& flat) {
-    // Boxes grow by the error of triangle tests: some rounding errors of the largest coordinate.
-    // Where the tree changes from frame to frame they hold all that packets count as a hit (2^-19
-    // of the distance), so that a ray's result does not depend on the tree.
-    const bool moves = flat.first_moving_triangle < flat.triangles.size();
-    return {flat.positions, flat.triangles, flat.extent * (moves ? 0x1p-16F : 0x1p-22F),
-            flat.first_moving_triangle};
-}
 
 void upload_lights(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
     scene.light_table.lights = upload<kinds::Lights>(executor, flat.lights, "lights");
@@ -78,7 +70,7 @@ void update_surfaces(Executor& executor, const FlatSurfaces& surfaces, owned::Su
 
 }  // namespace
 
-SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
+SceneBuffers upload_scene(Executor& executor, const FlatScene& flat, bool soon) {
     SceneBuffers scene;
     owned::Geometry& to = scene.geometry;
     to.positions = upload<kinds::VertexPositions>(executor, flat.positions, "vertex positions");
@@ -102,7 +94,9 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat) {
             upload<kinds::EnvironmentSums>(executor, image.sums, "sums of the environment")};
     }
     upload_surfaces(executor, flat.surfaces, scene.surfaces);
-    scene.traced = executor.make_scene(traced_geometry(flat));
+    TracedGeometry traced = traced_geometry(flat);
+    traced.soon = soon;
+    scene.traced = executor.make_scene(traced);
     return scene;
 }
 

@@ -41,7 +41,9 @@ struct SceneBuffers {
     std::shared_ptr<owned::MediaTables> media;
 };
 
-[[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat);
+/// Uploads a scene, and builds its BVH; `soon`: see TracedGeometry::soon.
+[[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat,
+                                        bool soon = false);
 
 /// The scene's media on the device, which the first call uploads. All users of the buffers share
 /// one camera.

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/cache_folder.h"
+#include "base/free_memory.h"
 #include "base/limits.h"
 #include "base/stopwatch.h"
+#include "pipeline/traced_geometry.h"
 
 namespace weft {
 
@@ -24,12 +27,17 @@ RenderSession::RenderSession(std::unique_ptr<Executor> executor, MovingScene sce
       settings_(settings),
       stats_(kept_frames),
       resolve_(executor_) {
-    upload();
+    upload(false);
     make_renderer(std::move(sums));
 }
 
-void RenderSession::upload() {
-    buffers_ = std::make_shared<SceneBuffers>(upload_scene(executor_, scene_.flat()));
+void RenderSession::upload(bool soon) {
+    buffers_ = std::make_shared<SceneBuffers>(upload_scene(executor_, scene_.flat(), soon));
+    ++uploads_;
+    const FlatScene& flat = scene_.flat();
+    const BvhStats* const bvh = executor_.bvh();
+    hasty_ = soon && flat.first_moving_triangle < flat.triangles.size() && bvh != nullptr &&
+             !bvh->from_cache;
 }
 
 void RenderSession::make_renderer(FilmSums sums) {
@@ -94,7 +102,7 @@ void RenderSession::edit(const std::function<void(const SceneParts&)>& change) {
         move_camera(camera_);
         return;
     }
-    upload();
+    upload(false);
     make_renderer({});
 }
 
@@ -106,13 +114,32 @@ void RenderSession::set_edits(const std::function<EditTimeline(Scene&)>& read, s
         return;
     }
     camera_ = camera;
-    upload();
+    upload(true);
     make_renderer({});
+}
+
+bool RenderSession::settle(bool wait) {
+    if (!hasty_) return true;
+    if (better_tree_ && !wait && !better_tree_->is_done()) return false;
+    if (better_tree_) better_tree_->wait();
+    if (!better_tree_ || better_upload_ != uploads_) {
+        better_tree_.reset();
+        better_tree_ =
+            std::make_unique<BetterTree>(traced_geometry(scene_.flat()), default_cache_folder());
+        better_upload_ = uploads_;
+        if (!wait) return false;
+        better_tree_->wait();
+    }
+    better_tree_.reset();
+    upload(false);
+    make_renderer({});
+    return_free_memory();
+    return true;
 }
 
 void RenderSession::rebuild(const std::function<void(Scene&)>& change) {
     scene_.rebuild(change);
-    upload();
+    upload(false);
     make_renderer({});
 }
 

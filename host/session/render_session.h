@@ -17,6 +17,7 @@
 #include "render/reference_renderer.h"
 #include "render/renderer.h"
 #include "scene/moving_scene.h"
+#include "session/better_tree.h"
 #include "session/display_resolve.h"
 #include "session/image_watch.h"
 #include "session/matte_pass.h"
@@ -124,9 +125,17 @@ class RenderSession {
     void edit(const std::function<void(const SceneParts&)>& change);
     /// Replaces all edits of the scene and brings it to a frame of its animation, seen from a
     /// camera. Begins the next image of the sequence, or another image where instances begin or end
-    /// to be movable. Throws as MovingScene::set_edits does; then nothing has changed.
+    /// to be movable. Their BVH may be a hasty one (is_hasty). Throws as MovingScene::set_edits
+    /// does; then nothing has changed.
     void set_edits(const std::function<EditTimeline(Scene&)>& read, std::uint32_t frame,
                    const Camera& camera);
+    /// Whether the BVH was built for somebody who waits (TracedGeometry::soon), so that a few
+    /// pixels may differ from those of an image for which nobody waits.
+    [[nodiscard]] bool is_hasty() const { return hasty_; }
+    /// Replaces a hasty BVH, which is built anew in the background, and begins another image.
+    /// Unless it shall `wait`, it returns false, with nothing changed, where the new one is not
+    /// there yet. Does nothing where the BVH is not hasty.
+    bool settle(bool wait);
     /// Changes anything in the scene and begins another image; uploads all of the scene. Throws as
     /// MovingScene::rebuild does; then nothing has changed.
     void rebuild(const std::function<void(Scene&)>& change);
@@ -159,7 +168,7 @@ class RenderSession {
     [[nodiscard]] const SessionStats& stats() const { return stats_; }
 
   private:
-    void upload();
+    void upload(bool soon);
     void make_renderer(FilmSums sums);
     /// Brings buffers and renderer up to date where the scene has changed in place.
     void follow_scene();
@@ -182,6 +191,10 @@ class RenderSession {
     Camera camera_;
     ImageSettings settings_;
     std::shared_ptr<SceneBuffers> buffers_;
+    bool hasty_ = false;                       ///< see is_hasty
+    std::uint64_t uploads_ = 0;                ///< how often the scene was uploaded
+    std::unique_ptr<BetterTree> better_tree_;  ///< in place of a hasty one
+    std::uint64_t better_upload_ = 0;          ///< for which it is built
     std::unique_ptr<FrameRenderer> renderer_;
     ExactRenderer* exact_ = nullptr;        ///< renderer_, where it is an ExactRenderer
     std::optional<Refinement> refinement_;  ///< of renderer_'s image, once it has begun

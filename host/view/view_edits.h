@@ -14,6 +14,10 @@ namespace weft {
 /// The changes of a scene that pages have asked for, as a file of edits has them.
 class ViewEdits {
   public:
+    ViewEdits() = default;
+    /// Those of a file of edits, which was read for the scene.
+    explicit ViewEdits(const nlohmann::json& file) : edits_(file.at("edits")) {}
+
     /// Adds a change at a frame: an edit without its frame, JSON. Where it `continues` the one
     /// before, it takes its place, if that was of the same thing in the same frame. Throws Error
     /// (exit code 2) where there are too many.

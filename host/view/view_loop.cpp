@@ -71,6 +71,7 @@ ViewLoop::ViewLoop(RenderSession& session, const ViewRecipe& recipe, ViewChoice 
       files_(std::move(folder)),
       choice_(std::move(choice)),
       camera_(session.camera()) {
+    if (!choice_.edits.empty()) edits_ = ViewEdits(Json::parse(choice_.edits));
     pace_.set_full(choice_.size);
     send_scene();
     (void)adopt(choice_);
@@ -206,6 +207,7 @@ void ViewLoop::restart(bool moving) {
     end_measuring();
     if (moving != (phase_ == Phase::moving)) stale_ = true;
     changed_ = true;
+    glimpsed_ = false;
     phase_ = moving ? Phase::moving : Phase::refining;
 }
 
@@ -273,7 +275,7 @@ bool ViewLoop::apply_settings(const ViewSettings& settings) {
     if (settings.camera) send_camera();
     const bool shown_anew = recoloured || settings.overlay;
     const bool at_rest = phase_ != Phase::moving && phase_ != Phase::measuring;
-    if (shown_anew && !anew && at_rest && pane_ == 0 && session_.samples() > 0) show_file();
+    if (shown_anew && !anew && at_rest && has_image()) show_file();
     send_status();
     return anew;
 }
@@ -367,11 +369,18 @@ void ViewLoop::write_hello() {
 }
 
 void ViewLoop::render_moving() {
-    const FilmSize size = pace_.size();
-    const Stopwatch watch;
-    const bool anew = stale_ || !is_same_size(size_of(session_.settings()), size);
+    const bool anew = stale_ || !is_same_size(size_of(session_.settings()), pace_.size());
     if (!anew && !changed_) return wait_for_pages();
-    if (anew) {
+    sample_ms_ = render_divided();
+    // The first of a size has buffers to make.
+    if (!anew) pace_.took(sample_ms_);
+    if (since_status_.total() > status_pause_ms) send_status();
+}
+
+double ViewLoop::render_divided() {
+    const Stopwatch watch;
+    const FilmSize size = pace_.size();
+    if (stale_ || !is_same_size(size_of(session_.settings()), size)) {
         session_.set_settings(recipe_.settings(choice_, size, true));
         session_.set_camera(camera_);
         shown_as_file_ = false;
@@ -381,13 +390,17 @@ void ViewLoop::render_moving() {
         session_.move_camera(camera_);
     }
     pane_ = 0;
+    divided_ = true;
     stale_ = changed_ = begun_ = false;
     (void)session_.render({});
     if (!choice_.overlay.empty()) show_overlay();
-    sample_ms_ = watch.total();
-    // The first of a size has buffers to make.
-    if (!anew) pace_.took(sample_ms_);
-    if (since_status_.total() > status_pause_ms) send_status();
+    return watch.total();
+}
+
+bool ViewLoop::is_slow() const {
+    constexpr double slow_ms = 300.0;
+    const FilmSize size = choice_.size;
+    return pixel_ms_ * size.width * size.height > slow_ms && !is_same_size(size, pace_.size());
 }
 
 ViewChoice ViewLoop::choice_of(std::uint32_t pane) const {
@@ -415,7 +428,7 @@ void ViewLoop::begin_pane(std::uint32_t pane) {
     pane_ = pane;
     pane_ms_ = 0.0;
     last_ = recipe_.samples(choice);
-    stale_ = changed_ = begun_ = false;
+    stale_ = changed_ = begun_ = divided_ = false;
     shown_as_file_ = false;
     next_file_ms_ = 0.0;
 }
@@ -443,7 +456,17 @@ std::optional<double> ViewLoop::render(const RenderBudget& budget) {
 }
 
 void ViewLoop::render_still() {
-    if (stale_ || changed_) begin_pane(is_shared() ? 1 : 0);
+    // What a command makes has no hasty BVH.
+    const bool waits = paused_ || is_shared();
+    if (session_.is_hasty() && (glimpsed_ || waits) && session_.settle(waits)) stale_ = true;
+    const bool begins = stale_ || changed_;
+    if (begins && !glimpsed_ && !is_shared() && is_slow()) {
+        (void)render_divided();
+        stale_ = glimpsed_ = true;
+        return;
+    }
+    if (begins) begin_pane(is_shared() ? 1 : 0);
+    glimpsed_ = true;
     RenderBudget budget;
     budget.end_early = ended_;
     if (std::holds_alternative<PathSettings>(session_.settings()))
@@ -455,6 +478,11 @@ void ViewLoop::render_still() {
     const std::uint64_t made = session_.samples() - before;
     if (!ms || made == 0) return;
     sample_ms_ = *ms / static_cast<double>(made);
+    if (before == 0) {
+        const double pixels = static_cast<double>(choice_.size.width) * choice_.size.height;
+        pixel_ms_ = sample_ms_ / pixels;
+        pace_.took_full(sample_ms_);
+    }
     pane_ms_ += *ms;
     if (plan_samples(sample_ms_)) return;
     const bool in_time = !is_shared() || pane_ms_ < 1000.0 * choice_.comparison->seconds;
@@ -481,22 +509,26 @@ void ViewLoop::show(const DisplayFrame& frame) {
     if (server_ == nullptr || shown_as_file_ || session_.refined_samples() > 0 ||
         phase_ == Phase::measuring || !choice_.overlay.empty())
         return;
-    const bool moving = phase_ == Phase::moving;
     ViewFrame sent;
     sent.codec = ViewCodec::jpeg;
     sent.pane = pane_;
-    sent.moving = moving;
+    sent.moving = divided_;
     sent.version = version_;
     sent.width = frame.width;
     sent.height = frame.height;
     sent.samples = static_cast<std::uint32_t>(frame.samples);
     sent.milliseconds = static_cast<float>(sample_ms_);
-    sent.file = std::make_shared<const std::vector<std::byte>>(
-        jpeg_bytes(frame.colours, frame.width, frame.height, moving ? moving_jpeg : resting_jpeg));
+    sent.file = std::make_shared<const std::vector<std::byte>>(jpeg_bytes(
+        frame.colours, frame.width, frame.height, divided_ ? moving_jpeg : resting_jpeg));
     server_->show(std::move(sent));
 }
 
+bool ViewLoop::has_image() const {
+    return pane_ == 0 && session_.samples() > 0 && !stale_ && !changed_;
+}
+
 bool ViewLoop::has_command() const {
+    if (session_.is_hasty()) return false;
     const auto* const preview = std::get_if<RenderSettings>(&session_.settings());
     if (preview == nullptr) return session_.samples() > 0;
     return session_.samples() >= last_.value_or(std::max(1U, preview->refined_after));
@@ -516,7 +548,7 @@ void ViewLoop::show_overlay() {
     ViewFrame sent;
     sent.codec = ViewCodec::png;
     sent.pane = pane_;
-    sent.moving = phase_ == Phase::moving;
+    sent.moving = divided_;
     sent.version = version_;
     sent.width = image.width;
     sent.height = image.height;
@@ -622,6 +654,7 @@ void ViewLoop::take_judgement() {
 void ViewLoop::begin_measuring() {
     if (phase_ == Phase::moving || phase_ == Phase::paused)
         return say("settings are measured while the view is at rest and not paused");
+    if (session_.is_hasty()) stale_ = session_.settle(true);
     if (stale_ || changed_) begin_pane(0);
     if (!references_) references_ = session_.make_references();
     front_.emplace(recipe_.candidates(choice_));
@@ -768,8 +801,7 @@ void ViewLoop::pick(std::uint32_t page, const ViewPick& pick) {
 
 void ViewLoop::save(const ViewSave& save) {
     const bool of_image = save.file == SavedFile::png || save.file == SavedFile::exr;
-    const bool has_image = phase_ != Phase::moving && phase_ != Phase::measuring && pane_ == 0 &&
-                           session_.samples() > 0;
+    const bool in_full_size = phase_ != Phase::moving && phase_ != Phase::measuring && has_image();
     try {
         std::filesystem::path file;
         if (save.file == SavedFile::edits) {
@@ -781,7 +813,7 @@ void ViewLoop::save(const ViewSave& save) {
             file = files_.write(preset_json(recipe_.preset(choice_, samples)), ".preset.json");
         } else {
             file = files_.next(save.file == SavedFile::exr ? ".exr" : ".png");
-            if (of_image && !has_image) return say("there is no image in full size yet");
+            if (of_image && !in_full_size) return say("there is no image in full size yet");
             FileOutput output(recipe_.output(choice_, file), diagnostics_);
             output.write(session_.image());
         }

@@ -100,6 +100,11 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
 
     void render_moving();
     void render_still();
+    /// Renders one image of the size of moving ones, of all that was asked for; returns
+    /// milliseconds.
+    double render_divided();
+    /// Whether the first sample of the image at rest takes so long that a divided one goes before.
+    [[nodiscard]] bool is_slow() const;
     /// Begins the image of a pane at rest.
     void begin_pane(std::uint32_t pane);
     /// Begins it again with as many samples as there is time for by its first one, which took so
@@ -113,6 +118,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     /// Calls RenderSession::render so that pages can end it. Returns milliseconds; empty where it
     /// was cancelled.
     std::optional<double> render(const RenderBudget& budget);
+    /// Whether the session has one of pane 0, of all that was asked for.
+    [[nodiscard]] bool has_image() const;
     /// Whether the image is one that a command makes.
     [[nodiscard]] bool has_command() const;
     /// Sends the image as a file, such as the command would write.
@@ -161,6 +168,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     bool paused_ = false;
     bool stale_ = true;       ///< the session has other settings than the phase needs
     bool changed_ = false;    ///< the camera or the scene, since the last image
+    bool divided_ = false;    ///< the session's image has the size of moving ones
+    bool glimpsed_ = false;   ///< a divided image of that change was shown
     bool begun_ = false;      ///< the session has begun the image of that change already
     bool scene_told_ = true;  ///< pages know how the scene is now
     bool shown_as_file_ = false;
@@ -174,6 +183,7 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     std::vector<std::pair<std::uint32_t, ViewPick>> picks_;  ///< that wait for an image
     std::uint64_t version_ = 0;
     double sample_ms_ = 0.0;
+    double pixel_ms_ = 0.0;      ///< of one pixel in the last first sample at rest; 0: none yet
     double next_file_ms_ = 0.0;  ///< pause before the image is shown as a file again
     Stopwatch since_file_, since_request_, since_status_;
 

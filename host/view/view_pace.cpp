@@ -24,19 +24,29 @@ FilmSize ViewPace::divided(std::uint32_t divisor) const {
 
 void ViewPace::set_full(FilmSize full) {
     full_ = full;
-    quick_ = 0;
+    divide_by(divisor_);
+}
+
+void ViewPace::divide_by(std::uint32_t divisor) {
+    divisor_ = std::min(divisor, most_divisor);
     while (divisor_ > 1 && std::max(size().width, size().height) < least_edge) --divisor_;
+    quick_ = 0;
+}
+
+void ViewPace::took_full(double ms) {
+    if (timed_ || !(ms > 0.0)) return;
+    const double wanted = std::ceil(std::sqrt(ms / aim_ms));
+    divide_by(static_cast<std::uint32_t>(std::clamp(wanted, 1.0, double{most_divisor})));
 }
 
 void ViewPace::took(double ms) {
+    timed_ = true;
     // The time goes with the number of pixels; the part of it that does not makes the next guess a
     // little too careful.
     if (ms > most_ms) {
-        const auto wanted =
-            static_cast<std::uint32_t>(std::ceil(divisor_ * std::sqrt(ms / aim_ms)));
-        divisor_ = std::clamp(wanted, divisor_, most_divisor);
-        while (divisor_ > 1 && std::max(size().width, size().height) < least_edge) --divisor_;
-        quick_ = 0;
+        const double wanted = std::ceil(divisor_ * std::sqrt(ms / aim_ms));
+        divide_by(static_cast<std::uint32_t>(
+            std::clamp(wanted, static_cast<double>(divisor_), double{most_divisor})));
         return;
     }
     const double growth = divisor_ > 1 ? static_cast<double>(divisor_) / (divisor_ - 1) : 0.0;

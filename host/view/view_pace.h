@@ -25,12 +25,18 @@ class ViewPace {
     [[nodiscard]] FilmSize size() const { return divided(divisor_); }
     /// Takes what an image of that size took, from the request for it until it was ready.
     void took(double ms);
+    /// Takes what an image of the full size took, by which a first size is guessed. It is ignored
+    /// once an image of a divided size was timed.
+    void took_full(double ms);
 
   private:
+    /// Sets the divisor, or the largest that leaves images their least size.
+    void divide_by(std::uint32_t divisor);
     [[nodiscard]] FilmSize divided(std::uint32_t divisor) const;
 
     FilmSize full_{1, 1};
     std::uint32_t divisor_ = 2;
+    bool timed_ = false;
     std::uint32_t quick_ = 0;  ///< images in a row that a larger size would have had time for
 };
 

@@ -241,6 +241,40 @@ TEST(ProgramView, RestsOnWhatItsCommandMakesOfMaterials) {
     expect_command_makes_it(view, "of another colour");
 }
 
+// A first sample takes long enough there that a divided image goes before, and trees are built with
+// and without spatial splits.
+TEST(ProgramView, RestsOnWhatItsCommandMakesOfALargeScene) {
+    OpenView view({shipped_scene("conference.gltf"), "--size", "320x256"});
+    (void)view.final_file();
+    view.send(camera_message(view.hello(), 0.3, true));
+    view.send(camera_message(view.hello(), 0.4, false));
+    const std::string object = view.scene().at("objects").at(3);
+    view.send(edit_message({{"object", object}, {"move", {0.05, 0.1, 0}}}));
+    expect_command_makes_it(view, "with an object that was moved");
+}
+
+TEST(ProgramView, BeginsWithEdits) {
+    OpenView view({shipped_scene("cornell-box.gltf"), "--size", "40x40", "--frame-rate", "25",
+                   "--edits", shipped_scene("cornell-box-edits.json")});
+    EXPECT_EQ(view.scene().at("frames"), 26);
+    view.send({{"set", {{"frame", 12}}}, {"moving", false}});
+    expect_command_makes_it(view, "in a frame");
+    view.send(edit_message({{"object", "small block"}, {"move", {0, 0.1, 0}}}));
+    expect_command_makes_it(view, "with one more");
+    view.send({{"undo", "all"}});
+    expect_command_makes_it(view, "without any");
+}
+
+TEST(ProgramView, RefusesEditsThatDoNotFitTheScene) {
+    for (const char* edits : {"no-such-file.json", "{", R"({"edits": [{"frame": 0}]})",
+                              R"({"edits": [{"frame": 0, "object": "x", "remove": true}]})"}) {
+        const test::ProgramResult refused = test::run_program(
+            {"view", shipped_scene("cornell-box.gltf"), "--backend", "native", "--edits", edits});
+        EXPECT_EQ(refused.exit_code, 2) << edits;
+        EXPECT_TRUE(refused.err.starts_with("weft: ")) << refused.err;
+    }
+}
+
 TEST(ProgramView, ComparesInEqualTime) {
     OpenView view({shipped_scene("cornell-box.gltf"), "--size", "40x40"});
     view.send(

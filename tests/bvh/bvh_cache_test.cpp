@@ -329,5 +329,18 @@ TEST_F(BvhCacheTest, OfAMovingSceneTheRestingPartIsKept) {
     EXPECT_EQ(read.resting_nodes(), built.resting_nodes());
 }
 
+TEST_F(BvhCacheTest, WhereSomebodyWaitsOnlyWhatIsThereIsUsed) {
+    const std::size_t first_moving = 40;
+    const auto moving = [&](BvhEffort effort) {
+        return MovingBvh(mesh_.positions, mesh_.triangles, first_moving, {}, &cache_, effort);
+    };
+    for (int i = 0; i < 2; ++i) EXPECT_FALSE(moving(BvhEffort::soon).bvh().from_cache);
+    const MovingBvh built = moving(BvhEffort::best);
+    EXPECT_FALSE(built.bvh().from_cache);
+    const MovingBvh read = moving(BvhEffort::soon);
+    EXPECT_TRUE(read.bvh().from_cache);
+    EXPECT_TRUE(same_tree(read.bvh(), built.bvh()));
+}
+
 }  // namespace
 }  // namespace weft::bvh_cache_test

@@ -90,6 +90,23 @@ TEST(MovingBvh, TheRestingPartIsSplitWhereThatPays) {
     EXPECT_FALSE(build(all_move).bvh().has_spatial_splits);
 }
 
+TEST(MovingBvh, WhereSomebodyWaitsItHasNoSplits) {
+    MovingMesh mesh = test::needles_and_moving_soup(2000, 300, 52);
+    const auto make = [&](std::size_t first_moving) {
+        return MovingBvh(mesh.mesh.positions, mesh.mesh.triangles, first_moving, {}, nullptr,
+                         BvhEffort::soon);
+    };
+    MovingBvh moving = make(mesh.first_moving);
+    EXPECT_FALSE(moving.bvh().has_spatial_splits);
+    expect_sound(moving, mesh.mesh, {});
+    mesh.pose(poses[1]);
+    EXPECT_TRUE(moving.update(mesh.mesh.positions, mesh.mesh.triangles, 0.01F));
+    EXPECT_FALSE(moving.bvh().has_spatial_splits);
+    expect_sound(moving, mesh.mesh, {.padding = 0.01F});
+    // Where nothing moves the tree is always the same.
+    EXPECT_TRUE(make(mesh.mesh.triangles.size()).bvh().has_spatial_splits);
+}
+
 TEST(MovingBvh, WhereNothingMovesItIsTheTreeOfBuildBvh) {
     const BvhMesh mesh = test::diagonal_needles(2000, 53);
     const WideBvh expected = build_bvh(mesh.positions, mesh.triangles, {});

@@ -150,6 +150,44 @@ TEST(RenderSession, WhatIsEditedIsWhatARendererOfThatSceneShows) {
     }
 }
 
+/// Edits that move one instance, as read for a scene.
+std::function<EditTimeline(Scene&)> moves_instance(std::uint32_t index) {
+    return [index](Scene& scene) {
+        scene.instances.at(index).may_move = true;
+        SceneEdit edit;
+        edit.targets = {index};
+        edit.change = ObjectMove{{-0.1, 0.0, 0.0}};
+        return EditTimeline{{edit}};
+    };
+}
+
+TEST(RenderSession, AHastyBvhIsReplacedOnceThereIsABetterOne) {
+    for (const TestBackend backend : test::backends()) {
+        CountedSession made = room_session(backend, small_settings(Algorithm::igi, width, height));
+        RenderSession& session = *made.session;
+        EXPECT_FALSE(session.is_hasty());
+        EXPECT_TRUE(session.settle(false));
+        const bool has_bvh = session.executor().bvh() != nullptr;
+        session.set_edits(moves_instance(2), 0, test::room_camera());
+        EXPECT_EQ(session.is_hasty(), has_bvh);
+        expect_fresh(session, backend, "hasty");
+        if (has_bvh) {
+            EXPECT_FALSE(session.settle(false));
+            while (!session.settle(false)) EXPECT_EQ(session.samples(), 1U);
+            EXPECT_EQ(session.samples(), 0U);
+            EXPECT_FALSE(session.is_hasty());
+            expect_fresh(session, backend, "settled");
+        }
+        // One that is being built is of no use for another scene.
+        session.set_edits(moves_instance(3), 0, test::room_camera());
+        EXPECT_EQ(session.settle(false), !has_bvh);
+        session.set_edits(moves_instance(2), 0, test::room_camera());
+        EXPECT_TRUE(session.settle(true));
+        EXPECT_FALSE(session.is_hasty());
+        expect_fresh(session, backend, "settled again");
+    }
+}
+
 TEST(RenderSession, AnEditThatIsRefusedChangesNothing) {
     CountedSession made =
         room_session(TestBackend::embree, small_settings(Algorithm::igi, width, height));

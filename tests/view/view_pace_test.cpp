@@ -48,6 +48,22 @@ TEST(ViewPace, SettlesOnOneSize) {
     }
 }
 
+TEST(ViewPace, GuessesItsFirstSizeByAnImageOfTheFullOne) {
+    for (const double ms : {40.0, 200.0, 1200.0, 1e9}) {
+        ViewPace pace;
+        pace.set_full({512, 512});
+        pace.took_full(ms);
+        const FilmSize size = pace.size();
+        const double share = size.width * size.height / (512.0 * 512.0);
+        EXPECT_TRUE(share * ms <= ViewPace::aim_ms || size.width == 128U) << ms;
+        EXPECT_EQ(size.width == 512U, ms <= ViewPace::aim_ms) << ms;
+        // What was measured of small images counts for more.
+        (void)settle(pace, 2.0, 50.0);
+        pace.took_full(1e6);
+        EXPECT_EQ(pace.size().width, 512U);
+    }
+}
+
 TEST(ViewPace, GrowsAgainWhereThereIsTime) {
     ViewPace pace;
     pace.set_full({512, 512});

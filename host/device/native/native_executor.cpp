@@ -59,7 +59,8 @@ class NativeTracedScene : public TracedScene {
         settings.padding = geometry.box_padding;
         settings.spatial_splits = !geometry.passing;
         own.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings,
-                    geometry.passing ? nullptr : &cache);
+                    geometry.passing ? nullptr : &cache,
+                    geometry.soon ? BvhEffort::soon : BvhEffort::best);
         view_own_bvh();
     }
     void update() {

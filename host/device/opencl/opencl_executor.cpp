@@ -202,7 +202,8 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     const std::optional<BvhStats> before = bvh_;
     arena_.execute([&] {
         scene->bvh.emplace(geometry.positions, geometry.triangles, geometry.first_moving, settings,
-                           geometry.passing ? nullptr : &bvh_cache_);
+                           geometry.passing ? nullptr : &bvh_cache_,
+                           geometry.soon ? BvhEffort::soon : BvhEffort::best);
     });
     upload_bvh(*scene);
     if (!scene->bvh->moves()) scene->bvh.reset();
