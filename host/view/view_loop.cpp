@@ -265,6 +265,7 @@ bool ViewLoop::apply_settings(const ViewSettings& settings) {
         references_.reset();
         judgement_.reset();
     }
+    if (settings.algorithm || settings.quality) pixel_ms_.reset();
     if (other_size) pace_.set_full(choice_.size);
     if (other_size || settings.camera) forget_references();
     if (anew) {
@@ -310,6 +311,7 @@ void ViewLoop::apply_point(std::uint32_t point) {
     next.samples = candidate.choice.samples;
     next.comparison.reset();
     if (!adopt(next)) return;
+    pixel_ms_.reset();
     adopted_ = point;
     restart(false);
     stale_ = true;
@@ -392,7 +394,8 @@ double ViewLoop::render_divided() {
     pane_ = 0;
     divided_ = true;
     stale_ = changed_ = begun_ = false;
-    (void)session_.render({});
+    // A request that came as the last image ended has cancelled the next one, which is this.
+    if (session_.render({}) == SessionEnd::cancelled) (void)session_.render({});
     if (!choice_.overlay.empty()) show_overlay();
     return watch.total();
 }
@@ -400,7 +403,9 @@ double ViewLoop::render_divided() {
 bool ViewLoop::is_slow() const {
     constexpr double slow_ms = 300.0;
     const FilmSize size = choice_.size;
-    return pixel_ms_ * size.width * size.height > slow_ms && !is_same_size(size, pace_.size());
+    // Before the very first image nothing has been waited for.
+    if ((view_ == 0 && !divided_) || is_same_size(size, pace_.size())) return false;
+    return !pixel_ms_ || *pixel_ms_ * size.width * size.height > slow_ms;
 }
 
 ViewChoice ViewLoop::choice_of(std::uint32_t pane) const {
@@ -458,7 +463,11 @@ std::optional<double> ViewLoop::render(const RenderBudget& budget) {
 void ViewLoop::render_still() {
     // What a command makes has no hasty BVH.
     const bool waits = paused_ || is_shared();
-    if (session_.is_hasty() && (glimpsed_ || waits) && session_.settle(waits)) stale_ = true;
+    if (session_.is_hasty() && (glimpsed_ || waits) && session_.settle(waits)) {
+        // Requests that came in the meantime go first.
+        changed_ = true;
+        return;
+    }
     const bool begins = stale_ || changed_;
     if (begins && !glimpsed_ && !is_shared() && is_slow()) {
         (void)render_divided();
@@ -766,12 +775,15 @@ void ViewLoop::answer_picks() {
     // There is nothing to see before the first sample, and nothing to be sure of while it moves.
     const bool soon = phase_ == Phase::refining && (stale_ || changed_ || session_.samples() == 0);
     if (soon) return;
-    for (const auto& [page, wish] : std::exchange(picks_, {})) pick(page, wish);
+    const auto picks = std::exchange(picks_, {});
+    if (picks.empty() || phase_ == Phase::moving || phase_ == Phase::measuring ||
+        session_.samples() == 0)
+        return;
+    const SessionImage rendered = session_.image();
+    for (const auto& [page, wish] : picks) pick(page, wish, rendered);
 }
 
-void ViewLoop::pick(std::uint32_t page, const ViewPick& pick) {
-    if (phase_ == Phase::moving || phase_ == Phase::measuring || session_.samples() == 0) return;
-    const SessionImage rendered = session_.image();
+void ViewLoop::pick(std::uint32_t page, const ViewPick& pick, const SessionImage& rendered) {
     const Image& image = rendered.image;
     if (pick.x >= image.width || pick.y >= image.height) return;
     const std::size_t plane = std::size_t{image.width} * image.height;

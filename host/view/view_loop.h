@@ -148,7 +148,7 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     void send_scene();
     /// Answers the picks that wait, once there is an image.
     void answer_picks();
-    void pick(std::uint32_t page, const ViewPick& pick);
+    void pick(std::uint32_t page, const ViewPick& pick, const SessionImage& rendered);
     void save(const ViewSave& save);
     void say(const std::string& line);
 
@@ -183,7 +183,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     std::vector<std::pair<std::uint32_t, ViewPick>> picks_;  ///< that wait for an image
     std::uint64_t version_ = 0;
     double sample_ms_ = 0.0;
-    double pixel_ms_ = 0.0;      ///< of one pixel in the last first sample at rest; 0: none yet
+    /// Of one pixel in the last first sample at rest by this algorithm; empty: unknown.
+    std::optional<double> pixel_ms_;
     double next_file_ms_ = 0.0;  ///< pause before the image is shown as a file again
     Stopwatch since_file_, since_request_, since_status_;
 

@@ -64,6 +64,19 @@ TEST(ViewPace, GuessesItsFirstSizeByAnImageOfTheFullOne) {
     }
 }
 
+TEST(ViewPace, KeepsItsSizeWhereTheFullOneChanges) {
+    ViewPace pace;
+    pace.set_full({512, 512});
+    (void)settle(pace, 2.0, 2000.0);
+    const std::uint32_t before = pace.size().width;
+    EXPECT_LE(before, 256U);
+    for (const std::uint32_t edge : {1024U, 256U, 512U}) {
+        pace.set_full({edge, edge});
+        EXPECT_LE(pace.size().width, before) << edge;
+        EXPECT_GE(pace.size().width, 128U) << edge;
+    }
+}
+
 TEST(ViewPace, GrowsAgainWhereThereIsTime) {
     ViewPace pace;
     pace.set_full({512, 512});
