@@ -27,11 +27,12 @@ BetterTree::BetterTree(const TracedGeometry& geometry, std::filesystem::path cac
             return;  // who needs the tree builds it, and tells why that fails
         }
     };
-    done_ = std::async(std::launch::async, build);
+    // Where there can be no thread, wait() builds it.
+    done_ = std::async(std::launch::async | std::launch::deferred, build);
 }
 
 bool BetterTree::is_done() const {
-    return done_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    return done_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
 }
 
 }  // namespace weft

@@ -16,8 +16,7 @@ namespace weft {
 /// be written nothing comes of it.
 class BetterTree {
   public:
-    /// Copies the geometry, and begins. Throws std::bad_alloc, or std::system_error where there can
-    /// be no thread.
+    /// Copies the geometry, and begins. Throws std::bad_alloc.
     BetterTree(const TracedGeometry& geometry, std::filesystem::path cache);
     /// Waits until it is done.
     ~BetterTree() { wait(); }

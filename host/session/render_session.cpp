@@ -120,17 +120,16 @@ void RenderSession::set_edits(const std::function<EditTimeline(Scene&)>& read, s
 
 bool RenderSession::settle(bool wait) {
     if (!hasty_) return true;
-    if (better_tree_ && !wait && !better_tree_->is_done()) return false;
-    if (better_tree_) better_tree_->wait();
-    if (!better_tree_ || better_upload_ != uploads_) {
-        better_tree_.reset();
-        better_tree_ =
-            std::make_unique<BetterTree>(traced_geometry(scene_.flat()), default_cache_folder());
-        better_upload_ = uploads_;
-        if (!wait) return false;
-        better_tree_->wait();
+    if (!wait) {
+        if (better_tree_ && !better_tree_->is_done()) return false;
+        if (!better_tree_ || better_upload_ != uploads_) {
+            better_tree_ = std::make_unique<BetterTree>(traced_geometry(scene_.flat()),
+                                                        default_cache_folder());
+            better_upload_ = uploads_;
+            return false;
+        }
     }
-    better_tree_.reset();
+    better_tree_.reset();  // one that is being built may be the one
     upload(false);
     make_renderer({});
     return_free_memory();
@@ -188,11 +187,7 @@ bool RenderSession::grow(ReferencePair& references, double ms, const std::atomic
 }
 
 std::optional<std::uint32_t> RenderSession::instance_at(std::uint32_t x, std::uint32_t y) {
-    const auto size = std::visit(
-        [](const auto& settings) {
-            return FilmSize{settings.width, settings.height};
-        },
-        settings_);
+    const FilmSize size = size_of(settings_);
     return weft::instance_at(executor_, scene_.flat(), *buffers_,
                              {camera_, size.width, size.height}, x, y);
 }

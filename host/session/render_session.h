@@ -31,6 +31,11 @@ namespace weft {
 /// Settings of an image, which is a preview or a reference.
 using ImageSettings = std::variant<RenderSettings, PathSettings>;
 
+/// Its size, pixels.
+[[nodiscard]] inline FilmSize size_of(const ImageSettings& settings) {
+    return std::visit([](const auto& of) { return FilmSize{of.width, of.height}; }, settings);
+}
+
 /// How far RenderSession::render has come.
 struct SessionProgress {
     double fraction = 0.0;  ///< of the call that is done; never falls

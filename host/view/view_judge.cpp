@@ -23,6 +23,11 @@ std::vector<float> mean_of(const std::vector<float>& a, const std::vector<float>
 
 }  // namespace
 
+std::vector<float> beauty_of(const Image& image) {
+    const Layer* const layer = image.find("");
+    return layer != nullptr && layer->channels == "RGB" ? layer->values : std::vector<float>();
+}
+
 Judgement judge(const JudgeTask& task, const std::atomic<bool>& ended) {
     const auto view = [&](const std::vector<float>& values) {
         return RgbView{values, task.width, task.height};

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "image/image.h"
 #include "metrics/rgb_view.h"
 #include "metrics/unbiased_mse.h"
 
@@ -23,6 +24,9 @@ struct JudgedImage {
     std::uint64_t samples = 0;
     std::vector<float> values{};
 };
+
+/// What is judged of an image: its beauty, plane by plane; empty where it has none.
+[[nodiscard]] std::vector<float> beauty_of(const Image& image);
 
 /// Images of one size, and both halves of a reference.
 struct JudgeTask {

@@ -5,41 +5,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "base/error.h"
-#include "base/json_text.h"
-#include "image/png.h"
-#include "image/write_jpeg.h"
 #include "scene/scene_edits.h"
-#include "view/view_overlay.h"
-#include "view/view_report.h"
 
 namespace weft {
 namespace {
 
 using Json = nlohmann::json;
 
-// Moving images are replaced at once; those at rest are looked at.
-constexpr JpegSettings moving_jpeg{80, true};
-constexpr JpegSettings resting_jpeg{92, false};
 // A page that has said that more follows, and then nothing, has lost its pointer.
 constexpr double most_silence_ms = 500.0;
-constexpr double least_file_pause_ms = 300.0;
-constexpr double file_pause_by_cost = 10.0;
-constexpr double status_pause_ms = 100.0;
 constexpr std::size_t most_waiting = 64;  // requests that wait for an answer
 constexpr double unbiased_ms = 250.0;     // of path tracing, between two looks at what is asked
 
 bool is_same_size(FilmSize a, FilmSize b) {
     return a.width == b.width && a.height == b.height;
-}
-
-FilmSize size_of(const ImageSettings& settings) {
-    return std::visit([](const auto& of) { return FilmSize{of.width, of.height}; }, settings);
 }
 
 /// Reads edits in one line, which may be empty, for a scene.
@@ -48,12 +32,6 @@ std::function<EditTimeline(Scene&)> edits_of(const std::string& text) {
         if (text.empty()) return EditTimeline{};
         return read_scene_edits(Json::parse(text), "edits", scene);
     };
-}
-
-/// The beauty of an image, plane by plane; empty where it has none.
-std::vector<float> beauty_of(const Image& image) {
-    const Layer* const layer = image.find("");
-    return layer != nullptr && layer->channels == "RGB" ? layer->values : std::vector<float>();
 }
 
 template <class T>
@@ -265,7 +243,6 @@ bool ViewLoop::apply_settings(const ViewSettings& settings) {
         references_.reset();
         judgement_.reset();
     }
-    if (settings.algorithm || settings.quality) pixel_ms_.reset();
     if (other_size) pace_.set_full(choice_.size);
     if (other_size || settings.camera) forget_references();
     if (anew) {
@@ -311,7 +288,6 @@ void ViewLoop::apply_point(std::uint32_t point) {
     next.samples = candidate.choice.samples;
     next.comparison.reset();
     if (!adopt(next)) return;
-    pixel_ms_.reset();
     adopted_ = point;
     restart(false);
     stale_ = true;
@@ -337,6 +313,8 @@ bool ViewLoop::adopt(const ViewChoice& choice) {
             scene_told_ = false;
             stale_ = stale_ || phase_ != Phase::moving;
         }
+        if (choice.algorithm != choice_.algorithm || choice.quality != choice_.quality)
+            pixel_ms_.reset();
         camera_ = camera;
         choice_ = choice;
     } catch (const Error& error) {
@@ -345,29 +323,6 @@ bool ViewLoop::adopt(const ViewChoice& choice) {
     }
     write_hello();
     return true;
-}
-
-void ViewLoop::write_hello() {
-    const FlatScene& flat = session_.scene().flat();
-    Json hello{
-        {"version", WEFT_VERSION},
-        {"scene", std::filesystem::path(session_.scene().at_rest().source).filename().string()},
-        {"algorithms", Json::array()},
-        {"qualities", quality_names},
-        {"tones", tone_names},
-        {"cameras", Json::array()},
-        {"settings", settings_report(choice_, paused_)},
-        {"camera", camera_report(camera_, choice_.placement, flat)},
-        {"radius", radius_of(flat)},
-        {"centre", vector_report(centre_of(flat))},
-        {"folder", files_.folder().string()}};
-    for (const Algorithm algorithm : recipe_.algorithms())
-        hello["algorithms"].push_back(to_string(algorithm));
-    for (const Camera& camera : session_.scene().at_rest().cameras)
-        hello["cameras"].push_back(camera.name);
-    std::string text = json_line(hello);
-    const std::lock_guard guard(mutex_);
-    hello_ = std::move(text);
 }
 
 void ViewLoop::render_moving() {
@@ -487,7 +442,7 @@ void ViewLoop::render_still() {
     const std::uint64_t made = session_.samples() - before;
     if (!ms || made == 0) return;
     sample_ms_ = *ms / static_cast<double>(made);
-    if (before == 0) {
+    if (before == 0 && pane_ == 0) {
         const double pixels = static_cast<double>(choice_.size.width) * choice_.size.height;
         pixel_ms_ = sample_ms_ / pixels;
         pace_.took_full(sample_ms_);
@@ -511,332 +466,6 @@ void ViewLoop::render_still() {
     constexpr double time_of_references = 1.0 / 3.0;
     if (phase_ == Phase::refining && shown_[0].samples > 0)
         (void)grow_references(time_of_references * *ms);
-}
-
-void ViewLoop::show(const DisplayFrame& frame) {
-    // What refines a preview corrects it, which the film does not show.
-    if (server_ == nullptr || shown_as_file_ || session_.refined_samples() > 0 ||
-        phase_ == Phase::measuring || !choice_.overlay.empty())
-        return;
-    ViewFrame sent;
-    sent.codec = ViewCodec::jpeg;
-    sent.pane = pane_;
-    sent.moving = divided_;
-    sent.version = version_;
-    sent.width = frame.width;
-    sent.height = frame.height;
-    sent.samples = static_cast<std::uint32_t>(frame.samples);
-    sent.milliseconds = static_cast<float>(sample_ms_);
-    sent.file = std::make_shared<const std::vector<std::byte>>(jpeg_bytes(
-        frame.colours, frame.width, frame.height, divided_ ? moving_jpeg : resting_jpeg));
-    server_->show(std::move(sent));
-}
-
-bool ViewLoop::has_image() const {
-    return pane_ == 0 && session_.samples() > 0 && !stale_ && !changed_;
-}
-
-bool ViewLoop::has_command() const {
-    if (session_.is_hasty()) return false;
-    const auto* const preview = std::get_if<RenderSettings>(&session_.settings());
-    if (preview == nullptr) return session_.samples() > 0;
-    return session_.samples() >= last_.value_or(std::max(1U, preview->refined_after));
-}
-
-std::span<const float> ViewLoop::flip() const {
-    if (!judgement_) return {};
-    for (const JudgedErrors& errors : judgement_->images)
-        if (errors.pane == 0) return errors.flip;
-    return {};
-}
-
-void ViewLoop::show_overlay() {
-    const Image image = session_.image().image;
-    overlays_ = overlay_names(image, false);
-    const Image overlay = overlay_of(image, choice_.overlay, {}, choice_.exposure_ev);
-    ViewFrame sent;
-    sent.codec = ViewCodec::png;
-    sent.pane = pane_;
-    sent.moving = divided_;
-    sent.version = version_;
-    sent.width = image.width;
-    sent.height = image.height;
-    sent.samples = static_cast<std::uint32_t>(session_.samples());
-    sent.milliseconds = static_cast<float>(sample_ms_);
-    sent.file = std::make_shared<const std::vector<std::byte>>(
-        overlay.layers.empty() ? png_bytes(image, {choice_.exposure_ev, choice_.tone, {}})
-                               : png_bytes(overlay, 0.0));
-    server_->show(std::move(sent));
-}
-
-void ViewLoop::show_file() {
-    const Stopwatch cost;
-    SessionImage image = session_.image();
-    const FileOutputSettings settings = recipe_.output(choice_of(pane_), "view.png");
-    describe(image, settings);
-    Image overlay;
-    if (pane_ == 0) {
-        overlays_ = overlay_names(image.image, !flip().empty());
-        overlay = overlay_of(image.image, choice_.overlay, flip(), choice_.exposure_ev);
-    }
-    const bool plain = overlay.layers.empty();
-    ViewFrame sent;
-    sent.codec = ViewCodec::png;
-    sent.pane = pane_;
-    sent.final = has_command() && plain;
-    sent.version = version_;
-    sent.width = image.image.width;
-    sent.height = image.image.height;
-    sent.samples = static_cast<std::uint32_t>(image.samples);
-    sent.milliseconds = static_cast<float>(sample_ms_);
-    sent.file = std::make_shared<const std::vector<std::byte>>(
-        plain ? png_bytes(image.image, png_settings(image.image, settings))
-              : png_bytes(overlay, 0.0));
-    shown_as_file_ = true;
-    Shown& shown = shown_.at(pane_);
-    shown.samples = has_command() ? image.samples : 0;
-    shown.image = {pane_, image.samples, beauty_of(image.image)};
-    server_->show(std::move(sent));
-    next_file_ms_ = std::max(least_file_pause_ms, file_pause_by_cost * cost.total());
-    since_file_ = Stopwatch();
-    send_status();
-}
-
-bool ViewLoop::grow_references(double ms) {
-    constexpr std::uint64_t most_samples = 4096;
-    if (!choice_.trust || stale_ || changed_) return false;
-    if (!references_) references_ = session_.make_references();
-    if (references_->samples() >= most_samples) {
-        begin_judgement();
-        return false;
-    }
-    unspent_ms_ += ms;
-    if (unspent_ms_ < references_->next_ms()) return true;
-    const Stopwatch watch;
-    const std::uint64_t before = references_->samples();
-    let_cancel(true);
-    (void)session_.grow(*references_, unspent_ms_, ended_);
-    let_cancel(false);
-    unspent_ms_ -= watch.total();
-    if (references_->samples() == before) return true;
-    begin_judgement();
-    if (since_status_.total() > status_pause_ms && !judgement_)
-        server_->send(json_line({{"trust", trust_report(references_->samples(), judgement_)}}));
-    return true;
-}
-
-JudgeTask ViewLoop::task_by_references() {
-    return {view_,
-            choice_.size.width,
-            choice_.size.height,
-            references_->samples(),
-            {beauty_of(references_->half(0)), beauty_of(references_->half(1))},
-            {}};
-}
-
-void ViewLoop::begin_judgement() {
-    const std::optional<JudgedImage>& first = shown_[0].image;
-    const std::uint64_t samples = references_->samples();
-    if (!first || samples == 0 || !judge_.is_idle()) return;
-    // Each judgement takes a while, and tells little where neither has grown much.
-    if (samples < 2 * judged_by_ && first->samples < 2 * judged_samples_) return;
-    judged_by_ = samples;
-    judged_samples_ = first->samples;
-    JudgeTask task = task_by_references();
-    for (const Shown& shown : shown_)
-        if (shown.image) task.images.push_back(*shown.image);
-    judge_.begin(std::move(task));
-}
-
-void ViewLoop::take_judgement() {
-    std::optional<Judgement> found = judge_.take();
-    if (!found || found->version != view_ || !references_ || stale_ || changed_) return;
-    judgement_ = std::move(found);
-    server_->send(json_line({{"trust", trust_report(references_->samples(), judgement_)}}));
-    const bool at_rest = phase_ == Phase::refining || phase_ == Phase::finished;
-    if (at_rest && pane_ == 0 && shown_[0].samples > 0 &&
-        (choice_.overlay == error_overlay_name || overlays_.empty() ||
-         overlays_.back() != error_overlay_name))
-        show_file();
-}
-
-void ViewLoop::begin_measuring() {
-    if (phase_ == Phase::moving || phase_ == Phase::paused)
-        return say("settings are measured while the view is at rest and not paused");
-    if (session_.is_hasty()) stale_ = session_.settle(true);
-    if (stale_ || changed_) begin_pane(0);
-    if (!references_) references_ = session_.make_references();
-    front_.emplace(recipe_.candidates(choice_));
-    adopted_.reset();
-    measuring_ms_ = 0.0;
-    phase_ = Phase::measuring;
-    send_front();
-    send_status();
-}
-
-void ViewLoop::end_measuring() {
-    if (phase_ != Phase::measuring) return;
-    phase_ = Phase::refining;
-    stale_ = true;
-    send_front();
-}
-
-void ViewLoop::measure() {
-    constexpr std::uint64_t enough_samples = 32;
-    constexpr double most_reference_ms = 4000.0;
-    constexpr double at_once_ms = 250.0;
-    if (references_->samples() == 0 ||
-        (references_->samples() < enough_samples && measuring_ms_ < most_reference_ms)) {
-        const Stopwatch watch;
-        let_cancel(true);
-        (void)session_.grow(*references_, at_once_ms, ended_);
-        let_cancel(false);
-        measuring_ms_ += watch.total();
-        return;
-    }
-    const std::optional<ViewFront::Step> step = front_->next();
-    if (!step) return end_measuring();
-    const ViewCandidate& candidate = front_->candidate(step->point);
-    ViewChoice choice = choice_;
-    choice.algorithm = candidate.choice.algorithm;
-    choice.quality = candidate.choice.quality;
-    choice.samples = candidate.choice.samples;
-    session_.set_settings(recipe_.settings(choice, choice.size, false));
-    session_.set_camera(camera_);
-    RenderBudget budget;
-    budget.end_early = ended_;
-    budget.samples = step->counts ? candidate.samples : 1;
-    const Stopwatch watch;
-    if (!render(budget)) return;
-    const std::vector<float> image = beauty_of(session_.image().image);
-    const double ms = watch.total();
-    if (step->judged) {
-        const ImageFlip found = flip_by_halves(task_by_references(), image);
-        front_->set_floor(found.floor);
-        front_->took(ms, found.error);
-    } else {
-        front_->took(ms);
-    }
-    send_front();
-}
-
-void ViewLoop::send_front() {
-    if (server_ == nullptr) return;
-    const bool running = phase_ == Phase::measuring;
-    const Json front = front_ ? front_->json(running, adopted_) : ViewFront({}).json(false, {});
-    server_->send(json_line({{"front", front}}));
-}
-
-void ViewLoop::send_status() {
-    if (server_ == nullptr) return;
-    since_status_ = Stopwatch();
-    constexpr std::array<const char*, 5> names = {"moving", "refining", "finished", "paused",
-                                                  "measuring"};
-    const auto command = [&](std::uint32_t pane) {
-        const std::uint64_t samples = shown_.at(pane).samples;
-        return samples > 0 ? recipe_.command(choice_of(pane), samples) : std::string();
-    };
-    const FilmSize size = size_of(session_.settings());
-    Json status{{"phase", names.at(static_cast<std::size_t>(phase_))},
-                {"samples", session_.samples()},
-                {"ms", sample_ms_},
-                {"command", command(0)},
-                {"command_b", command(1)},
-                {"size", {size.width, size.height}},
-                {"settings", settings_report(choice_, paused_)},
-                {"overlays", overlays_},
-                {"records", nullptr},
-                {"stages", Json::array()},
-                {"rays_per_second", 0.0}};
-    if (!session_.stats().last_frames().empty()) {
-        const FrameStats& frame = session_.stats().last_frames().back();
-        status["stages"] = stages_report(frame);
-        status["records"] = records_report(frame);
-        if (frame.ms > 0.0)
-            status["rays_per_second"] = 1000.0 * static_cast<double>(frame.rays) / frame.ms;
-    }
-    server_->send_status(json_line(status), version_);
-}
-
-void ViewLoop::send_camera() {
-    server_->send(json_line(
-        {{"camera", camera_report(camera_, choice_.placement, session_.scene().flat())}}));
-}
-
-void ViewLoop::send_scene() {
-    scene_told_ = true;
-    std::string text = json_line(scene_report(session_.scene(), recipe_.timeline(), edits_));
-    if (server_ != nullptr) server_->send(fmt::format(R"({{"scene":{}}})", text));
-    const std::lock_guard guard(mutex_);
-    scene_ = std::move(text);
-}
-
-void ViewLoop::answer_picks() {
-    // There is nothing to see before the first sample, and nothing to be sure of while it moves.
-    const bool soon = phase_ == Phase::refining && (stale_ || changed_ || session_.samples() == 0);
-    if (soon) return;
-    const auto picks = std::exchange(picks_, {});
-    if (picks.empty() || phase_ == Phase::moving || phase_ == Phase::measuring ||
-        session_.samples() == 0)
-        return;
-    const SessionImage rendered = session_.image();
-    for (const auto& [page, wish] : picks) pick(page, wish, rendered);
-}
-
-void ViewLoop::pick(std::uint32_t page, const ViewPick& pick, const SessionImage& rendered) {
-    const Image& image = rendered.image;
-    if (pick.x >= image.width || pick.y >= image.height) return;
-    const std::size_t plane = std::size_t{image.width} * image.height;
-    const std::size_t pixel = std::size_t{pick.y} * image.width + pick.x;
-    Json values = Json::object();
-    for (const Layer& layer : image.layers) {
-        if (layer.words) continue;
-        Json of_layer = Json::array();
-        for (std::size_t c = 0; c < layer.channels.size(); ++c)
-            of_layer.push_back(layer.values[c * plane + pixel]);
-        values[layer.name] = of_layer;
-    }
-    Json picked{{"at", {pick.x, pick.y}}, {"values", values},    {"point", nullptr},
-                {"object", nullptr},      {"material", nullptr}, {"samples", rendered.samples}};
-    const Layer* const depth = image.find("depth");
-    if (depth != nullptr && depth->values[pixel] > 0.0F)
-        picked["point"] = vector_report(point_at(camera_, {image.width, image.height}, pick,
-                                                 static_cast<double>(depth->values[pixel])));
-    if (const auto index = session_.instance_at(pick.x, pick.y)) {
-        const Scene& scene = session_.scene().now();
-        const Instance& instance = scene.instances.at(*index);
-        picked["object"] = instance.name;
-        picked["material"] = scene.materials.at(instance.material).name;
-    }
-    server_->send(page, json_line({{"picked", picked}}));
-}
-
-void ViewLoop::save(const ViewSave& save) {
-    const bool of_image = save.file == SavedFile::png || save.file == SavedFile::exr;
-    const bool in_full_size = phase_ != Phase::moving && phase_ != Phase::measuring && has_image();
-    try {
-        std::filesystem::path file;
-        if (save.file == SavedFile::edits) {
-            if (edits_.count() == 0) return say("the scene has no edits to be saved");
-            file = files_.write({{"edits", edits_.list()}}, ".edits.json");
-        } else if (save.file == SavedFile::preset) {
-            const std::uint64_t samples = choice_.samples.value_or(shown_[0].samples);
-            if (samples == 0) return say("there is no image yet whose settings could be saved");
-            file = files_.write(preset_json(recipe_.preset(choice_, samples)), ".preset.json");
-        } else {
-            file = files_.next(save.file == SavedFile::exr ? ".exr" : ".png");
-            if (of_image && !in_full_size) return say("there is no image in full size yet");
-            FileOutput output(recipe_.output(choice_, file), diagnostics_);
-            output.write(session_.image());
-        }
-        server_->send(json_line({{"saved", file.string()}}));
-    } catch (const Error& error) {
-        say(error.what());
-    }
-}
-
-void ViewLoop::say(const std::string& line) {
-    if (server_ != nullptr) server_->send(json_line({{"error", line}}));
 }
 
 }  // namespace weft

@@ -69,6 +69,8 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
         }
     };
 
+    static constexpr double status_pause_ms = 100.0;
+
     /// What is shown in a pane.
     struct Shown {
         std::uint64_t samples = 0;         ///< of an image that a command makes; else 0
@@ -166,11 +168,12 @@ class ViewLoop : public ViewEvents, private DisplayDriver {
     ViewPace pace_;
     Phase phase_ = Phase::refining;
     bool paused_ = false;
-    bool stale_ = true;       ///< the session has other settings than the phase needs
-    bool changed_ = false;    ///< the camera or the scene, since the last image
-    bool divided_ = false;    ///< the session's image has the size of moving ones
-    bool glimpsed_ = false;   ///< a divided image of that change was shown
-    bool begun_ = false;      ///< the session has begun the image of that change already
+    bool stale_ = true;     ///< the session has other settings than the phase needs
+    bool changed_ = false;  ///< the camera or the scene, since the last image
+    bool divided_ = false;  ///< the session's image has the size of moving ones
+    bool glimpsed_ =
+        false;            ///< of that change: a divided image was shown, or the one at rest begun
+    bool begun_ = false;  ///< the session has begun the image of that change already
     bool scene_told_ = true;  ///< pages know how the scene is now
     bool shown_as_file_ = false;
     std::uint32_t pane_ = 0;  ///< that is being rendered

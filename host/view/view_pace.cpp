@@ -24,11 +24,10 @@ FilmSize ViewPace::divided(std::uint32_t divisor) const {
 
 void ViewPace::set_full(FilmSize full) {
     // Small images are as quick whatever they are parts of.
-    const double growth = static_cast<double>(std::max(full.width, full.height)) /
-                          std::max(full_.width, full_.height);
-    const bool is_first = full_.width == 1 && full_.height == 1;
+    const double growth = timed_ ? static_cast<double>(std::max(full.width, full.height)) /
+                                       std::max(full_.width, full_.height)
+                                 : 1.0;
     full_ = full;
-    if (is_first) return divide_by(divisor_);
     divide_by(static_cast<std::uint32_t>(
         std::clamp(std::ceil(divisor_ * growth), 1.0, double{most_divisor})));
 }
