@@ -85,10 +85,7 @@ GivenEdits given_edits(const std::filesystem::path& given) {
     const std::string& text = given.native();
     if (!text.starts_with('{'))
         return {read_json_file(given, limits::max_text_file_bytes), given.string()};
-    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (json.is_discarded())
-        throw input_error("--edits", "is not valid JSON, expected edits or a file of them");
-    return {std::move(json), "--edits"};
+    return {read_json_text(text, "--edits"), "--edits"};
 }
 
 EditTimeline read_edits(const std::filesystem::path& given, Scene& scene) {

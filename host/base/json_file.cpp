@@ -54,11 +54,13 @@ Error syntax_error(const std::string& path, std::string_view text, std::size_t b
     return input_error(line_place(path, text, byte), "JSON syntax error");
 }
 
-Json parse(const std::string& path, std::string_view text) {
+}  // namespace
+
+Json read_json_text(std::string_view text, const std::string& place) {
     // The parser takes NUL for the end, and would silently ignore what follows.
     const std::size_t nul = text.find('\0');
-    if (nul != std::string_view::npos) throw syntax_error(path, text, nul);
-    Watch watch(path);
+    if (nul != std::string_view::npos) throw syntax_error(place, text, nul);
+    Watch watch(place);
     const auto take = [&](int depth, Json::parse_event_t event, const Json& value) {
         watch(depth, event, value);
         return true;
@@ -66,17 +68,16 @@ Json parse(const std::string& path, std::string_view text) {
     try {
         return Json::parse(text.begin(), text.end(), take);
     } catch (const Json::parse_error& error) {
-        throw syntax_error(path, text, error.byte > 0 ? error.byte - 1 : 0);
+        throw syntax_error(place, text, error.byte > 0 ? error.byte - 1 : 0);
     } catch (const Json::exception&) {
-        throw number_too_large(path, text);
+        throw number_too_large(place, text);
     }
 }
 
-}  // namespace
-
 Json read_json_file(const std::filesystem::path& file, std::size_t max_bytes) {
     const std::vector<std::byte> bytes = read_file(file, max_bytes);
-    return parse(file.string(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return read_json_text({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                          file.string());
 }
 
 std::string list_of(std::initializer_list<const char*> keys) {

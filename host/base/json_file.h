@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "base/json_value.h"
 
@@ -18,6 +19,9 @@ namespace weft {
 /// damaged, or an object has a key twice.
 [[nodiscard]] nlohmann::json read_json_file(const std::filesystem::path& file,
                                             std::size_t max_bytes);
+
+/// The same for JSON that did not come as a file; `place` says in errors where it came from.
+[[nodiscard]] nlohmann::json read_json_text(std::string_view text, const std::string& place);
 
 /// The keys as a text for errors, such as "'a', 'b'".
 [[nodiscard]] std::string list_of(std::initializer_list<const char*> keys);

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/json_file.h"
 #include "base/json_text.h"
 #include "base/json_value.h"
 #include "base/limits.h"
@@ -23,22 +24,13 @@ constexpr double max_exposure_ev = 100.0;
 constexpr double least_fov = 1e-3;
 constexpr double most_fov = 179.0;
 
-/// The message as JSON. Messages are shallow; one that is not is refused before it is parsed, since
-/// what is parsed is taken apart level by level.
+/// The message as JSON.
 nlohmann::json parsed(std::string_view text) {
-    constexpr int most_levels = 8;
     if (text.size() > max_view_message_bytes)
         throw input_error(place, fmt::format("has {} bytes, expected at most {}", text.size(),
                                              max_view_message_bytes));
-    int level = 0;
-    for (const char c : text) {
-        if (c == '[' || c == '{') ++level;
-        if (c == ']' || c == '}') --level;
-        if (level > most_levels) throw input_error(place, "is nested too deeply");
-    }
-    nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    if (json.is_discarded() || !json.is_object())
-        throw input_error(place, "is not valid, expected a JSON object");
+    nlohmann::json json = read_json_text(text, place);
+    if (!json.is_object()) throw input_error(place, "is not valid, expected a JSON object");
     return json;
 }
 

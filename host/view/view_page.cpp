@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::string_view html = "text/html; charset=utf-8";
 constexpr std::string_view css = "text/css; charset=utf-8";
+constexpr std::string_view svg = "image/svg+xml";
 constexpr std::string_view javascript = "text/javascript; charset=utf-8";
 
 struct PageFile {
@@ -16,7 +17,7 @@ struct PageFile {
     ViewFile file;
 };
 
-constexpr std::array<PageFile, 7> files = {{
+constexpr std::array<PageFile, 8> files = {{
     {"/",
      {
          html,
@@ -26,6 +27,11 @@ constexpr std::array<PageFile, 7> files = {{
      {
          css,
 #include "view.css.inc"
+     }},
+    {"/view.svg",
+     {
+         svg,
+#include "view.svg.inc"
      }},
     {"/view.js",
      {

@@ -86,11 +86,13 @@ TEST(ViewMessage, ReadsWhatChangesAndJudgesAView) {
 }
 
 TEST(ViewMessage, RefusesWhatIsNoMessage) {
-    EXPECT_EQ(refusal(""), "message#: is not valid, expected a JSON object");
+    EXPECT_EQ(refusal(""), "message#:1: JSON syntax error");
     EXPECT_EQ(refusal("[1]"), "message#: is not valid, expected a JSON object");
-    EXPECT_EQ(refusal("{\"ack\":1} x"), "message#: is not valid, expected a JSON object");
+    EXPECT_EQ(refusal("{\"ack\":1} x"), "message#:1: JSON syntax error");
+    EXPECT_EQ(refusal(R"({"ack":1,"ack":2})"),
+              "message#: JSON has an object with the key 'ack' twice, expected it once");
     EXPECT_EQ(refusal(R"({"hello":1})"), "message#: is of no known kind");
-    EXPECT_EQ(refusal(std::string(100, '[')), "message#: is nested too deeply");
+    EXPECT_EQ(refusal(std::string(200, '[')), "message#: JSON is nested deeper than 128 levels");
     EXPECT_EQ(refusal(std::string(max_view_message_bytes + 1, ' ')),
               "message#: has 65537 bytes, expected at most 65536");
     for (const char* text :
