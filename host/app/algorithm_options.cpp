@@ -25,7 +25,6 @@ namespace {
 constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 constexpr std::uint32_t most_bounces = 1000000;
-const std::string media_alone = "media";
 
 /// Reads the options of path tracing.
 void read_path(const CLI::App& command, RenderOptions& options) {
@@ -76,8 +75,11 @@ void check_components(const RenderOptions& options) {
                 throw usage_error(
                     fmt::format("--components: path tracing has no {}, expected {}", name,
                                 fmt::join(choosable_components(Choice::by_default), ", ")));
-    if (options.components == std::vector{media_alone})
-        throw usage_error("--components: path tracing has the light of media in direct, indirect");
+    if (options.components && !options.names_component("direct") &&
+        !options.names_component("indirect"))
+        throw usage_error(
+            fmt::format("--components: path tracing has the light of {} in direct, indirect",
+                        fmt::join(*options.components, ", ")));
 }
 
 void read_indirect(const CLI::App& command, RenderOptions& options) {

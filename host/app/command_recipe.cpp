@@ -47,12 +47,12 @@ std::vector<Algorithm> CommandRecipe::algorithms() const {
     std::vector<Algorithm> found;
     for (std::size_t i = 0; i < algorithm_names.size(); ++i) {
         const auto algorithm = static_cast<Algorithm>(i);
-        // Materials that are more than diffuse are there for path tracing, or for none.
+        // Media inside of surfaces are there for path tracing, or for none.
         const bool fits =
-            !has_materials() || is_reference(algorithm) == is_reference(options_.algorithm);
-        const bool knows_media =
-            !scene_.flat().media.present() || algorithm != Algorithm::irradiance_cache;
-        if (fits && knows_media) found.push_back(algorithm);
+            !has_filled_surfaces() || is_reference(algorithm) == is_reference(options_.algorithm);
+        const bool knows_all = algorithm != Algorithm::irradiance_cache ||
+                               !(has_materials() || scene_.flat().media.present());
+        if (fits && knows_all) found.push_back(algorithm);
     }
     return found;
 }
@@ -69,7 +69,7 @@ ImageSettings CommandRecipe::settings(const ViewChoice& choice, FilmSize size, b
     if (moving) {
         const bool is_slow =
             is_reference(options.algorithm) || options.algorithm == Algorithm::irradiance_cache;
-        if (is_slow && !has_materials()) options.algorithm = Algorithm::ais;
+        if (is_slow && !has_filled_surfaces()) options.algorithm = Algorithm::ais;
         options.spp = 1;
         if (options.algorithm == Algorithm::ais) options.frame_seconds = moving_seconds;
     } else if (choice.samples) {

@@ -3,6 +3,7 @@
 #ifndef WEFT_APP_COMMAND_RECIPE_H
 #define WEFT_APP_COMMAND_RECIPE_H
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -44,6 +45,13 @@ class CommandRecipe : public ViewRecipe {
   private:
     /// Whether some materials are more than diffuse.
     [[nodiscard]] bool has_materials() const { return scene_.flat().surfaces.present(); }
+    /// Whether media are or were inside of surfaces (empty_surfaces).
+    [[nodiscard]] bool has_filled_surfaces() const {
+        return scene_.at_rest().emptied_surfaces ||
+               std::ranges::any_of(
+                   scene_.at_rest().medium_boundaries,
+                   [](const MediumBoundary& boundary) { return boundary.surface >= 0; });
+    }
     [[nodiscard]] RenderOptions options_of(const ViewChoice& choice) const;
     /// Whether samples lead such an image on to the truth for ever.
     [[nodiscard]] bool goes_on(RenderOptions options) const;

@@ -59,6 +59,16 @@ SamplingSettings sampling_settings(const RenderOptions& options, bool indirect, 
 
 }  // namespace
 
+namespace {
+
+/// Whether some material may be more than diffuse.
+bool has_described(const Scene& scene) {
+    return std::ranges::any_of(
+        scene.materials, [](const Material& material) { return material.description.has_value(); });
+}
+
+}  // namespace
+
 std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scene& scene) {
     if (options.spp || options.time_seconds || is_reference(options.algorithm)) return options.spp;
     if (options.algorithm != Algorithm::ais || is_sequence(options) || options.preset) return 1;
@@ -77,6 +87,9 @@ RenderSettings image_settings(const RenderOptions& options, const Scene& scene) 
     if (options.components) {
         settings.direct = options.names_component("direct");
         settings.indirect = options.names_component("indirect");
+        settings.reflection = options.names_component("reflection");
+        settings.refraction = options.names_component("refraction");
+        settings.glossy = options.names_component("glossy");
         settings.media = options.names_component("media");
         for (const std::string_view name : choosable_components(Choice::on_request))
             if (options.names_component(name)) settings.requested.emplace_back(name);
@@ -98,7 +111,9 @@ RenderSettings image_settings(const RenderOptions& options, const Scene& scene) 
     constexpr std::uint32_t timed_samples = 16;
     settings.samples = options.spp.value_or(options.time_seconds ? timed_samples : 1);
     const bool all_media = settings.media || scene.media.empty();
-    if (is_refined(options) && settings.requested.empty() && all_media)
+    const bool all_mirrors =
+        (settings.reflection && settings.refraction && settings.glossy) || !has_described(scene);
+    if (is_refined(options) && settings.requested.empty() && all_media && all_mirrors)
         settings.refined_after = options.preset
                                      ? options.preset->refined_after
                                      : samples_of(Quality::preview, !scene.media.empty());

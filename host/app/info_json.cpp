@@ -286,6 +286,9 @@ json info_json(const Scene& scene, Diagnostics& diagnostics) {
     json active = json::array();
     if (plan.has_direct()) active.push_back("direct");
     if (plan.has_indirect()) active.push_back("indirect");
+    if (plan.reflection) active.push_back("reflection");
+    if (plan.refraction) active.push_back("refraction");
+    if (plan.glossy) active.push_back("glossy");
     if (plan.media_light) active.push_back("media");
     json kernels = json::array();
     for (const KernelId kernel : kernels_of(plan)) kernels.push_back(kernel_name(kernel));

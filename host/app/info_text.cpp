@@ -181,7 +181,7 @@ std::string bounds_block(const json& bounds) {
 /// The materials that are more than diffuse, none where all are.
 std::string surface_block(const json& surfaces, const json& materials) {
     if (surfaces.empty()) return "";
-    const std::string head = fmt::format("more than diffuse, by path: {} of {}", surfaces.size(),
+    const std::string head = fmt::format("more than diffuse: {} of {}", surfaces.size(),
                                          counted(materials, "material", "materials"));
     return block("surfaces", {head}) + named_block("", surfaces, describe_surface);
 }

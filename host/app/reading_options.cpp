@@ -31,7 +31,7 @@ void add_reading(CLI::App& command) {
     add_value(command, "--environment-rotation", "DEGREES",
               "Turns that image about +y (default: 0)");
     add_value(command, "--materials", "DETAIL",
-              "full renders metals, plastics and glass as path can, diffuse everything as diffuse "
+              "full renders metals, plastics and glass, diffuse everything as diffuse "
               "(default: full)");
 }
 

@@ -83,6 +83,9 @@ RenderOptions effective(const RenderOptions& options, const RenderSettings& sett
     used.components.emplace();
     if (settings.direct) used.components->emplace_back("direct");
     if (settings.indirect) used.components->emplace_back("indirect");
+    if (session.plan().reflection) used.components->emplace_back("reflection");
+    if (session.plan().refraction) used.components->emplace_back("refraction");
+    if (session.plan().glossy) used.components->emplace_back("glossy");
     if (session.plan().media_light) used.components->emplace_back("media");
     used.components->insert(used.components->end(), settings.requested.begin(),
                             settings.requested.end());
@@ -184,10 +187,10 @@ void warn_about_materials(const RenderSession& session, const RenderOptions& opt
                           Diagnostics& diagnostics) {
     const FlatScene& flat = session.scene().flat();
     if (!flat.surfaces.present()) return;
-    if (!is_reference(options.algorithm))
+    if (options.algorithm == Algorithm::irradiance_cache)
         diagnostics.warn(options.scene.string(),
                          fmt::format("some materials are more than diffuse, {} renders them as "
-                                     "diffuse, expected --algorithm path, or --materials diffuse "
+                                     "diffuse, expected another algorithm, or --materials diffuse "
                                      "for such images",
                                      to_string(options.algorithm)));
 }

@@ -13,6 +13,7 @@
 #include "app/interrupt.h"
 #include "app/print.h"
 #include "app/thread_limit.h"
+#include "base/free_memory.h"
 #include "render/camera_params.h"
 #include "scene/load/load_scene.h"
 #include "scene/moving_scene.h"
@@ -71,6 +72,7 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
             throw Error(ExitCode::output, options.folder.string(),
                         "is no folder, expected one to write to");
     }
+    map_large_blocks();
     const ThreadLimit limit(image.threads);
     Scene scene = load_scene(image.scene, diagnostics, image.reading);
     if (!is_reference(image.algorithm)) empty_surfaces(scene);
@@ -79,10 +81,6 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
     const Camera given = choose_camera(moving.at_rest(), moving.flat(), image.camera.value_or(""),
                                        image.placement.view ? unheard : diagnostics);
     warn_about_darkness(moving.flat(), moving.at_rest().source, diagnostics);
-    if (moving.flat().surfaces.present() && !is_reference(image.algorithm))
-        diagnostics.warn(image.scene.string(),
-                         "some materials are more than diffuse, the view renders them as diffuse, "
-                         "expected --algorithm path");
     std::unique_ptr<Executor> executor = choose_executor(image, diagnostics);
     print_warnings(diagnostics, image.verbose);
     image.size = image.size.value_or(moving.at_rest().film.value_or(FilmSize{512, 512}));

@@ -43,7 +43,7 @@ void CachedPixels::begin(FrameContext& frame, const char* component) {
 
 void CachedPixels::look_up(FrameContext& frame, const char* component, const RecordStore& store) {
     frame.run(Stage::cache_lookup, component,
-              kernels::cache_lookup{.scene = *frame.scene_buffers.traced,
+              kernels::cache_lookup{.scene = frame.scene_buffers.seen_by_light(),
                                     .surfaces = view(frame.buffers.gbuffer),
                                     .record_count = store.count(),
                                     .tile_boxes = tile_boxes_,

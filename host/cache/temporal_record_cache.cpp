@@ -62,7 +62,7 @@ void gather_records(FrameContext& frame, const char* component, Stage stage, con
     frame.run(
         stage, component,
         kernels::cache_records{
-            .scene = *frame.scene_buffers.traced,
+            .scene = frame.scene_buffers.seen_by_light(),
             .media_tables = frame.buffers.media(),
             .surfaces = view(frame.buffers.gbuffer),
             .update = update,

@@ -48,7 +48,7 @@ void BounceRays::sample(FrameContext& frame) {
     const std::vector<float> dark(std::size_t{3} * shared_.slots, 0.0F);
     write_buffer(frame.executor, irradiance_, dark);
     frame.run(Stage::bounce_rays, name,
-              kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
+              kernels::vpl_residual{.scene = frame.scene_buffers.seen_by_light(),
                                     .geometry = view(frame.scene_buffers.geometry),
                                     .light_table = view(frame.scene_buffers.light_table),
                                     .light_nodes = frame.scene_buffers.light_nodes,

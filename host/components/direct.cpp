@@ -103,7 +103,7 @@ void Direct::sample_area_lights(FrameContext& frame) {
         return;
     }
     frame.run(Stage::area_lights, name,
-              kernels::area_lights{.scene = *frame.scene_buffers.traced,
+              kernels::area_lights{.scene = frame.scene_buffers.seen_by_light(),
                                    .media_tables = shared_.media(),
                                    .area_lights = frame.scene_buffers.area_lights(),
                                    .slots = shared_.slots,
@@ -119,10 +119,11 @@ void Direct::sample_area_lights(FrameContext& frame) {
 void Direct::gather(FrameContext& frame, Stage stage, const shared::SetList& list,
                     BufferRef<kinds::SlotLight> irradiance) {
     frame.run(stage, name,
-              kernels::vpl_gather{.scene = *frame.scene_buffers.traced,
+              kernels::vpl_gather{.scene = frame.scene_buffers.seen_by_light(),
                                   .media_tables = shared_.media(),
                                   .list = list,
                                   .by_chance = 0,
+                                  .adds = 0,
                                   .slots = shared_.slots,
                                   .receiver_planes = shared_.receivers,
                                   .block_set = shared_.block_set,
@@ -140,7 +141,7 @@ void Direct::sample_distant(FrameContext& frame) {
                                .stride = plan.environment_samples,
                                .length = plan.environment_samples};
     frame.run(Stage::distant_light, name,
-              kernels::distant_light{.scene = *frame.scene_buffers.traced,
+              kernels::distant_light{.scene = frame.scene_buffers.seen_by_light(),
                                      .media_tables = shared_.media(),
                                      .list = list,
                                      .slots = shared_.slots,

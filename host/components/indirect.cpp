@@ -117,10 +117,11 @@ void Indirect::gather(FrameContext& frame, const InterleavedIrradiance::Slots& s
                                         .survival = survival_},
                   {.count = slots.count / PACKET_BLOCK, .first = slots.first / PACKET_BLOCK});
     frame.run(Stage::vpl_gather, name,
-              kernels::vpl_gather{.scene = *frame.scene_buffers.traced,
+              kernels::vpl_gather{.scene = frame.scene_buffers.seen_by_light(),
                                   .media_tables = frame.buffers.media(),
                                   .list = list,
                                   .by_chance = survival_ ? by_block : by_receiver,
+                                  .adds = 0,
                                   .slots = slots.stride,
                                   .receiver_planes = slots.receivers,
                                   .block_set = slots.block_set,
@@ -146,7 +147,7 @@ void Indirect::choose(FrameContext& frame, const InterleavedIrradiance::Slots& s
                                      .shortlists = shortlists_},
               {regions(slots.count)});
     frame.run(Stage::vpl_gather, name,
-              kernels::vpl_choice{.scene = *frame.scene_buffers.traced,
+              kernels::vpl_choice{.scene = frame.scene_buffers.seen_by_light(),
                                   .region_slots = region_slots,
                                   .list_length = plan.shortlist,
                                   .choices = plan.choices,

@@ -95,7 +95,7 @@ void Media::gather_lights(FrameContext& frame, const InterleavedIrradiance::Slot
     const GBuffer& ends = frame.buffers.view_media->ends();
     frame.run(
         lights.stage, name,
-        kernels::media_gather{.scene = *frame.scene_buffers.traced,
+        kernels::media_gather{.scene = frame.scene_buffers.seen_by_light(),
                               .media_tables = frame.buffers.media(),
                               .list = lights.list,
                               .roulette = static_cast<float>(lights.roulette),
@@ -117,7 +117,7 @@ void Media::gather_lights(FrameContext& frame, const InterleavedIrradiance::Slot
 void Media::gather_distant(FrameContext& frame, const InterleavedIrradiance::Slots& slots) {
     const GBuffer& ends = frame.buffers.view_media->ends();
     frame.run(Stage::media_distant_light, name,
-              kernels::media_distant{.scene = *frame.scene_buffers.traced,
+              kernels::media_distant{.scene = frame.scene_buffers.seen_by_light(),
                                      .media_tables = frame.buffers.media(),
                                      .environment = view(frame.scene_buffers.environment),
                                      .steps = frame.plan.media_steps,

@@ -47,7 +47,7 @@ void SoftShadows::probe(FrameContext& frame, BufferRef<kinds::VirtualLights> sam
                         BufferRef<kinds::SlotLight> irradiance) {
     const std::uint32_t lanes = executor_.lanes();
     frame.run(Stage::shadow_probes, name,
-              kernels::shadow_probes{.scene = *frame.scene_buffers.traced,
+              kernels::shadow_probes{.scene = frame.scene_buffers.seen_by_light(),
                                      .media_tables = shared_.media(),
                                      .area_lights = frame.scene_buffers.area_lights(),
                                      .slots = shared_.slots,
@@ -88,7 +88,7 @@ void SoftShadows::refine(FrameContext& frame, BufferRef<kinds::VirtualLights> sa
     const std::uint32_t packets = std::max(1U, executor_.lanes() / 4);
     frame.run(
         Stage::area_lights, name,
-        kernels::soft_shadows{.scene = *frame.scene_buffers.traced,
+        kernels::soft_shadows{.scene = frame.scene_buffers.seen_by_light(),
                               .media_tables = shared_.media(),
                               .area_lights = frame.scene_buffers.area_lights(),
                               .shadow_step = static_cast<float>(step_),

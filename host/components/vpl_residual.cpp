@@ -26,6 +26,10 @@ ComponentRequirements requirements(const FramePlan& plan) {
 /// of all residuals.
 constexpr std::uint32_t widening = 3;
 
+/// How many times the other light of a pixel a path may count for; see widen_residual.cl. A path
+/// then makes it brighter by 5 % at most.
+constexpr float most_of_a_path = 4.0F;
+
 /// The bit of a part to which a launch adds; see vpl_residual.cl.
 std::uint32_t bit_of(LightPart part) {
     return part == LightPart::direct ? 1 : 2;
@@ -126,7 +130,7 @@ void VplResidual::sample(FrameContext& frame) {
     for (const Receivers& to : receivers()) {
         frame.run(
             Stage::vpl_residual, "",
-            kernels::vpl_residual{.scene = *frame.scene_buffers.traced,
+            kernels::vpl_residual{.scene = frame.scene_buffers.seen_by_light(),
                                   .geometry = view(frame.scene_buffers.geometry),
                                   .light_table = view(frame.scene_buffers.light_table),
                                   .light_nodes = frame.scene_buffers.light_nodes,
@@ -152,9 +156,12 @@ void VplResidual::reconstruct(FrameContext& frame) {
             frame.run(Stage::reconstruction, "",
                       kernels::widen_residual{.surfaces = view(shared_.gbuffer),
                                               .spacing = widening,
+                                              .most = most_of_a_path,
                                               .slots = shared_.slots,
                                               .pixel_slot = shared_.pixel_slot,
                                               .irradiance = apart.irradiance,
+                                              .direct = composed.direct,
+                                              .indirect = composed.indirect,
                                               .widened = widened_},
                       {frame.pixels()});
         frame.run(

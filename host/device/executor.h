@@ -73,6 +73,7 @@ struct TracedGeometry {
     std::size_t first_moving = std::numeric_limits<std::size_t>::max();
     bool passing = false;  ///< temporary: built quickly; Executor::bvh and scene_ms ignore it
     bool soon = false;     ///< somebody waits: see BvhEffort::soon
+    bool further = false;  ///< beside that of a scene: Executor::bvh and scene_ms ignore it, too
 };
 
 /// One argument of a launch: a buffer, a value, or neither for a buffer that the launch does not

@@ -11,11 +11,11 @@
 namespace weft {
 
 std::size_t film_planes(std::uint32_t features) {
-    return (features & FEATURE_AIRLIGHT) != 0 ? FILM_PLANES_MEDIA : FILM_PLANES;
+    return shared::film_plane_count(features);
 }
 
 Image resolve_film(std::span<const float> high, std::span<const float> low, std::uint32_t width,
-                   std::uint32_t height, std::uint32_t samples) {
+                   std::uint32_t height, std::uint32_t samples, std::uint32_t features) {
     const std::size_t pixels = std::size_t{width} * height;
     const double share = 1.0 / std::max(1U, samples);
     const auto mean = [&](std::size_t plane, std::size_t pixel) {
@@ -38,14 +38,20 @@ Image resolve_film(std::span<const float> high, std::span<const float> low, std:
             });
         image.layers.push_back(std::move(layer));
     };
-    const bool media = high.size() >= FILM_PLANES_MEDIA * FILM_STRIDE(pixels);
     std::vector<std::size_t> beauty{FILM_EMISSION, FILM_DIRECT, FILM_INDIRECT};
-    if (media) beauty.push_back(FILM_MEDIA);
+    for (std::size_t plane = FILM_PLANES; plane < film_planes(features); plane += 3)
+        beauty.push_back(plane);
     add("", "RGB", beauty);
     add(alpha_layer_name, "A", {FILM_ALPHA});
     add("direct", "RGB", {FILM_DIRECT});
     add("indirect", "RGB", {FILM_INDIRECT});
-    if (media) add("media", "RGB", {FILM_MEDIA});
+    if ((features & FEATURE_REFLECTION) != 0)
+        add("reflection", "RGB", {shared::film_reflection_plane(features)});
+    if ((features & FEATURE_REFRACTION) != 0)
+        add("refraction", "RGB", {shared::film_refraction_plane(features)});
+    if ((features & FEATURE_GLOSSY) != 0)
+        add("glossy", "RGB", {shared::film_glossy_plane(features)});
+    if ((features & FEATURE_AIRLIGHT) != 0) add("media", "RGB", {FILM_MEDIA});
     add("emission", "RGB", {FILM_EMISSION});
     add("albedo", "RGB", {FILM_ALBEDO}, true);
     add("normal", "XYZ", {FILM_NORMAL}, true);

@@ -14,11 +14,12 @@ namespace weft {
 [[nodiscard]] std::size_t film_planes(std::uint32_t features);
 
 /// Means of the film's compensated sums (`high` + `low`, FILM_* planes) over `samples` frames, as
-/// layers. Beauty, followed by its alpha, is emission + direct + indirect + media, the last where
-/// there are planes of it. A single sample leaves nothing to compensate: `low` is not read then,
-/// and may be empty.
+/// layers. Beauty, followed by its alpha, is emission + direct + indirect, and what is in the
+/// planes that `features` (FEATURE_*) bring: reflection, refraction, glossy, media. A single sample
+/// leaves nothing to compensate: `low` is not read then, and may be empty.
 [[nodiscard]] Image resolve_film(std::span<const float> high, std::span<const float> low,
-                                 std::uint32_t width, std::uint32_t height, std::uint32_t samples);
+                                 std::uint32_t width, std::uint32_t height, std::uint32_t samples,
+                                 std::uint32_t features);
 
 }  // namespace weft
 

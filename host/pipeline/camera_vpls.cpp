@@ -64,7 +64,7 @@ void CameraVpls::select(FrameContext& frame, const char* component) {
     write_buffer(frame.executor, view_points_, view_points(frame.params, points_));
     frame.run_whole([&] {
         frame.run(Stage::vpl_contribution, component,
-                  kernels::vpl_contribution{.scene = *frame.scene_buffers.traced,
+                  kernels::vpl_contribution{.scene = frame.scene_buffers.seen_by_light(),
                                             .surfaces = view(frame.buffers.gbuffer),
                                             .points = points_,
                                             .scale = std::ldexp(1.0F, -light_exponent(frame.scene)),

@@ -68,6 +68,14 @@ void update_surfaces(Executor& executor, const FlatSurfaces& surfaces, owned::Su
     replace(executor, surfaces.values, to.surface_values, "tables of albedos");
 }
 
+TracedGeometry blocking_geometry(const FlatScene& flat, const SceneBuffers& scene) {
+    TracedGeometry geometry = traced_geometry(flat);
+    geometry.triangles = scene.blocking_triangles;
+    geometry.soon = scene.soon;
+    geometry.further = true;
+    return geometry;
+}
+
 }  // namespace
 
 SceneBuffers upload_scene(Executor& executor, const FlatScene& flat, bool soon) {
@@ -96,8 +104,16 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat, bool soon) 
     upload_surfaces(executor, flat.surfaces, scene.surfaces);
     TracedGeometry traced = traced_geometry(flat);
     traced.soon = soon;
+    scene.soon = soon;
     scene.traced = executor.make_scene(traced);
     return scene;
+}
+
+void make_light_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
+    if (scene.blocking) return;
+    scene.blocking_triangles = blocking_triangles(flat);
+    if (scene.blocking_triangles.empty()) return;
+    scene.blocking = executor.make_scene(blocking_geometry(flat, scene));
 }
 
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
@@ -108,6 +124,10 @@ void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene
         write_buffer(executor, to.normals, flat.normals);
         write_buffer(executor, scene.surfaces.tangents, flat.surfaces.tangents);
         executor.update_scene(*scene.traced, traced_geometry(flat));
+        if (scene.blocking) {
+            std::ranges::copy(blocking_triangles(flat), scene.blocking_triangles.begin());
+            executor.update_scene(*scene.blocking, blocking_geometry(flat, scene));
+        }
     }
     write_buffer(executor, to.instances, flat.instances);
     write_buffer(executor, to.materials, flat.materials);
@@ -205,7 +225,10 @@ groups::ComposedLight FrameBuffers::composed() const {
             .indirect = irradiance.indirect,
             .view_transmittance = transmittance,
             .view_emission = emission,
-            .media_light = irradiance.media};
+            .media_light = irradiance.media,
+            .reflection_light = irradiance.reflection,
+            .refraction_light = irradiance.refraction,
+            .glossy_light = irradiance.glossy};
 }
 
 void clear_nonfinite(Executor& executor, const DeviceBuffer<kinds::NonfiniteCounters>& counter) {

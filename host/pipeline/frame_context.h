@@ -29,6 +29,13 @@ struct SceneBuffers {
     DeviceBuffer<kinds::LightNodes> light_nodes;  ///< none where there is one light or none
     owned::EnvironmentImage environment;          ///< none without FEATURE_IMAGE_ENVIRONMENT
     std::unique_ptr<TracedScene> traced;
+    /// What blocks light in previews, where that is less than all; null until make_light_scene.
+    std::unique_ptr<TracedScene> blocking;
+    std::vector<shared::Triangle> blocking_triangles;  ///< that it is of
+    bool soon = false;                                 ///< of upload_scene
+
+    /// What light meets on its way.
+    [[nodiscard]] TracedScene& seen_by_light() const { return blocking ? *blocking : *traced; }
 
     /// The buffers of area lights, whose points lie on triangles of the geometry.
     [[nodiscard]] groups::AreaLights area_lights() const {
@@ -44,6 +51,9 @@ struct SceneBuffers {
 /// Uploads a scene, and builds its BVH; `soon`: see TracedGeometry::soon.
 [[nodiscard]] SceneBuffers upload_scene(Executor& executor, const FlatScene& flat,
                                         bool soon = false);
+
+/// Makes SceneBuffers::blocking, once, where light passes through some surfaces.
+void make_light_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
 
 /// The scene's media on the device, which the first call uploads. All users of the buffers share
 /// one camera.
@@ -68,7 +78,10 @@ struct ComposedIrradiance {
     BufferRef<kinds::ReconstructedLight> direct;
     BufferRef<kinds::SlotLight> exact_direct;  ///< of the slots of all pixels
     BufferRef<kinds::ReconstructedLight> indirect;
-    BufferRef<kinds::ReconstructedLight> media;  ///< radiance that media scatter to each pixel
+    BufferRef<kinds::ReconstructedLight> media;       ///< radiance that media scatter to each pixel
+    BufferRef<kinds::ReconstructedLight> reflection;  ///< radiance that pixels show in mirrors
+    BufferRef<kinds::ReconstructedLight> refraction;  ///< through glass and gaps
+    BufferRef<kinds::ReconstructedLight> glossy;      ///< and on glossy surfaces
 };
 
 /// The buffers that all stages and components of a frame share. Those that the plan does not need

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/traced_geometry.h"
 
+#include <algorithm>
+
 namespace weft {
 
 TracedGeometry traced_geometry(const FlatScene& flat) {
@@ -11,6 +13,15 @@ TracedGeometry traced_geometry(const FlatScene& flat) {
     const bool moves = flat.first_moving_triangle < flat.triangles.size();
     return {flat.positions, flat.triangles, flat.extent * (moves ? 0x1p-16F : 0x1p-22F),
             flat.first_moving_triangle};
+}
+
+std::vector<shared::Triangle> blocking_triangles(const FlatScene& flat) {
+    const std::vector<bool>& passes = flat.surfaces.passes_light;
+    if (std::find(passes.begin(), passes.end(), true) == passes.end()) return {};
+    std::vector<shared::Triangle> triangles = flat.triangles;
+    for (shared::Triangle& triangle : triangles)
+        if (passes[triangle.instance]) triangle.v1 = triangle.v2 = triangle.v0;
+    return triangles;
 }
 
 }  // namespace weft

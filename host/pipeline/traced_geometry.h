@@ -3,6 +3,8 @@
 #ifndef WEFT_PIPELINE_TRACED_GEOMETRY_H
 #define WEFT_PIPELINE_TRACED_GEOMETRY_H
 
+#include <vector>
+
 #include "device/executor.h"
 #include "scene/flat_scene.h"
 
@@ -10,6 +12,10 @@ namespace weft {
 
 /// The triangles of a scene that rays meet. The scene must outlive it.
 [[nodiscard]] TracedGeometry traced_geometry(const FlatScene& flat);
+
+/// The triangles that block light in previews, in the places of all: those of instances that light
+/// passes (FlatSurfaces::passes_light) have no area. Empty where all instances block light.
+[[nodiscard]] std::vector<shared::Triangle> blocking_triangles(const FlatScene& flat);
 
 }  // namespace weft
 

@@ -29,7 +29,7 @@ void sample_lights(FrameContext& frame, const char* component,
 void run_walk(FrameContext& frame, const char* component, BufferRef<kinds::PathsKnown> known,
               BufferRef<kinds::PathCache> memory, BufferRef<kinds::VplChanges> changes) {
     frame.run(Stage::vpl_walk, component,
-              kernels::vpl_walk{.scene = *frame.scene_buffers.traced,
+              kernels::vpl_walk{.scene = frame.scene_buffers.seen_by_light(),
                                 .geometry = view(frame.scene_buffers.geometry),
                                 .light_table = view(frame.scene_buffers.light_table),
                                 .environment = view(frame.scene_buffers.environment),

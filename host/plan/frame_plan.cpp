@@ -130,6 +130,12 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     plan.temporal = algorithm == Algorithm::tic || (settings.cached && settings.temporal);
     const bool hemispheres = algorithm == Algorithm::irradiance_cache;
     plan.cached = plan.temporal || algorithm == Algorithm::ic || hemispheres || settings.cached;
+    // Caches of hemispheres have no VPLs for what mirrors show.
+    plan.materials = scene.materials && !hemispheres && algorithm != Algorithm::reference;
+    plan.reflection = plan.materials && scene.reflection;
+    plan.refraction = plan.materials && scene.refraction;
+    plan.glossy = plan.materials && scene.glossy;
+    plan.rough_glass = plan.refraction && scene.rough_glass;
     plan.cache_masks = settings.cache_masks;
     plan.validate_cache = settings.validate_cache;
     plan.cache_records = settings.cache_records;
@@ -149,8 +155,8 @@ FramePlan plan_frames(Algorithm algorithm, const SamplingSettings& settings,
     }
     // Paths may be scattered by media where no surface does.
     const bool scatters = scene.mean_reflectance > 0.0 || scene.scattering;
-    plan.bounce_rays = settings.bounce_rays && !plan.cached && !scene.media && scene.indirect &&
-                       lights > 0 && scatters &&
+    plan.bounce_rays = settings.bounce_rays && !plan.cached && !scene.media &&
+                       !plan.has_view_chains() && scene.indirect && lights > 0 && scatters &&
                        (algorithm == Algorithm::ais || algorithm == Algorithm::amax);
     if (((scene.indirect && !hemispheres) || plan.media_light) && lights > 0 && scatters &&
         !plan.bounce_rays)

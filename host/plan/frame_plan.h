@@ -104,6 +104,11 @@ struct SceneStatistics {
     std::uint32_t punctual_lights = 0;
     std::uint32_t directional_lights = 0;
     bool environment = false;
+    bool materials = false;         ///< some surface is more than diffuse
+    bool reflection = false;        ///< some reflects as mirrors do
+    bool refraction = false;        ///< something is seen through some surface
+    bool glossy = false;            ///< some is glossy
+    bool rough_glass = false;       ///< and some is seen through rough facets
     bool media = false;             ///< some medium attenuates light
     bool scattering = false;        ///< some medium scatters light
     bool direct = true;             ///< the user wants direct light
@@ -144,6 +149,11 @@ struct FramePlan {
     bool bounce_rays = false;  ///< indirect light comes from a path through each pixel
     /// Share of the VPLs of a sample that have landed on a surface, where it has been measured.
     std::optional<double> landed;
+    bool materials = false;         ///< surfaces may be more than diffuse
+    bool reflection = false;        ///< what mirrors show is gathered
+    bool refraction = false;        ///< what is seen through surfaces is gathered
+    bool glossy = false;            ///< what glossy surfaces reflect is gathered
+    bool rough_glass = false;       ///< some is seen through rough facets
     bool temporal = false;          ///< records and VPLs outlast their frame
     bool media = false;             ///< light goes through participating media
     bool media_light = false;       ///< light that media scatter to the camera is gathered
@@ -222,6 +232,8 @@ struct FramePlan {
         return direct && (punctual_lights > 0 || directional_lights > 0);
     }
     [[nodiscard]] bool has_direct() const { return has_sampled_direct() || has_exact_direct(); }
+    /// Whether rays of the camera are followed through mirrors and glass.
+    [[nodiscard]] bool has_view_chains() const { return reflection || refraction || glossy; }
     [[nodiscard]] bool has_distant() const {
         return environment_samples > 0 || directional_lights > 0;
     }

@@ -50,7 +50,7 @@ bool same_lights(const FramePlan& a, const FramePlan& b) {
            a.environment_samples == b.environment_samples &&
            a.punctual_lights == b.punctual_lights && a.directional_lights == b.directional_lights &&
            a.has_vpls() == b.has_vpls() && a.has_indirect() == b.has_indirect() &&
-           a.media_light == b.media_light;
+           a.media_light == b.media_light && a.has_view_chains() == b.has_view_chains();
 }
 
 /// The mean reflectance that decides how many light paths survive: that of the scene at first, so
@@ -70,6 +70,11 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
     statistics.punctual_lights = scene.punctual_lights;
     statistics.directional_lights = scene.directional_lights;
     statistics.environment = (scene.features & FEATURE_ENVIRONMENT) != 0;
+    statistics.materials = scene.surfaces.present();
+    statistics.reflection = scene.surfaces.mirrors && settings.reflection;
+    statistics.refraction = scene.surfaces.lets_through && settings.refraction;
+    statistics.glossy = scene.surfaces.glossy && settings.glossy;
+    statistics.rough_glass = scene.surfaces.rough_glass;
     statistics.media = scene.media.present();
     statistics.scattering = scene.media.scatters();
     statistics.media_light = settings.media;
@@ -88,7 +93,7 @@ FramePlan plan_for(const FlatScene& scene, const RenderSettings& settings) {
 std::vector<KernelId> kernels_of(const FramePlan& plan, std::span<const ComponentKind> kinds) {
     const ComponentRequirements requirements = requirements_of(plan, kinds);
     std::set<KernelId> kernels(requirements.kernels.begin(), requirements.kernels.end());
-    kernels.insert(KernelId::gbuffer);
+    kernels.insert(plan.materials ? KernelId::gbuffer_surfaces : KernelId::gbuffer);
     kernels.insert(plan.exact ? KernelId::compose_sums : KernelId::compose);
     if (requirements.all_receivers || requirements.tiles || requirements.own_tiles)
         kernels.insert(KernelId::receivers);
@@ -107,7 +112,9 @@ std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
         return kernel == KernelId::vpl_residual || kernel == KernelId::hemisphere_rays;
     });
     const std::uint32_t of_paths = paths ? scene.features & FEATURE_LIGHT_TREE : 0U;
-    return surface_features(scene) | of_media | of_paths | required.features;
+    const std::uint32_t of_materials =
+        plan.materials ? scene.features & (FEATURE_MATERIALS | FEATURE_SEE_THROUGH) : 0U;
+    return surface_features(scene) | of_media | of_paths | of_materials | required.features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,
@@ -162,6 +169,7 @@ void Renderer::choose_indirect() {
 
 void Renderer::set_up() {
     components_.clear();
+    if (plan_.materials) make_light_scene(executor_, scene_, *scene_buffers_);
     work_ = work_list_of(plan_, settings_);
     const std::uint32_t features = features_of_frames();
     executor_.build(kernels_of(plan_, settings_.components), features);
@@ -284,17 +292,32 @@ shared::RenderParams Renderer::params_of_sample(std::uint32_t sample) const {
 
 void Renderer::trace_primary(FrameContext& frame) {
     const GBuffer& gbuffer = buffers_.gbuffer;
-    frame.run(Stage::primary_rays, "",
-              kernels::gbuffer{.scene = *scene_buffers_->traced,
-                               .geometry = view(scene_buffers_->geometry),
-                               .environment = view(scene_buffers_->environment),
-                               .gb_ids = gbuffer.gb_ids,
-                               .gb_position = gbuffer.gb_position,
-                               .gb_normal = gbuffer.gb_normal,
-                               .gb_shading = gbuffer.gb_shading,
-                               .gb_albedo = gbuffer.gb_albedo,
-                               .gb_emission = gbuffer.gb_emission},
-              {pixel_blocks(settings_.width, settings_.height, executor_.lanes())});
+    const std::uint32_t blocks = pixel_blocks(settings_.width, settings_.height, executor_.lanes());
+    if (plan_.materials)
+        frame.run(Stage::primary_rays, "",
+                  kernels::gbuffer_surfaces{.scene = *scene_buffers_->traced,
+                                            .geometry = view(scene_buffers_->geometry),
+                                            .surfaces = view(scene_buffers_->surfaces),
+                                            .environment = view(scene_buffers_->environment),
+                                            .gb_ids = gbuffer.gb_ids,
+                                            .gb_position = gbuffer.gb_position,
+                                            .gb_normal = gbuffer.gb_normal,
+                                            .gb_shading = gbuffer.gb_shading,
+                                            .gb_albedo = gbuffer.gb_albedo,
+                                            .gb_emission = gbuffer.gb_emission},
+                  {blocks});
+    else
+        frame.run(Stage::primary_rays, "",
+                  kernels::gbuffer{.scene = *scene_buffers_->traced,
+                                   .geometry = view(scene_buffers_->geometry),
+                                   .environment = view(scene_buffers_->environment),
+                                   .gb_ids = gbuffer.gb_ids,
+                                   .gb_position = gbuffer.gb_position,
+                                   .gb_normal = gbuffer.gb_normal,
+                                   .gb_shading = gbuffer.gb_shading,
+                                   .gb_albedo = gbuffer.gb_albedo,
+                                   .gb_emission = gbuffer.gb_emission},
+                  {blocks});
     if (buffers_.view_media) buffers_.view_media->find(frame);
     if (all_receivers_)
         frame.run(Stage::receivers, "",
@@ -447,7 +470,8 @@ Image Renderer::image() {
                                FILM_STRIDE(std::size_t{settings_.width} * settings_.height);
     const auto high = read_buffer(executor_, buffers_.film_high, values);
     const auto low = read_buffer(executor_, buffers_.film_low, frames_in_film_ > 1 ? values : 0);
-    Image image = resolve_film(high, low, settings_.width, settings_.height, frames_in_film_);
+    Image image = resolve_film(high, low, settings_.width, settings_.height, frames_in_film_,
+                               base_params_.features);
     for (const ActiveComponent& active : components_) {
         active.component->add_layers(image);
         if (const SamplingDecision* const decision = active.component->decision())

@@ -41,7 +41,10 @@ struct RenderSettings {
     bool through_centres = false;    ///< of reference: samples go through the pixel's centre
     bool direct = true;
     bool indirect = true;
-    bool media = true;  ///< light that participating media scatter to the camera
+    bool reflection = true;  ///< what is seen in mirrors
+    bool refraction = true;  ///< through glass and gaps
+    bool glossy = true;      ///< and on glossy surfaces
+    bool media = true;       ///< light that participating media scatter to the camera
     /// Names of further components (Choice::on_request).
     std::vector<std::string> requested;
     /// Components to choose from.

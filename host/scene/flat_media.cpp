@@ -336,8 +336,10 @@ FlatMedia flatten_media(const Scene& scene, const KernelUnits& units) {
 }
 
 void empty_surfaces(Scene& scene) {
-    std::erase_if(scene.medium_boundaries,
-                  [](const MediumBoundary& boundary) { return boundary.surface >= 0; });
+    const auto erased = std::erase_if(scene.medium_boundaries, [](const MediumBoundary& boundary) {
+        return boundary.surface >= 0;
+    });
+    scene.emptied_surfaces = scene.emptied_surfaces || erased > 0;
 }
 
 std::uint32_t boundaries_around(const FlatMedia& media, const glm::dvec3& point) {

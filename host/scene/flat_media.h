@@ -54,8 +54,8 @@ struct FlatMedia {
 /// emits.
 [[nodiscard]] FlatMedia flatten_media(const Scene& scene, const KernelUnits& units);
 
-/// Removes the boundaries of media that are surfaces too: where those are rendered as diffuse,
-/// nothing is seen of what they enclose.
+/// Removes the boundaries of media that are surfaces too, and remembers that there were some:
+/// previews show nothing of what such surfaces enclose.
 void empty_surfaces(Scene& scene);
 
 /// The boundaries that enclose a point (kernel units), a bit each: those about which their

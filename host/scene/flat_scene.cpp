@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "scene/emission_means.h"
+#include "scene/mean_albedo.h"
 #include "scene/mip_levels.h"
 
 namespace weft {
@@ -220,10 +221,11 @@ void append_textures(const Scene& scene, FlatScene& flat) {
     }
 }
 
-shared::MaterialRecord material_record(const Material& material, bool textures) {
+shared::MaterialRecord material_record(const Scene& scene, const Material& material,
+                                       bool textures) {
     shared::MaterialRecord record{};
     record.lobe = lobe_of(material);
-    const glm::vec3 albedo = diffuse_albedo(material);
+    const glm::vec3 albedo = mean_albedo(material, scene.textures);
     record.albedo = {albedo.r, albedo.g, albedo.b, 0.0F};
     const int texture = albedo_texture(material);
     record.texture = textures && texture >= 0 ? static_cast<std::uint32_t>(texture) : INVALID_INDEX;
@@ -279,15 +281,15 @@ struct SurfaceMeans {
     double reflectance = 0.0;
 };
 
-SurfaceMeans mean_surfaces(const Scene& scene, const FlatScene& flat) {
+SurfaceMeans mean_surfaces(const FlatScene& flat) {
     std::vector<double> areas = flat.resting_areas;
     add_areas(flat, std::span(flat.triangles).subspan(flat.first_moving_triangle), areas);
     SurfaceMeans means;
     double reflected = 0.0;
     for (std::size_t m = 0; m < areas.size(); ++m) {
         means.area += areas[m];
-        reflected +=
-            areas[m] * luminance(diffuse_albedo(scene.materials[m])) * flat.texture_means[m];
+        const shared::float4& albedo = flat.materials[m].albedo;
+        reflected += areas[m] * luminance({albedo.x, albedo.y, albedo.z}) * flat.texture_means[m];
     }
     if (means.area > 0.0) means.reflectance = std::clamp(reflected / means.area, 0.0, 1.0);
     return means;
@@ -359,7 +361,7 @@ FlatScene flatten(const Scene& scene) {
     if (attributes.uvs || attributes.surface_textures) append_textures(scene, flat);
     if (attributes.emission_textures) append_emission(scene, flat);
     for (const Material& material : scene.materials)
-        flat.materials.push_back(material_record(material, attributes.uvs));
+        flat.materials.push_back(material_record(scene, material, attributes.uvs));
     flat.features = (attributes.uvs ? FEATURE_TEXTURES : 0U) |
                     (attributes.colours ? FEATURE_VERTEX_COLOURS : 0U) |
                     (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
@@ -373,7 +375,7 @@ FlatScene flatten(const Scene& scene) {
     flat.resting_areas.resize(scene.materials.size());
     add_areas(flat, std::span(flat.triangles).first(flat.first_moving_triangle),
               flat.resting_areas);
-    const SurfaceMeans means = mean_surfaces(scene, flat);
+    const SurfaceMeans means = mean_surfaces(flat);
     flat.surface_area = means.area;
     flat.mean_reflectance = means.reflectance;
     flat.first_mean_reflectance = means.reflectance;
@@ -403,9 +405,9 @@ void update_flat(const Scene& scene, FlatScene& flat) {
     }
     const bool textures = !flat.texture_coordinates.empty();
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
-        flat.materials[m] = material_record(scene.materials[m], textures);
+        flat.materials[m] = material_record(scene, scene.materials[m], textures);
     update_surfaces(scene, flat.surfaces);
-    flat.mean_reflectance = mean_surfaces(scene, flat).reflectance;
+    flat.mean_reflectance = mean_surfaces(flat).reflectance;
     measure_extent(flat);
     flat.lights.clear();
     flat.emissive.clear();

@@ -12,7 +12,9 @@
 
 #include "base/error.h"
 #include "scene/flat_scene.h"
+#include "scene/mean_albedo.h"
 #include "scene/surface/facet_albedo.h"
+#include "scene/surface_lobes.h"
 
 namespace weft {
 namespace {
@@ -304,12 +306,45 @@ void add_plastic_tables(FlatSurfaces& surfaces) {
     }
 }
 
+/// Finds out what previews follow anywhere.
+void find_followed_parts(FlatSurfaces& surfaces) {
+    std::uint32_t all = 0;
+    for (const shared::SurfaceRecord& record : surfaces.records) all |= record.flags;
+    surfaces.mirrors = (all & SURFACE_MIRRORS) != 0;
+    surfaces.glossy = (all & SURFACE_GLOSSY) != 0;
+    surfaces.rough_glass = (all & SURFACE_ROUGH_GLASS) != 0;
+    surfaces.lets_through = (all & SURFACE_LETS_THROUGH) != 0;
+}
+
 /// Makes records of the plain ones, and the tables of albedos that they read.
 void add_tables(FlatSurfaces& surfaces) {
     surfaces.records = surfaces.plain;
+    find_followed_parts(surfaces);
     surfaces.values.clear();
     add_glass_tables(surfaces);
     add_plastic_tables(surfaces);
+}
+
+// MIRROR_ALPHA and GLOSSY_ALPHA of kernels/bsdf/seen_lobes.h.
+constexpr double mirror_alpha = 0.001;
+constexpr double glossy_alpha = 0.25;
+
+/// What of a surface previews follow: SURFACE_MIRRORS, SURFACE_GLOSSY, SURFACE_LETS_THROUGH.
+std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const Texture> textures) {
+    std::uint32_t parts = 0;
+    if (surface.opacity.mode == OpacityMode::blend) parts |= SURFACE_LETS_THROUGH;
+    for (const SurfaceLobe& lobe : lobes_of(surface, textures)) {
+        if (lobe.is_diffuse) continue;
+        if (lobe.transmits) {
+            parts |= SURFACE_LETS_THROUGH;
+            if (lobe.most_alpha > mirror_alpha) parts |= SURFACE_ROUGH_GLASS;
+            continue;
+        }
+        if (lobe.least_alpha <= mirror_alpha) parts |= SURFACE_MIRRORS;
+        if (lobe.most_alpha > mirror_alpha && lobe.least_alpha < glossy_alpha)
+            parts |= SURFACE_GLOSSY;
+    }
+    return parts;
 }
 
 /// The records of all materials, and the textures that they name.
@@ -319,6 +354,7 @@ std::vector<shared::SurfaceRecord> plain_records(const Scene& scene,
     for (const Material& material : scene.materials) {
         if (scatters_by_record(material)) {
             records.push_back(RecordBuilder(maps).build(*material.description));
+            records.back().flags |= followed_parts(*material.description, scene.textures);
             continue;
         }
         shared::SurfaceRecord record{};
@@ -348,6 +384,31 @@ double volume_of(const FlatScene& flat, const InstanceRange& range) {
             6.0;
     }
     return std::abs(volume);
+}
+
+double area_of(const FlatScene& flat, const InstanceRange& range) {
+    double area = 0.0;
+    for (std::uint32_t t = 0; t < range.triangles; ++t)
+        area += triangle_area(flat, flat.triangles[range.first_triangle + t]);
+    return area;
+}
+
+/// Whether at least half of the light goes on through an instance, over the mean chord 4 V / S of a
+/// solid that absorbs (Cauchy).
+bool passes_half(const Scene& scene, const FlatScene& flat, std::size_t instance) {
+    constexpr double half = 0.5;
+    const Material& material = scene.materials[scene.instances[instance].material];
+    auto passes = static_cast<double>(mean_transmittance(material, scene.textures));
+    if (passes < half) return false;
+    const auto inside = inside_of(material, flat.units.scale);
+    const double area = area_of(flat, flat.ranges[instance]);
+    if (!inside || !(area > 0.0)) return true;
+    const double chord = 4.0 * volume_of(flat, flat.ranges[instance]) / area;
+    const shared::float4& sigma = inside->sigma_a;
+    passes *= luminance({std::exp(-sigma.x * static_cast<float>(chord)),
+                         std::exp(-sigma.y * static_cast<float>(chord)),
+                         std::exp(-sigma.z * static_cast<float>(chord))});
+    return passes >= half;
 }
 
 /// Numbers the instances that are solid dielectrics, those that enclose least first.
@@ -461,6 +522,8 @@ FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
             place_tangents(scene, i, flat.ranges[i].first_vertex, surfaces);
     }
     number_interfaces(scene, flat, surfaces);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        surfaces.passes_light.push_back(passes_half(scene, flat, i));
     surfaces.see_through = std::any_of(
         surfaces.records.begin(), surfaces.records.end(), [](const shared::SurfaceRecord& record) {
             return (record.flags & (SURFACE_MASK | SURFACE_BLEND)) != 0 ||

@@ -40,7 +40,14 @@ struct FlatSurfaces {
     std::vector<float> values;  ///< of tables of albedos
     AlbedoTables tables;        ///< those of glass and of the present plastics
 
+    /// By instance: whether previews let light pass straight through it.
+    std::vector<bool> passes_light;
     bool see_through = false;  ///< some let light pass straight on
+    // What previews follow anywhere (kernels/bsdf/seen_lobes.h).
+    bool mirrors = false;       ///< SURFACE_MIRRORS
+    bool glossy = false;        ///< SURFACE_GLOSSY
+    bool lets_through = false;  ///< SURFACE_LETS_THROUGH
+    bool rough_glass = false;   ///< SURFACE_ROUGH_GLASS
 
     [[nodiscard]] bool present() const noexcept { return !records.empty(); }
 };

@@ -162,6 +162,7 @@ struct Scene {
     std::vector<DensityGrid> grids;
     std::vector<Medium> media;
     std::vector<MediumBoundary> medium_boundaries;
+    bool emptied_surfaces = false;  ///< media inside of surfaces have been left out
     int camera_medium = -1;  ///< medium around the cameras by the file: index into `media`, or -1;
                              ///< see flatten_media for when it is used
     int outer_medium = -1;   ///< outside of all boundaries: index into `media`, or -1

@@ -8,8 +8,8 @@ namespace weft {
 
 const char* film_component_name(std::size_t component) {
     // In the order of COMPONENT_*.
-    static constexpr std::array<const char*, COMPONENT_COUNT> names{"emission", "direct",
-                                                                    "indirect", "surface", "media"};
+    static constexpr std::array<const char*, COMPONENT_COUNT> names{
+        "emission", "direct", "indirect", "surface", "media", "reflection", "refraction", "glossy"};
     return names[component];
 }
 

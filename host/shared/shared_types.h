@@ -38,7 +38,7 @@ static_assert(sizeof(MediaRecord) == 1280);
 static_assert(sizeof(CacheRecord) == 192);
 static_assert(sizeof(TileRecord) == 32);
 static_assert(sizeof(RayCounter) == 16);
-static_assert(sizeof(NonfiniteCounter) == 48);
+static_assert(sizeof(NonfiniteCounter) == 72);
 static_assert(sizeof(CameraParams) == 96);
 static_assert(sizeof(SceneParams) == 80);
 static_assert(sizeof(LightSampling) == 16);

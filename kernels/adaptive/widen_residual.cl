@@ -7,8 +7,29 @@
 // whose places are neighbours, each pixel has the mean over a square of 9 x 9 pixels where
 // `spacing` is 3. One path a pixel is so rare a look at bright surfaces close by that the mean over
 // 3 x 3 shows as specks. One work-item per pixel.
+//
+// The mean over 9 x 9 pixels still shows as a square where one path brings a hundred times the
+// light of the pixel. So no path counts for more than `most` times (number of the sample + 1) what
+// the pixel has without the residual: such a path makes it brighter by `most` / 81 at most. The
+// bound grows as fast as the number of samples that are averaged, so that their mean misses nothing
+// in the limit.
 #include "kernels/core/kernel.h"
 #include "kernels/film/discontinuity.h"
+
+/// The greatest luminance of a path's irradiance that counts at a pixel.
+static inline float most_irradiance(const RenderParams* params, GLOBAL const float4* direct,
+                                    GLOBAL const float4* indirect, float most, uint pixel) {
+    float sum = 0.0f;
+    if (HAS(params, FEATURE_SAMPLED_DIRECT)) sum += luminance(xyz(direct[pixel]));
+    if (HAS(params, FEATURE_INDIRECT)) sum += luminance(xyz(indirect[pixel]));
+    return sum * most * ((float)params->sampling.sample + 1.0f);
+}
+
+/// The irradiance, darker where its luminance is above `most`, in the same hue.
+static inline float3 limited_to(float3 irradiance, float most) {
+    float brightness = luminance(irradiance);
+    return brightness > most ? irradiance * (most / brightness) : irradiance;
+}
 
 WEFT_KERNEL(widen_residual)
 {
@@ -23,6 +44,7 @@ WEFT_KERNEL(widen_residual)
             pixel_surface(&params, gb_position, gb_normal, gb_shading, pixel, 1.0f);
         int column = (int)(pixel % params.camera.width);
         int row = (int)(pixel / params.camera.width);
+        float limit = most_irradiance(&params, direct, indirect, most, pixel);
         for (int j = -1; j <= 1; ++j) {
             for (int i = -1; i <= 1; ++i) {
                 int x = column + i * (int)spacing;
@@ -37,7 +59,7 @@ WEFT_KERNEL(widen_residual)
                 }
                 uint from = pixel_slot[other];
                 if (from == INVALID_INDEX) continue;
-                sum += slot_irradiance(irradiance, slots, from);
+                sum += limited_to(slot_irradiance(irradiance, slots, from), limit);
                 weight += 1.0f;
             }
         }

@@ -71,7 +71,10 @@
     X(MAY_READ, ReconstructedLight, indirect)          \
     X(MAY_READ, Transmittances, view_transmittance)    \
     X(MAY_READ, MediaEmission, view_emission)          \
-    X(MAY_READ, ReconstructedLight, media_light)
+    X(MAY_READ, ReconstructedLight, media_light)       \
+    X(MAY_READ, ReconstructedLight, reflection_light)  \
+    X(MAY_READ, ReconstructedLight, refraction_light)  \
+    X(MAY_READ, ReconstructedLight, glossy_light)
 
 // clang-format on
 

@@ -31,6 +31,36 @@
     X(WRITES, SurfaceAlbedo, gb_albedo)                \
     X(WRITES, SurfaceEmission, gb_emission)
 
+#define ARGUMENTS_gbuffer_surfaces(X)                  \
+    X(TRACES, Scene, scene)                            \
+    X(GROUP, Geometry, geometry)                       \
+    X(GROUP, SurfaceTables, surfaces)                  \
+    X(GROUP, EnvironmentImage, environment)            \
+    X(WRITES, SurfaceIds, gb_ids)                      \
+    X(WRITES, SurfacePositions, gb_position)           \
+    X(WRITES, SurfaceNormals, gb_normal)               \
+    X(WRITES, SurfaceShadingNormals, gb_shading)       \
+    X(WRITES, SurfaceAlbedo, gb_albedo)                \
+    X(WRITES, SurfaceEmission, gb_emission)
+
+#define ARGUMENTS_view_chains(X)                       \
+    X(TRACES, Scene, scene)                            \
+    X(GROUP, Geometry, geometry)                       \
+    X(GROUP, SurfaceTables, surfaces)                  \
+    X(GROUP, EnvironmentImage, environment)            \
+    X(VALUE, uint, way_number)                         \
+    X(VALUE, uint, keeps_shares)                       \
+    X(READS, SurfaceIds, gb_ids)                       \
+    X(READS, SurfacePositions, gb_position)            \
+    X(WRITES, SurfaceIds, end_ids)                     \
+    X(WRITES, SurfacePositions, end_position)          \
+    X(WRITES, SurfaceNormals, end_normal)              \
+    X(WRITES, SurfaceShadingNormals, end_shading)      \
+    X(WRITES, SurfaceAlbedo, end_albedo)               \
+    X(WRITES, SurfaceEmission, end_emission)           \
+    X(MAY_WRITE, ViewShares, view_shares)              \
+    X(WRITES, RayCounters, counters)
+
 #define ARGUMENTS_view_media(X)                        \
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(GROUP, MediaTables, media_tables)                \
@@ -112,6 +142,7 @@
     X(GROUP, MediaTables, media_tables)                \
     X(VALUE, SetList, list)                            \
     X(VALUE, uint, by_chance)                          \
+    X(VALUE, uint, adds)                               \
     X(VALUE, uint, slots)                              \
     X(READS, ReceiverPlanes, receiver_planes)          \
     X(READS, BlockSets, block_set)                     \
@@ -341,6 +372,17 @@
     X(WRITES, NonfiniteCounters, nonfinite)            \
     X(MAY_READ, EdgeMasks, edge_masks)
 
+#define ARGUMENTS_filter_chains(X)                     \
+    X(GROUP, SeenSurfaces, surfaces)                   \
+    X(READS, ViewShares, view_shares)                  \
+    X(READS, ReconstructedLight, radiance)             \
+    X(WRITES, ReconstructedLight, shown)
+
+#define ARGUMENTS_chain_radiance(X)                    \
+    X(READS, SurfaceAlbedo, end_albedo)                \
+    X(READS, SurfaceEmission, end_emission)            \
+    X(WRITES, ReconstructedLight, light)
+
 #define ARGUMENTS_compose_sums(X)                      \
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(GROUP, ComposedLight, composed)                  \
@@ -382,9 +424,12 @@
 #define ARGUMENTS_widen_residual(X)                    \
     X(GROUP, SeenSurfaces, surfaces)                   \
     X(VALUE, uint, spacing)                            \
+    X(VALUE, float, most)                              \
     X(VALUE, uint, slots)                              \
     X(READS, PixelSlots, pixel_slot)                   \
     X(READS, SlotLight, irradiance)                    \
+    X(MAY_READ, ReconstructedLight, direct)            \
+    X(MAY_READ, ReconstructedLight, indirect)          \
     X(WRITES, SlotLight, widened)
 
 #define ARGUMENTS_filter_residual(X)                   \

@@ -44,6 +44,9 @@
 #define FEATURE_IMAGE_ENVIRONMENT 4194304u  // the environment is an image
 #define FEATURE_MATERIALS 8388608u          // paths scatter by SurfaceRecord
 #define FEATURE_SEE_THROUGH 16777216u       // some let light pass straight on
+#define FEATURE_REFLECTION 33554432u        // previews show what mirrors reflect
+#define FEATURE_REFRACTION 67108864u        // what is seen through glass and gaps
+#define FEATURE_GLOSSY 134217728u           // and what glossy surfaces reflect
 
 // BVH child reference: EMPTY, or LEAF | count << 27 | first leaf triangle, or index of a node.
 #define BVH_EMPTY 0xFFFFFFFFu
@@ -175,6 +178,11 @@ typedef struct {
 #define SURFACE_MITSUBA_NORMALS 2048u
 #define SURFACE_NORMAL_SHADOWING 4096u  // tilted facets shade: normal_shadowing
 #define SURFACE_NORMAL_FLIP 8192u       // normals that face away are turned about the surface's
+// Of view_chains.cl: the surface may reflect as a mirror, be seen through, or be glossy.
+#define SURFACE_MIRRORS 32768u
+#define SURFACE_LETS_THROUGH 65536u
+#define SURFACE_GLOSSY 131072u
+#define SURFACE_ROUGH_GLASS 262144u  // it is seen through rough facets
 
 // Scales of roughness.
 #define ROUGHNESS_SQUARED 0u   // alpha is its square
@@ -396,6 +404,9 @@ typedef struct {
     uint pad;
 } TileRecord;
 
+// Edge of the squares of pixels that see different facets of rough surfaces (view_chains.cl).
+#define GLOSSY_PATTERN 9u
+
 // Most further rays of an edge pixel; an even number, since they lie about its centre in pairs.
 #define MAX_EDGE_SAMPLES 8u
 
@@ -427,7 +438,10 @@ typedef struct {
 #define COMPONENT_INDIRECT 2
 #define COMPONENT_SURFACE 3  // albedo, normal and depth
 #define COMPONENT_MEDIA 4
-#define COMPONENT_COUNT 5
+#define COMPONENT_REFLECTION 5
+#define COMPONENT_REFRACTION 6
+#define COMPONENT_GLOSSY 7
+#define COMPONENT_COUNT 8
 
 typedef struct {
     uint count[COMPONENT_COUNT];
@@ -444,9 +458,24 @@ typedef struct {
 #define FILM_DEPTH 15
 #define FILM_ALPHA 16
 #define FILM_PLANES 17
-// Of previews of scenes with media, further planes: what media scatter to the camera.
+// Films of previews have three further planes for each of these that their features name, in this
+// order: light that media scatter to the camera (FEATURE_AIRLIGHT), what is seen in mirrors
+// (FEATURE_REFLECTION), through glass and gaps (FEATURE_REFRACTION) and on glossy surfaces
+// (FEATURE_GLOSSY).
 #define FILM_MEDIA 17
-#define FILM_PLANES_MEDIA 20
+static inline uint film_reflection_plane(uint features) {
+    return FILM_PLANES + ((features & FEATURE_AIRLIGHT) != 0u ? 3u : 0u);
+}
+static inline uint film_refraction_plane(uint features) {
+    return film_reflection_plane(features) + ((features & FEATURE_REFLECTION) != 0u ? 3u : 0u);
+}
+static inline uint film_glossy_plane(uint features) {
+    return film_refraction_plane(features) + ((features & FEATURE_REFRACTION) != 0u ? 3u : 0u);
+}
+/// How many planes the film of a preview has.
+static inline uint film_plane_count(uint features) {
+    return film_glossy_plane(features) + ((features & FEATURE_GLOSSY) != 0u ? 3u : 0u);
+}
 // Values from one plane to the next. Planes of a power of two would all meet in the same few lines
 // of a cache: composition took three times as long.
 #define FILM_STRIDE(pixels) ((pixels) + 80u)

@@ -11,7 +11,7 @@
 
 // FilmSample of LANES pixels.
 typedef struct {
-    WFloat3 emission, direct, indirect, media, albedo, normal;
+    WFloat3 emission, direct, indirect, media, reflection, refraction, glossy, albedo, normal;
     WFloat depth, alpha;
 } WideSample;
 
@@ -99,6 +99,26 @@ static inline WFloat wide_alpha(const RenderParams* params, const SeenPixels* se
     return SELECT(wide_load(met, 0) > zero, one, beyond);
 }
 
+/// What pixels show in mirrors and through their surfaces; returns which of them are good.
+static inline WMask wide_chains(const RenderParams* params, const IrradianceBuffers* buffers,
+                                uint first, WideSample* sample) {
+    sample->reflection = black();
+    sample->refraction = black();
+    sample->glossy = black();
+    if (HAS(params, FEATURE_REFLECTION))
+        sample->reflection = load_vectors(buffers->reflection_light + first);
+    if (HAS(params, FEATURE_REFRACTION))
+        sample->refraction = load_vectors(buffers->refraction_light + first);
+    if (HAS(params, FEATURE_GLOSSY)) sample->glossy = load_vectors(buffers->glossy_light + first);
+    if (HAS(params, FEATURE_MEDIA)) {
+        WFloat3 transmittance = load_vectors(buffers->view_transmittance + first);
+        sample->reflection = product(sample->reflection, transmittance);
+        sample->refraction = product(sample->refraction, transmittance);
+        sample->glossy = product(sample->glossy, transmittance);
+    }
+    return are_good(sample->reflection) & are_good(sample->refraction) & are_good(sample->glossy);
+}
+
 /// The samples of pixels from `first` on, and which of them are good.
 static inline WMask wide_sample(const RenderParams* params, const SeenPixels* seen,
                                 const IrradianceBuffers* buffers, uint first, WideSample* sample) {
@@ -141,6 +161,8 @@ static inline WMask wide_sample(const RenderParams* params, const SeenPixels* se
         sample->media = load_vectors(buffers->media_light + first);
         good = good & are_good(sample->media);
     }
+    if (HAS(params, FEATURE_REFLECTION | FEATURE_REFRACTION | FEATURE_GLOSSY))
+        good = good & wide_chains(params, buffers, first, sample);
     return good;
 }
 
@@ -192,6 +214,18 @@ static inline void add_wide_sample(const RenderParams* params, GLOBAL float* fil
     if (HAS(params, FEATURE_AIRLIGHT))
         add_wide_vector(high + FILM_MEDIA * stride, low + FILM_MEDIA * stride, stride, samples,
                         others, sample->media);
+    if (HAS(params, FEATURE_REFLECTION)) {
+        uint plane = film_reflection_plane(params->features) * stride;
+        add_wide_vector(high + plane, low + plane, stride, samples, others, sample->reflection);
+    }
+    if (HAS(params, FEATURE_REFRACTION)) {
+        uint plane = film_refraction_plane(params->features) * stride;
+        add_wide_vector(high + plane, low + plane, stride, samples, others, sample->refraction);
+    }
+    if (HAS(params, FEATURE_GLOSSY)) {
+        uint plane = film_glossy_plane(params->features) * stride;
+        add_wide_vector(high + plane, low + plane, stride, samples, others, sample->glossy);
+    }
 }
 
 WEFT_KERNEL(compose)

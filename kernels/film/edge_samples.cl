@@ -144,6 +144,18 @@ static inline uint pixel_of_instance(const RenderParams* params, const SeenPixel
     return pixel;
 }
 
+/// Of a surface that may be more than diffuse, sets the albedo to that of a pixel of its instance
+/// about `pixel`, and fills in what that shows in mirrors and through the surface. Where there is
+/// none, the albedo remains the mean over all directions.
+static inline void show_material(const RenderParams* params, const SeenPixels* seen,
+                                 const IrradianceBuffers* buffers, uint instance, uint pixel,
+                                 float3* albedo, PixelLight* light) {
+    uint of = pixel_of_instance(params, seen, instance, pixel);
+    if (seen->ids[2u * of] != instance) return;
+    *albedo = xyz(seen->albedo[of]);
+    add_view_chains(params, buffers, of, light);
+}
+
 /// What a ray through the point (`x`, `y`) of `pixel` in that direction shows.
 static inline FilmSample hit_sample(const RenderParams* params, const Geometry* geometry,
                                     const EnvironmentImage* environment, const SeenPixels* seen,
@@ -163,13 +175,16 @@ static inline FilmSample hit_sample(const RenderParams* params, const Geometry* 
     Surface surface = surface_at(params, geometry, hit, direction,
                                  seen_texture_angle(params, texture_angle, hit.t));
     float3 albedo = bsdf_diffuse_albedo(&surface.bsdf);
+    uint from = pixel;
     if (max_component(albedo) > 0.0f) {
-        uint from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
+        from = irradiance_source(params, seen, &surface, hit, direction, pixel, x, y, misses);
         light = pixel_light(params, buffers, from, pixel_is_lit(seen->ids, seen->albedo, from));
     } else if (HAS(params, FEATURE_MEDIA)) {
         add_view_media(params, buffers, pixel_of_instance(params, seen, surface.instance, pixel),
                        &light);
     }
+    if (HAS(params, FEATURE_MATERIALS))
+        show_material(params, seen, buffers, surface.instance, from, &albedo, &light);
     return film_sample(params, nonfinite, pixel, 1, surface.emission, albedo, light,
                        surface.shading, hit.t);
 }
@@ -181,6 +196,9 @@ static inline void add_share(FilmSample* sum, const FilmSample* sample, float sh
     sum->direct += sample->direct * share;
     sum->indirect += sample->indirect * share;
     sum->media += sample->media * share;
+    sum->reflection += sample->reflection * share;
+    sum->refraction += sample->refraction * share;
+    sum->glossy += sample->glossy * share;
     sum->albedo += sample->albedo * share;
     sum->normal += sample->normal * share;
     sum->depth += sample->depth * share;
@@ -253,14 +271,7 @@ WEFT_KERNEL(edge_samples)
     uint ray = 0u;
     for (uint at = first; at < end; ++at) {
         uint pixel = edge_pixels[at];
-        FilmSample sum = {f3(0.0f, 0.0f, 0.0f),
-                          f3(0.0f, 0.0f, 0.0f),
-                          f3(0.0f, 0.0f, 0.0f),
-                          f3(0.0f, 0.0f, 0.0f),
-                          f3(0.0f, 0.0f, 0.0f),
-                          f3(0.0f, 0.0f, 0.0f),
-                          0.0f,
-                          0.0f};
+        FilmSample sum = no_film_sample();
         FilmSample centre = pixel_sample(&params, &seen, &buffers, nonfinite, pixel);
         add_share(&sum, &centre, share);
         for (uint k = 0u; k < params.sampling.edge_samples; ++k, ++ray) {

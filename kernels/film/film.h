@@ -25,7 +25,10 @@
     name.indirect = indirect;                     \
     name.view_transmittance = view_transmittance; \
     name.view_emission = view_emission;           \
-    name.media_light = media_light
+    name.media_light = media_light;               \
+    name.reflection_light = reflection_light;     \
+    name.refraction_light = refraction_light;     \
+    name.glossy_light = glossy_light
 
 #define SEEN_PIXELS_MAKE(name)   \
     SeenPixels name;             \
@@ -44,6 +47,9 @@ typedef struct {
     GLOBAL const float4* view_transmittance;  // of media along a pixel's view ray
     GLOBAL const float4* view_emission;       // radiance that they emit to the camera
     GLOBAL const float4* media_light;         // and that they scatter to the camera
+    GLOBAL const float4* reflection_light;    // radiance that pixels show in mirrors
+    GLOBAL const float4* refraction_light;    // through glass and gaps
+    GLOBAL const float4* glossy_light;        // and on glossy surfaces
 } IrradianceBuffers;
 
 // Light of a pixel's surface, and of the media before it.
@@ -54,6 +60,8 @@ typedef struct {
     float3 transmittance;   // of the media between the surface and the camera, by channel
     float3 media_emission;  // radiance that media emit to the camera
     float3 media;           // and that they scatter to it
+    float3 reflection, refraction, glossy;  // radiance that the surface shows in mirrors,
+                                            // through it and by gloss
 } PixelLight;
 
 /// Radiance of a component, from what it hands over as radiance and as irradiance. For numbers,
@@ -72,10 +80,27 @@ typedef struct {
 // What the film holds of one point of the image.
 typedef struct {
     float3 emission, direct, indirect, media;  // radiance
+    float3 reflection, refraction, glossy;
     float3 albedo, normal;
     float depth;  // scene units
     float alpha;  // 1 where a surface is seen; elsewhere what media hide of the background
 } FilmSample;
+
+static inline FilmSample no_film_sample(void) {
+    FilmSample sample;
+    sample.emission = f3(0.0f, 0.0f, 0.0f);
+    sample.direct = sample.emission;
+    sample.indirect = sample.emission;
+    sample.media = sample.emission;
+    sample.reflection = sample.emission;
+    sample.refraction = sample.emission;
+    sample.glossy = sample.emission;
+    sample.albedo = sample.emission;
+    sample.normal = sample.emission;
+    sample.depth = 0.0f;
+    sample.alpha = 0.0f;
+    return sample;
+}
 
 static inline PixelLight no_pixel_light(void) {
     PixelLight light;
@@ -86,6 +111,9 @@ static inline PixelLight no_pixel_light(void) {
     light.transmittance = f3(1.0f, 1.0f, 1.0f);
     light.media_emission = light.direct;
     light.media = light.direct;
+    light.reflection = light.direct;
+    light.refraction = light.direct;
+    light.glossy = light.direct;
     return light;
 }
 
@@ -96,6 +124,14 @@ static inline void add_view_media(const RenderParams* params, const IrradianceBu
     if (HAS(params, FEATURE_EMISSIVE_MEDIA))
         light->media_emission = xyz(buffers->view_emission[pixel]);
     if (HAS(params, FEATURE_AIRLIGHT)) light->media = xyz(buffers->media_light[pixel]);
+}
+
+/// Fills in what a pixel shows in mirrors and through its surface.
+static inline void add_view_chains(const RenderParams* params, const IrradianceBuffers* buffers,
+                                   uint pixel, PixelLight* light) {
+    if (HAS(params, FEATURE_REFLECTION)) light->reflection = xyz(buffers->reflection_light[pixel]);
+    if (HAS(params, FEATURE_REFRACTION)) light->refraction = xyz(buffers->refraction_light[pixel]);
+    if (HAS(params, FEATURE_GLOSSY)) light->glossy = xyz(buffers->glossy_light[pixel]);
 }
 
 /// Light of a pixel; `lit` says whether it shows a surface that reflects diffusely.
@@ -128,6 +164,9 @@ static inline FilmSample film_sample(const RenderParams* params, GLOBAL Nonfinit
         emission *= light.transmittance;
         light.direct_radiance *= light.transmittance;
         light.indirect_radiance *= light.transmittance;
+        light.reflection *= light.transmittance;
+        light.refraction *= light.transmittance;
+        light.glossy *= light.transmittance;
     }
     if (HAS(params, FEATURE_EMISSIVE_MEDIA)) emission += light.media_emission;
     float3 direct = COMPOSED(light.direct_radiance, reflectance, light.direct);
@@ -138,6 +177,15 @@ static inline FilmSample film_sample(const RenderParams* params, GLOBAL Nonfinit
     sample.media = light.media;
     if (HAS(params, FEATURE_AIRLIGHT))
         sample.media = guard(nonfinite, COMPONENT_MEDIA, pixel, light.media);
+    sample.reflection = light.reflection;
+    if (HAS(params, FEATURE_REFLECTION))
+        sample.reflection = guard(nonfinite, COMPONENT_REFLECTION, pixel, light.reflection);
+    sample.refraction = light.refraction;
+    if (HAS(params, FEATURE_REFRACTION))
+        sample.refraction = guard(nonfinite, COMPONENT_REFRACTION, pixel, light.refraction);
+    sample.glossy = light.glossy;
+    if (HAS(params, FEATURE_GLOSSY))
+        sample.glossy = guard(nonfinite, COMPONENT_GLOSSY, pixel, light.glossy);
     sample.albedo = guard(nonfinite, COMPONENT_SURFACE, pixel, albedo);
     sample.normal = normal;
     float depth = (met != 0 ? camera_depth(params, t) : 0.0f) / params->scene.unit;
@@ -153,6 +201,7 @@ static inline FilmSample pixel_sample(const RenderParams* params, const SeenPixe
     int lit = pixel_is_lit(seen->ids, seen->albedo, pixel);
     int met = seen->ids[2u * pixel] != INVALID_INDEX ? 1 : 0;
     PixelLight light = pixel_light(params, buffers, pixel, lit);
+    add_view_chains(params, buffers, pixel, &light);
     return film_sample(params, nonfinite, pixel, met, xyz(seen->emission[pixel]),
                        xyz(seen->albedo[pixel]), light, xyz(seen->shading[pixel]),
                        seen->position[pixel].w);
@@ -199,6 +248,15 @@ static inline void add_film_sample(const RenderParams* params, GLOBAL float* fil
     add_to_film(high, low, FILM_ALPHA * stride, samples, sample->alpha);
     if (HAS(params, FEATURE_AIRLIGHT))
         add_vector(high, low, FILM_MEDIA * stride, stride, samples, sample->media);
+    if (HAS(params, FEATURE_REFLECTION))
+        add_vector(high, low, film_reflection_plane(params->features) * stride, stride, samples,
+                   sample->reflection);
+    if (HAS(params, FEATURE_REFRACTION))
+        add_vector(high, low, film_refraction_plane(params->features) * stride, stride, samples,
+                   sample->refraction);
+    if (HAS(params, FEATURE_GLOSSY))
+        add_vector(high, low, film_glossy_plane(params->features) * stride, stride, samples,
+                   sample->glossy);
 }
 
 #endif

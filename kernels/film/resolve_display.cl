@@ -27,8 +27,8 @@ static inline float film_light(const RenderParams* params, uint samples, GLOBAL 
     sum = add_film_plane(high, low, at + FILM_EMISSION * stride, samples, sum);
     sum = add_film_plane(high, low, at + FILM_DIRECT * stride, samples, sum);
     sum = add_film_plane(high, low, at + FILM_INDIRECT * stride, samples, sum);
-    if (HAS(params, FEATURE_AIRLIGHT))
-        sum = add_film_plane(high, low, at + FILM_MEDIA * stride, samples, sum);
+    for (uint plane = FILM_PLANES; plane < film_plane_count(params->features); plane += 3u)
+        sum = add_film_plane(high, low, at + plane * stride, samples, sum);
     return sum.high + sum.low;
 }
 

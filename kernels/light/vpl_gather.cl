@@ -11,6 +11,8 @@
 // receivers of a block change from image to image. A VPL's random number is the same for all
 // receivers, so that the error of roulette has no noise: it is smooth but for steps of the size of
 // one small contribution.
+//
+// With `adds` the light is added to the irradiance that is there, without it, it takes its place.
 #include "kernels/adaptive/sample_sets.h"
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
@@ -58,6 +60,9 @@ WEFT_KERNEL(vpl_gather)
         add_connection(&params, &through, &packet, &enclosing_media, xyz(vpl->position), flux,
                        g * weight, d, i, useful & mask_not(blocked), &light);
     }
-    store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
+    if (adds != 0u)
+        add_stored_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
+    else
+        store_light(&light, params.sampling.gather_scale, slots, slot, irradiance);
     count_rays(counters + range.counter, rays);
 }

@@ -127,14 +127,9 @@ WEFT_KERNEL(media_gather)
                       &light);
     }
     float scale = params.sampling.gather_scale / (float)steps;
-    light.sum.red = light.sum.red * scale;
-    light.sum.green = light.sum.green * scale;
-    light.sum.blue = light.sum.blue * scale;
-    if (adds != 0u) {
-        light.sum.red = light.sum.red + wide_load(radiance, slot);
-        light.sum.green = light.sum.green + wide_load(radiance, slots + slot);
-        light.sum.blue = light.sum.blue + wide_load(radiance, 2u * slots + slot);
-    }
-    store_light(&light.sum, 1.0f, slots, slot, radiance);
+    if (adds != 0u)
+        add_stored_light(&light.sum, scale, slots, slot, radiance);
+    else
+        store_light(&light.sum, scale, slots, slot, radiance);
     count_rays(counters + range.counter, light.rays);
 }

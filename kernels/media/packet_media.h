@@ -226,6 +226,17 @@ static inline void add_connection(const RenderParams* params, const Media* media
     }
 }
 
+/// Adds `light` times `scale` to the planes of irradiance.
+static inline void add_stored_light(const WideLight* light, float scale, uint stride, uint slot,
+                                    GLOBAL float* irradiance) {
+    WFloat red = light->red * scale;
+    WFloat green = light->green * scale;
+    WFloat blue = light->blue * scale;
+    wide_store(red + wide_load(irradiance, slot), irradiance, slot);
+    wide_store(green + wide_load(irradiance, stride + slot), irradiance, stride + slot);
+    wide_store(blue + wide_load(irradiance, 2u * stride + slot), irradiance, 2u * stride + slot);
+}
+
 /// Writes `light` times `scale` to the planes of irradiance.
 static inline void store_light(const WideLight* light, float scale, uint stride, uint slot,
                                GLOBAL float* irradiance) {

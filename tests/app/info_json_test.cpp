@@ -256,7 +256,7 @@ TEST(InfoJson, SurfacesTellTheirLobes) {
     EXPECT_EQ(surface["lobes"][1]["name"], "clear coat");
     EXPECT_EQ(surface["effects"], json({"mirror reflection", "glossy reflection"}));
     EXPECT_EQ(rows(info_text(info), "surfaces"),
-              "surfaces      more than diffuse, by path: 1 of 1 material\n"
+              "surfaces      more than diffuse: 1 of 1 material\n"
               "              hood  metal (delta to rough), clear coat (delta): mirror\n"
               "                    reflection, glossy reflection\n");
 }

@@ -306,9 +306,13 @@ TEST(Options, ComponentsThatHaveToBeAskedForAreNotOfPathTracing) {
     EXPECT_TRUE(options.names_component("occlusion"));
     EXPECT_FALSE(options.names_component("indirect") || render({}).names_component("occlusion"));
     EXPECT_EQ(render_refusal({"--algorithm", "path", "--components", "direct,occlusion"}),
-              "--components: path tracing has no occlusion, expected direct, indirect, media");
+              "--components: path tracing has no occlusion, expected direct, indirect, reflection, "
+              "refraction, glossy, media");
     EXPECT_EQ(render_refusal({"--algorithm", "path", "--components", "media"}),
               "--components: path tracing has the light of media in direct, indirect");
+    EXPECT_EQ(render_refusal({"--algorithm", "path", "--components", "refraction,reflection"}),
+              "--components: path tracing has the light of reflection, refraction in direct, "
+              "indirect");
 }
 
 TEST(Options, RefusesBadListsAndNames) {

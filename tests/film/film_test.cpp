@@ -32,7 +32,7 @@ float value(const Image& image, const std::string& layer, std::size_t channel, s
 
 TEST(Film, LayersTakeTheirPlanes) {
     const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-    const Image image = resolve_film(numbered(), low, width, height, 1);
+    const Image image = resolve_film(numbered(), low, width, height, 1, 0);
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
     ASSERT_EQ(image.layers.size(), 8u);
@@ -66,7 +66,7 @@ TEST(Film, LayersTakeTheirPlanes) {
 
 TEST(Film, BeautyIsTheSumOfComponents) {
     const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-    const Image image = resolve_film(numbered(), low, width, height, 1);
+    const Image image = resolve_film(numbered(), low, width, height, 1, 0);
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t p = 0; p < pixels; ++p)
             EXPECT_EQ(value(image, "", c, p), value(image, "direct", c, p) +
@@ -76,7 +76,7 @@ TEST(Film, BeautyIsTheSumOfComponents) {
 
 TEST(Film, LayersAreMeansOverSamples) {
     const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-    const Image image = resolve_film(numbered(), low, width, height, 4);
+    const Image image = resolve_film(numbered(), low, width, height, 4, 0);
     EXPECT_EQ(value(image, "direct", 0, 2), 302.0F / 4.0F);
     EXPECT_EQ(value(image, "depth", 0, 5), 1505.0F / 4.0F);
 }
@@ -85,7 +85,7 @@ TEST(Film, CompensationCounts) {
     // Together both parts hold 2^24 + 1, which no float can: a mean of 2 samples shows it.
     const std::vector<float> high(FILM_PLANES * FILM_STRIDE(pixels), 16777216.0F);
     const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 1.0F);
-    const Image image = resolve_film(high, low, width, height, 2);
+    const Image image = resolve_film(high, low, width, height, 2, 0);
     EXPECT_EQ(value(image, "direct", 1, 3), 8388608.5F);
     // The sum of components is rounded once, too.
     EXPECT_EQ(value(image, "", 1, 3), static_cast<float>(3.0 * 8388608.5));
@@ -93,8 +93,8 @@ TEST(Film, CompensationCounts) {
 
 TEST(Film, OneSampleHasNoRest) {
     const std::vector<float> low(FILM_PLANES * FILM_STRIDE(pixels), 1.0F);
-    const Image written = resolve_film(numbered(), low, width, height, 1);
-    const Image absent = resolve_film(numbered(), {}, width, height, 1);
+    const Image written = resolve_film(numbered(), low, width, height, 1, 0);
+    const Image absent = resolve_film(numbered(), {}, width, height, 1, 0);
     for (std::size_t p = 0; p < pixels; ++p) {
         EXPECT_EQ(value(written, "direct", 0, p), numbered()[3 * FILM_STRIDE(pixels) + p]);
         EXPECT_EQ(value(absent, "direct", 0, p), value(written, "direct", 0, p));
@@ -103,7 +103,7 @@ TEST(Film, OneSampleHasNoRest) {
 
 TEST(Film, WithoutSamplesNothingIsDividedByZero) {
     const std::vector<float> none(FILM_PLANES * FILM_STRIDE(pixels), 0.0F);
-    const Image image = resolve_film(none, none, width, height, 0);
+    const Image image = resolve_film(none, none, width, height, 0, 0);
     for (const Layer& layer : image.layers)
         for (const float v : layer.values) EXPECT_EQ(v, 0.0F);
 }

@@ -8,12 +8,13 @@
 namespace weft {
 
 std::vector<std::string_view> choosable_components(Choice choice) {
-    if (choice == Choice::by_default) return {"direct", "indirect", "media"};
+    if (choice == Choice::by_default)
+        return {"direct", "indirect", "reflection", "refraction", "glossy", "media"};
     return {"occlusion"};
 }
 
 std::vector<std::string_view> choosable_components() {
-    return {"direct", "indirect", "media", "occlusion"};
+    return {"direct", "indirect", "reflection", "refraction", "glossy", "media", "occlusion"};
 }
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <string>
 #include <vector>
@@ -378,6 +379,89 @@ TEST(Effects, MaterialsThatAreReadAsDiffuseDoWhatDiffuseOnesDo) {
         EXPECT_EQ(full.kernels, std::vector<std::string>{"path_surfaces"});
         EXPECT_NE(full.features, path.features);
         EXPECT_GT(test::differing_values(full.rendering.image, path.rendering.image), 0U);
+    }
+}
+
+/// A material of a square that the camera sees, and what previews do for it.
+struct MaterialCase {
+    const char* name;
+    SurfaceDescription surface;
+    unsigned ways;  ///< of view_chains.cl: 1 reflection, 2 refraction, 4 gloss
+};
+
+SurfaceDescription plastic(float roughness, float coat = 0.0F) {
+    MetallicSurface surface;
+    surface.base_colour.factor = glm::vec3(0.5F);
+    surface.metallic.factor = 0.0F;
+    surface.roughness.value.factor = roughness;
+    surface.clearcoat.factor.factor = coat;
+    surface.clearcoat.roughness.value.factor = 0.0F;
+    return {surface, {}, {}};
+}
+
+std::vector<MaterialCase> material_cases() {
+    SurfaceDescription mask = plastic(1.0F);
+    mask.opacity.mode = OpacityMode::mask;
+    mask.opacity.alpha.factor = 0.2F;
+    const SurfaceDescription unlit{UnlitSurface{}, {}, {}};
+    return {{"mirror", test::metal(0.0F), 1},
+            {"glossy metal", test::metal(0.4F), 4},
+            {"rough metal", test::metal(0.8F), 0},
+            {"glass", test::glass(1.5), 3},
+            {"glass that absorbs", test::absorbing_glass(1.5F, glm::vec3(0.5F), 1.0), 3},
+            {"glossy plastic", plastic(0.1F), 4},
+            {"glossy plastic with a coat", plastic(0.1F, 1.0F), 5},
+            {"rough plastic", plastic(0.9F), 0},
+            {"rough plastic with a coat", plastic(0.9F, 1.0F), 1},
+            {"half a sheet", test::sheet(0.5F), 2},
+            {"what a mask leaves out", mask, 0},
+            {"a colour without light", unlit, 0}};
+}
+
+FlatScene room_with(const SurfaceDescription& surface) {
+    SceneBuilder room;
+    room.add(test::room_mesh(), room.material(glm::vec3(0.6F)));
+    room.add(test::quad_mesh({-0.2F, 0.9F, -0.2F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.4F}),
+             room.material(glm::vec3(0.0F), glm::vec3(5.0F)));
+    room.add(test::quad_mesh({-0.4F, -0.4F, 0.0F}, {0.8F, 0.0F, 0.0F}, {0.0F, 0.8F, 0.0F}),
+             test::add_surface(room, surface));
+    validate_scene(room.scene);
+    return flatten(room.scene);
+}
+
+// What mirrors, glass and gaps need is there exactly where a material calls for it: the kernels,
+// the launches over the pixels and the buffers of one way for each of them.
+TEST(Effects, PreviewsFollowRaysOnlyWhereMaterialsCallForIt) {
+    const std::set<std::string> chains{"view_chains",   "chain_radiance", "vpl_gather",
+                                       "tile_geometry", "lattice_signal", "reconstruct_tiles"};
+    for (const MaterialCase& of : material_cases()) {
+        SCOPED_TRACE(of.name);
+        const auto ways = static_cast<std::size_t>(std::popcount(of.ways));
+        std::set<std::string> kernels = joined({area, indirect});
+        kernels.erase("gbuffer");
+        kernels.insert("gbuffer_surfaces");
+        if (ways > 0) kernels.insert(chains.begin(), chains.end());
+        if ((of.ways & 4U) != 0) kernels.insert("filter_chains");
+        const Deeds deeds = deeds_of(room_with(of.surface), settings());
+        EXPECT_EQ(std::set<std::string>(deeds.kernels.begin(), deeds.kernels.end()), kernels);
+        std::size_t followed = 0;
+        std::set<std::string> run;
+        for (const auto& [kernel, first, items] : deeds.runs) {
+            run.insert(kernel);
+            if (kernel == "view_chains") followed += items;
+        }
+        EXPECT_EQ(run, kernels);
+        EXPECT_EQ(followed, 2 * ways * 48 * 32) << "two frames";
+        const auto ends = std::ranges::count_if(deeds.allocations, [](const auto& allocation) {
+            return allocation.first == "ends of view rays";
+        });
+        EXPECT_EQ(ends, static_cast<std::ptrdiff_t>(6 * ways));
+        for (const std::uint32_t features : deeds.features) {
+            EXPECT_EQ((features & FEATURE_REFLECTION) != 0, (of.ways & 1U) != 0);
+            EXPECT_EQ((features & FEATURE_REFRACTION) != 0, (of.ways & 2U) != 0);
+            EXPECT_EQ((features & FEATURE_GLOSSY) != 0, (of.ways & 4U) != 0);
+        }
+        test::expect_clean(deeds.rendering);
     }
 }
 

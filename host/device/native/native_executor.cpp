@@ -137,7 +137,7 @@ class NativeExecutor : public Executor {
                 scene->build_own_bvh(bvh_cache_);
             }
         });
-        if (geometry.passing) return scene;
+        if (geometry.passing || geometry.further) return scene;
         scene_ms_ = watch.total();
         bvh_.reset();
         if (scene->own) bvh_ = stats_of(scene->own->bvh());
@@ -150,6 +150,7 @@ class NativeExecutor : public Executor {
         check_update(updated.geometry, geometry);
         updated.geometry = geometry;
         arena_.execute([&] { updated.update(); });
+        if (geometry.further) return;
         scene_ms_ += watch.total();
         if (updated.own) bvh_ = stats_of(updated.own->bvh());
     }

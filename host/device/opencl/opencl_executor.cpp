@@ -207,7 +207,7 @@ std::unique_ptr<TracedScene> OpenClExecutor::make_scene(const TracedGeometry& ge
     });
     upload_bvh(*scene);
     if (!scene->bvh->moves()) scene->bvh.reset();
-    if (geometry.passing)
+    if (geometry.passing || geometry.further)
         bvh_ = before;
     else
         scene_ms_ = watch.total();
@@ -219,6 +219,7 @@ void OpenClExecutor::update_scene(TracedScene& scene, const TracedGeometry& geom
     auto& updated = dynamic_cast<OpenClTracedScene&>(scene);
     check_update(updated.geometry, geometry);
     if (!updated.bvh) return;
+    const std::optional<BvhStats> before = bvh_;
     arena_.execute([&] {
         if (updated.bvh->update(geometry.positions, geometry.triangles, geometry.box_padding))
             updated.resting_on_device = false;
@@ -238,8 +239,8 @@ void OpenClExecutor::update_scene(TracedScene& scene, const TracedGeometry& geom
     } catch (const cl::Error& error) {
         rethrow(error, "updating the BVH");
     }
-    bvh_ = stats_of(updated.bvh->bvh());
-    scene_ms_ += watch.total();
+    bvh_ = geometry.further ? before : std::optional(stats_of(updated.bvh->bvh()));
+    if (!geometry.further) scene_ms_ += watch.total();
 }
 
 void OpenClExecutor::upload_bvh(OpenClTracedScene& scene) {

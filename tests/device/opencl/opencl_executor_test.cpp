@@ -291,6 +291,7 @@ TEST_F(OpenclExecutor, RayCountersCarryIntoTheirHighHalf) {
                                                .media_tables = view(no_media),
                                                .list = shared::SetList{0, 0, 1},
                                                .by_chance = 0,
+                                               .adds = 0,
                                                .slots = slots,
                                                .receiver_planes = receivers,
                                                .block_set = sets,
