@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -96,7 +97,9 @@ ExitCode view_command(const ViewOptions& options, Diagnostics& diagnostics) {
     const CommandRecipe first(image, moving, given, timeline);
     const ImageSettings settings = first.settings(choice, choice.size, false);
     const Camera camera = first.camera(choice);
-    RenderSession session(std::move(executor), std::move(moving), camera, settings);
+    // The page shows the last frame alone, and a view makes millions.
+    constexpr std::size_t kept_frames = 16;
+    RenderSession session(std::move(executor), std::move(moving), camera, settings, kept_frames);
     const CommandRecipe recipe(image, session.scene(), given, timeline);
     ViewLoop loop(session, recipe, choice, options.folder, diagnostics);
     const std::string token = make_view_token();

@@ -156,12 +156,17 @@ class NativeExecutor : public Executor {
     }
 
     void build(std::span<const KernelId> kernels, std::uint32_t features) override {
-        for (const KernelId kernel : kernels)
+        for (const KernelId kernel : kernels) {
+            const auto is_known = [&](const KernelBuild& known) {
+                return known.use.kernel == kernel && known.use.features == features;
+            };
+            if (std::ranges::any_of(builds_, is_known)) continue;
             builds_.push_back({std::string(kernel_name(kernel)),
                                fmt::format("{} lanes {}", variant_.isa, variant_.lanes),
                                0.0,
                                true,
                                {kernel, features}});
+        }
     }
 
     bool run(const Launch& launch, const std::function<bool(double)>& keep_going) override;
