@@ -57,10 +57,6 @@ SamplingSettings sampling_settings(const RenderOptions& options, bool indirect, 
     return sampling;
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether some material may be more than diffuse.
 bool has_described(const Scene& scene) {
     return std::ranges::any_of(

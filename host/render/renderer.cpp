@@ -50,7 +50,7 @@ bool same_lights(const FramePlan& a, const FramePlan& b) {
            a.environment_samples == b.environment_samples &&
            a.punctual_lights == b.punctual_lights && a.directional_lights == b.directional_lights &&
            a.has_vpls() == b.has_vpls() && a.has_indirect() == b.has_indirect() &&
-           a.media_light == b.media_light && a.has_view_chains() == b.has_view_chains();
+           a.media_light == b.media_light;
 }
 
 /// The mean reflectance that decides how many light paths survive: that of the scene at first, so

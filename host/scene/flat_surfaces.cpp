@@ -325,11 +325,8 @@ void add_tables(FlatSurfaces& surfaces) {
     add_plastic_tables(surfaces);
 }
 
-// MIRROR_ALPHA and GLOSSY_ALPHA of kernels/bsdf/seen_lobes.h.
-constexpr double mirror_alpha = 0.001;
-constexpr double glossy_alpha = 0.25;
-
 /// What of a surface previews follow: SURFACE_MIRRORS, SURFACE_GLOSSY, SURFACE_LETS_THROUGH.
+/// Classes of width are bounded by MIRROR_ALPHA and GLOSSY_ALPHA of kernels/bsdf/seen_lobes.h.
 std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const Texture> textures) {
     std::uint32_t parts = 0;
     if (surface.opacity.mode == OpacityMode::blend) parts |= SURFACE_LETS_THROUGH;
@@ -337,11 +334,12 @@ std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const 
         if (lobe.is_diffuse) continue;
         if (lobe.transmits) {
             parts |= SURFACE_LETS_THROUGH;
-            if (lobe.most_alpha > mirror_alpha) parts |= SURFACE_ROUGH_GLASS;
+            if (width_of(lobe.most_alpha) > LobeWidth::sharp) parts |= SURFACE_ROUGH_GLASS;
             continue;
         }
-        if (lobe.least_alpha <= mirror_alpha) parts |= SURFACE_MIRRORS;
-        if (lobe.most_alpha > mirror_alpha && lobe.least_alpha < glossy_alpha)
+        if (width_of(lobe.least_alpha) <= LobeWidth::sharp) parts |= SURFACE_MIRRORS;
+        if (width_of(lobe.most_alpha) > LobeWidth::sharp &&
+            width_of(lobe.least_alpha) < LobeWidth::rough)
             parts |= SURFACE_GLOSSY;
     }
     return parts;
