@@ -1,6 +1,6 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
-"""The scenes of preview_cost: a grey room with two balls, parts of which are mirrors, glass or plastic."""
+"""The scenes of preview_cost: a grey room with two balls; parts are mirrors, glass or plastic."""
 
 import pathlib
 import sys
