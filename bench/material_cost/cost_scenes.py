@@ -44,6 +44,13 @@ WALLS = {
 LAMP = [(-0.6, 3.9, -0.6), (0.6, 3.9, -0.6), (0.6, 3.9, 0.6), (-0.6, 3.9, 0.6)]
 
 
+def ball_mesh(radius):
+    """A smooth ball about the origin."""
+    points, triangles = sphere(5, lambda direction: radius)
+    normals = sphere(5, lambda direction: 1.0)[0]
+    return Mesh(points, triangles, normals=normals)
+
+
 def scene_text(name):
     """The glTF file of a material of MATERIALS, its buffer inside."""
     builder = Builder(name, {"grey": GREY}, {"lamp": (10.0, 10.0, 10.0)})
@@ -59,10 +66,7 @@ def scene_text(name):
         stored["alphaMode"] = "BLEND"
         stored["pbrMetallicRoughness"]["baseColorFactor"][3] = alpha
     builder.materials["ball"] = material
-    points, triangles = sphere(5, lambda direction: 1.3)
-    normals = sphere(5, lambda direction: 1.0)[0]
-    ball = Mesh(points, triangles, normals=normals)
-    builder.place("ball", builder.mesh("ball", "ball", ball), (0.0, 1.4, 0.0))
+    builder.place("ball", builder.mesh("ball", "ball", ball_mesh(1.3)), (0.0, 1.4, 0.0))
     if speck:
         # All that it does is to call for materials.
         builder.materials["speck"] = builder.document.add_surface("speck", GREY, 1.0, 0.5)

@@ -43,6 +43,8 @@ def main():
     parser.add_argument("--json", type=pathlib.Path, help="writes the figures to this file")
     parser.add_argument("scenes", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
+    if options.spp < 2:
+        parser.error("--spp is less than 2; the first sample does not count")
     figures = {}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -51,7 +53,7 @@ def main():
             scenes[part] = folder / f"{number}.gltf"
             scenes[part].write_text(scene_text(part), encoding="utf-8")
         scenes.update({scene.stem: scene for scene in options.scenes})
-        print(f"{'scene':32} {'ms':>7} {'/diffuse':>9} {'amax':>6}")
+        print(f"{'scene':32} {'ms':>7} {'/diffuse':>9}" + (" amax/ais" if options.amax else ""))
         for scene, path in scenes.items():
             rows = []
             for _ in range(options.rounds):
@@ -63,7 +65,8 @@ def main():
             figures[scene] = {"ms": ms, "over diffuse": ratio}
             if options.amax:
                 figures[scene]["amax over ais"] = amax
-            print(f"{scene:32} {ms:7.1f} {ratio:9.2f} {amax:6.2f}", flush=True)
+            print(f"{scene:32} {ms:7.1f} {ratio:9.2f}" + (f" {amax:8.2f}" if options.amax else ""),
+                  flush=True)
     if options.json:
         options.json.write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
     return 0
