@@ -26,6 +26,7 @@ struct Settings {
     std::string folder;
     std::string camera;
     std::vector<std::uint32_t> size{512, 512};
+    SceneReading reading;
 };
 
 void add_options(CLI::App& app, Settings& settings) {
@@ -36,21 +37,19 @@ void add_options(CLI::App& app, Settings& settings) {
     app.add_option("--size", settings.size, "width and height of images; default: 512 512")
         ->expected(2)
         ->check(CLI::Range(1U, limits::max_film_edge));
+    app.add_option("--environment", settings.reading.environment,
+                   "an image of the environment, as of weft render");
 }
 
 void run(const Settings& settings) {
     Diagnostics diagnostics;
-    const Scene scene = load_scene(settings.scene, diagnostics);
+    const Scene scene = load_scene(settings.scene, diagnostics, settings.reading);
     const FlatScene flat = flatten(scene);
     const Camera camera = choose_camera(scene, flat, settings.camera, diagnostics);
     if (camera.orthographic())
         throw input_error(settings.scene,
                           "has an orthographic camera, expected a perspective one, "
                           "which other renderers are given");
-    if (flat.environment_image.present())
-        throw input_error(settings.scene,
-                          "has an image of the environment, expected one radiance, which other "
-                          "renderers are given");
     for (const std::string& warning : diagnostics.warnings()) fmt::print(stderr, "{}\n", warning);
     write_exported_scene(settings.folder, scene, flat, camera,
                          {settings.size[0], settings.size[1]});

@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "bench/common/machine.h"
+#include "bench/export_scene/exported_surfaces.h"
 #include "scene/field_of_view.h"
 
 namespace weft::bench {
@@ -50,7 +51,10 @@ bool has_normal(const FlatScene& flat, std::uint32_t vertex) {
 /// Gathers triangles into meshes. The vertices of the scene are numbered anew in each mesh.
 class MeshGatherer {
   public:
-    explicit MeshGatherer(const FlatScene& flat) : flat_(flat) {}
+    MeshGatherer(const Scene& scene, const FlatScene& flat) : scene_(scene), flat_(flat) {
+        for (const Material& material : scene.materials)
+            coordinates_.push_back(surface_coordinates(material));
+    }
 
     void add(const shared::Triangle& triangle) {
         if (!(triangle_area(flat_, triangle) > 0.0)) return;
@@ -61,7 +65,7 @@ class MeshGatherer {
         Numbered& mesh = meshes_[{material, smooth}];
         mesh.mesh.material = material;
         for (const std::uint32_t vertex : vertices)
-            mesh.mesh.triangles.push_back(number_of(mesh, vertex, smooth));
+            mesh.mesh.triangles.push_back(number_of(mesh, triangle.instance, vertex, smooth));
     }
 
     [[nodiscard]] std::vector<ExportedMesh> take() {
@@ -69,7 +73,9 @@ class MeshGatherer {
         for (auto& [key, numbered] : meshes_) {
             ExportedMesh& mesh = numbered.mesh;
             // Attributes that change nothing would cost other renderers time.
-            if (flat_.materials[mesh.material].texture == INVALID_INDEX) mesh.uvs.clear();
+            if (!has_described_surface(scene_.materials[mesh.material]) &&
+                flat_.materials[mesh.material].texture == INVALID_INDEX)
+                mesh.uvs.clear();
             const auto plain = [](float value) { return value == 1.0F; };
             if (std::all_of(mesh.colours.begin(), mesh.colours.end(), plain)) mesh.colours.clear();
             taken.push_back(std::move(mesh));
@@ -83,7 +89,26 @@ class MeshGatherer {
         std::map<std::uint32_t, std::uint32_t> numbers;  ///< by vertex of the scene
     };
 
-    std::uint32_t number_of(Numbered& numbered, std::uint32_t vertex, bool smooth) {
+    /// The coordinates of a vertex that the maps of the instance's surface have.
+    void append_uv(std::uint32_t instance, std::uint32_t vertex, std::vector<float>& uvs) const {
+        const std::uint32_t material = flat_.instances[instance].material;
+        if (!has_described_surface(scene_.materials[material])) {
+            append(flat_.texture_coordinates, vertex, 2, uvs);
+            return;
+        }
+        const std::optional<SurfaceCoordinates>& wanted = coordinates_[material];
+        if (!wanted) return;
+        const std::uint32_t to_first =
+            flat_.surfaces.of_instances[instance * SURFACE_INSTANCE_WORDS + wanted->uv_set];
+        const std::size_t at = 2 * static_cast<std::size_t>(to_first + vertex);
+        const glm::dvec3 own(flat_.surfaces.coordinates[at], flat_.surfaces.coordinates[at + 1],
+                             1.0);
+        const glm::vec3 uv(wanted->to_uv * own);
+        uvs.insert(uvs.end(), {uv.x, uv.y});
+    }
+
+    std::uint32_t number_of(Numbered& numbered, std::uint32_t instance, std::uint32_t vertex,
+                            bool smooth) {
         ExportedMesh& mesh = numbered.mesh;
         const auto next = static_cast<std::uint32_t>(mesh.positions.size() / 3);
         const auto [entry, is_new] = numbered.numbers.try_emplace(vertex, next);
@@ -91,13 +116,15 @@ class MeshGatherer {
         const glm::vec3 p(world_point(flat_, flat_.positions[vertex]));
         mesh.positions.insert(mesh.positions.end(), {p.x, p.y, p.z});
         if (smooth) append(flat_.normals, vertex, 3, mesh.normals);
-        append(flat_.texture_coordinates, vertex, 2, mesh.uvs);
+        append_uv(instance, vertex, mesh.uvs);
         append(flat_.vertex_colours, vertex, 3, mesh.colours);
         return next;
     }
 
+    const Scene& scene_;
     const FlatScene& flat_;
-    std::map<std::pair<std::uint32_t, bool>, Numbered> meshes_;  ///< by material, with normals?
+    std::vector<std::optional<SurfaceCoordinates>> coordinates_;  ///< by material
+    std::map<std::pair<std::uint32_t, bool>, Numbered> meshes_;   ///< by material, with normals?
 };
 
 json colour_json(const shared::float4& c) {
@@ -137,9 +164,9 @@ json mesh_json(const ArrayFolder& folder, const std::string& stem, const Exporte
             {"triangles", folder.write(stem + "-triangles.u32", mesh.triangles)}};
 }
 
-json meshes_json(const ArrayFolder& folder, const FlatScene& flat) {
+json meshes_json(const ArrayFolder& folder, const Scene& scene, const FlatScene& flat) {
     json list = json::array();
-    for (const ExportedMesh& mesh : exported_meshes(flat)) {
+    for (const ExportedMesh& mesh : exported_meshes(scene, flat)) {
         list.push_back(mesh_json(folder, fmt::format("mesh-{}", list.size()), mesh));
         list.back()["material"] = mesh.material;
     }
@@ -155,7 +182,9 @@ json materials_json(const Scene& scene, const FlatScene& flat) {
         const bool emits = (record.flags & MATERIAL_EMITS) != 0;
         list.push_back(
             {{"name", scene.materials[m].name},
-             {"lambertian", is_lambertian(scene.materials[m])},
+             {"lambertian",
+              is_lambertian(scene.materials[m]) && !has_described_surface(scene.materials[m])},
+             {"surface", exported_surface(scene.materials[m])},
              {"reflectance", colour_json(record.albedo)},
              {"texture", texture},
              {"radiance", emits ? colour_json(record.emission) : json{0, 0, 0}},
@@ -225,6 +254,21 @@ json media_json(const FlatScene& flat) {
     return list;
 }
 
+/// The image of the environment, and what turns its frame to the world, by columns; null where
+/// there is none.
+json environment_image_json(const ArrayFolder& folder, const Scene& scene) {
+    if (!scene.environment || scene.environment->image == nullptr) return nullptr;
+    const EnvironmentImage& image = *scene.environment->image;
+    json to_world = json::array();
+    for (int column = 0; column < 3; ++column)
+        to_world.push_back(vector_json(scene.environment->to_world[column]));
+    return {{"file", folder.write("environment.f32", image.radiance)},
+            {"width", image.width},
+            {"height", image.height},
+            {"rows_at_poles", image.rows_at_poles},
+            {"to_world", to_world}};
+}
+
 json boundaries_json(const ArrayFolder& folder, const FlatScene& flat) {
     json list = json::array();
     for (const ExportedMesh& mesh : exported_boundaries(flat)) {
@@ -264,8 +308,8 @@ json camera_json(const Camera& camera, const FilmSize& size) {
 
 }  // namespace
 
-std::vector<ExportedMesh> exported_meshes(const FlatScene& flat) {
-    MeshGatherer gatherer(flat);
+std::vector<ExportedMesh> exported_meshes(const Scene& scene, const FlatScene& flat) {
+    MeshGatherer gatherer(scene, flat);
     for (const shared::Triangle& triangle : flat.triangles) gatherer.add(triangle);
     return gatherer.take();
 }
@@ -302,9 +346,10 @@ void write_exported_scene(const fs::path& folder, const Scene& scene, const Flat
                 {"camera", camera_json(camera, size)},
                 {"materials", materials_json(scene, flat)},
                 {"textures", textures_json(arrays, scene, flat)},
-                {"meshes", meshes_json(arrays, flat)},
+                {"meshes", meshes_json(arrays, scene, flat)},
                 {"lights", lights_json(scene)},
                 {"environment", vector_json(flat.environment)},
+                {"environment_image", environment_image_json(arrays, scene)},
                 {"media", media_json(flat)},
                 {"boundaries", boundaries_json(arrays, flat)},
                 {"camera_medium", medium_within(flat.media, around)},

@@ -25,7 +25,7 @@ struct ExportedMesh {
 
 /// The surfaces of a scene by material, those with and those without vertex normals apart.
 /// Triangles without area, which no ray meets, are left out.
-[[nodiscard]] std::vector<ExportedMesh> exported_meshes(const FlatScene& flat);
+[[nodiscard]] std::vector<ExportedMesh> exported_meshes(const Scene& scene, const FlatScene& flat);
 
 /// The boundaries of media in the order of their numbers, as meshes without material.
 [[nodiscard]] std::vector<ExportedMesh> exported_boundaries(const FlatScene& flat);

@@ -8,6 +8,7 @@ import os
 import tempfile
 
 import equal_time
+import cycles_surfaces
 import exported_scene
 from equal_time import Renderer, stopwatch
 from expressible import NotExpressible
@@ -42,7 +43,7 @@ class Cycles(Renderer):
             self.add_boundary(scene, scene.boundaries[number], mesh, f"boundary{number}")
         for light in scene.lights:
             self.add_light(light)
-        self.add_world(scene.environment)
+        self.add_world(scene.environment, scene.environment_texels())
         self.add_camera(scene.camera, scene.radius)
         self.overhead = self.measure_overhead()
         self.notes = [f"{self.name}: up to {BOUNCES} bounces, no clamping, no light sampling "
@@ -71,6 +72,8 @@ class Cycles(Renderer):
         cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
         cycles.light_sampling_threshold = 0.0
         cycles.max_bounces = cycles.diffuse_bounces = cycles.volume_bounces = BOUNCES
+        cycles.glossy_bounces = cycles.transmission_bounces = BOUNCES
+        cycles.blur_glossy = 0.0
         cycles.transparent_max_bounces = BOUNCES
         cycles.use_denoising = self.denoised
         if self.denoised:
@@ -180,12 +183,10 @@ class Cycles(Renderer):
         tree.nodes.clear()
         output = tree.nodes.new("ShaderNodeOutputMaterial")
         front = self.front_factor(tree)
-        diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
-        colour = self.colour(scene, tree, fields, mesh)
-        if not fields["two_sided"]:
-            colour = self.times(tree, colour, front)
-        self.connect(tree, colour, diffuse.inputs["Color"])
-        shader = diffuse.outputs[0]
+        if surface := scene.surface(mesh.material):
+            shader = cycles_surfaces.shader(self.bpy, tree, surface, mesh, fields["two_sided"])
+        else:
+            shader = self.diffuse(scene, tree, fields, mesh, front)
         made.cycles.emission_sampling = "NONE"
         if scene.emits(mesh.material):
             both = fields["emits_both_sides"]
@@ -205,6 +206,14 @@ class Cycles(Renderer):
         tree.links.new(shader, output.inputs["Surface"])
         self.materials[key] = made
         return made
+
+    def diffuse(self, scene, tree, fields, mesh, front):
+        made = tree.nodes.new("ShaderNodeBsdfDiffuse")
+        colour = self.colour(scene, tree, fields, mesh)
+        if not fields["two_sided"]:
+            colour = self.times(tree, colour, front)
+        self.connect(tree, colour, made.inputs["Color"])
+        return made.outputs[0]
 
     @staticmethod
     def connect(tree, value, socket):
@@ -301,13 +310,38 @@ class Cycles(Renderer):
         emission = next(node for node in tree.nodes if node.type == "EMISSION")
         tree.links.new(squared, emission.inputs["Strength"])
 
-    def add_world(self, radiance):
+    def add_world(self, radiance, texels):
         world = self.bpy.data.worlds.new("world")
         self.scene.world = world
         world.use_nodes = True
         background = world.node_tree.nodes.get("Background")
         background.inputs["Color"].default_value = (*radiance, 1.0)
         background.inputs["Strength"].default_value = 1.0
+        if texels is not None:
+            self.add_environment_map(world.node_tree, background, texels)
+
+    def add_environment_map(self, tree, background, texels):
+        """Its directions are turned: (x, y, z) is (x, -z, y) to the node, whose axis is +z."""
+        height, width, _ = texels.shape
+        image = self.bpy.data.images.new("environment", width, height, float_buffer=True,
+                                         is_data=True)
+        values = self.numpy.ones((height, width, 4), self.numpy.float32)
+        values[..., :3] = texels[::-1]
+        image.pixels.foreach_set(values.reshape(-1))
+        image.update()
+        node = tree.nodes.new("ShaderNodeTexEnvironment")
+        node.image = image
+        parts = tree.nodes.new("ShaderNodeSeparateXYZ")
+        turned = tree.nodes.new("ShaderNodeCombineXYZ")
+        direction = tree.nodes.new("ShaderNodeTexCoord").outputs["Generated"]
+        tree.links.new(direction, parts.inputs[0])
+        opposite = self.node(tree, "ShaderNodeMath", parts.outputs["Z"], -1.0,
+                             operation="MULTIPLY")
+        tree.links.new(parts.outputs["X"], turned.inputs["X"])
+        tree.links.new(opposite, turned.inputs["Y"])
+        tree.links.new(parts.outputs["Y"], turned.inputs["Z"])
+        tree.links.new(turned.outputs[0], node.inputs["Vector"])
+        tree.links.new(node.outputs["Color"], background.inputs["Color"])
 
     def add_camera(self, camera, radius):
         from mathutils import Matrix

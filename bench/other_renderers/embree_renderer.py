@@ -84,7 +84,8 @@ class Embree(Renderer):
         self.version = probe("")
         if not any(scene.emits(mesh.material) for mesh in scene.meshes):
             raise NotExpressible("scenes without area lights")
-        scene.refuse("media", "textures", "lights without area", "vertex colours")
+        scene.refuse("media", "textures", "lights without area", "vertex colours",
+                     "metals, plastics and glass")
         self.size = scene.camera["size"]
         self.exported = scene
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="weft-embree-"))

@@ -4,7 +4,7 @@
 
     NAME_peer.py --probe --variant VARIANT
     NAME_peer.py --variant VARIANT --scene FOLDER --threads N --budgets SECONDS... -o FOLDER
-                 [--check SECONDS]
+                 [--check SECONDS] [--reference SECONDS]
 
 Writes one JSON line for the renderer and one for each image; for a budget that no image has filled,
 a line with `unfilled`; where something fails, one with `problem`, and where the renderer has no like
@@ -159,6 +159,8 @@ def serve(renderer, args, answers):
     # That of --check need not fill its time: it shows what the mean is, and nothing else.
     parts = [(budget, within, {}) for budget in args.budgets]
     parts += [(args.check, once, {"check": True})] if args.check else []
+    # Its random numbers are others than those of all images before it.
+    parts += [(args.reference, once, {"reference": True})] if args.reference else []
     for number, (budget, fit, fields) in enumerate(parts):
         if renderer.render_for:
             image, seconds, samples = renderer.render_for(budget)
@@ -170,7 +172,8 @@ def serve(renderer, args, answers):
                 fields = {"check": True}  # it still shows what the mean is
         if args.mirror:
             image = image[:, ::-1]
-        file = f"{renderer.name}-{budget:g}.exr".lower().replace(", ", "-").replace(" ", "-")
+        stem = f"{renderer.name}-{'reference' if 'reference' in fields else f'{budget:g}'}"
+        file = f"{stem}.exr".lower().replace(", ", "-").replace(" ", "-")
         write_exr(pathlib.Path(args.output) / file, image)
         answer(answers, name=renderer.name, budget_s=budget, seconds=seconds, samples=samples,
                denoised=renderer.denoised, picture=file, **fields)
@@ -184,6 +187,7 @@ def parse():
     parser.add_argument("--threads", type=int, default=0)
     parser.add_argument("--budgets", type=float, nargs="+", default=[])
     parser.add_argument("--check", type=float, default=0.0)
+    parser.add_argument("--reference", type=float, default=0.0)
     parser.add_argument("-o", "--output")
     args = parser.parse_args()
     args.threads = args.threads or len(os.sched_getaffinity(0))

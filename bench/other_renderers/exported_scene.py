@@ -8,6 +8,7 @@ import pathlib
 import numpy as np
 
 from expressible import NotExpressible, refuse
+from surfaces import Surface, environment_in_world
 
 VERSION = 1
 SPOT_EDGE = 512  # texels along an edge of the image of a spot light
@@ -62,6 +63,11 @@ class ExportedScene:
         self.meshes = [Mesh(folder, mesh) for mesh in fields["meshes"]]
         self.lights = fields["lights"]
         self.environment = fields["environment"]
+        self.environment_image = fields.get("environment_image")
+        if self.environment_image is not None:
+            image = self.environment_image
+            texels = np.fromfile(folder / image["file"], dtype="<f4")
+            image["texels"] = texels.reshape(image["height"], image["width"], 3)
         self.media = fields["media"]
         self.boundaries = fields["boundaries"]
         self.boundary_meshes = [Mesh(folder, boundary) for boundary in self.boundaries]
@@ -78,6 +84,18 @@ class ExportedScene:
     def emits(self, material):
         """Whether surfaces of that material shine."""
         return max(self.materials[material]["radiance"]) > 0.0
+
+    def surface(self, material):
+        """The Surface of a material by its number, or None where it is Lambertian."""
+        fields = self.materials[material].get("surface")
+        return Surface(self, fields) if fields else None
+
+    def environment_texels(self):
+        """Radiance from all around in the world, see surfaces.environment_in_world; None where
+        there is no image of it."""
+        if self.environment_image is None:
+            return None
+        return environment_in_world(self.environment_image) * np.array(self.environment, np.float32)
 
     def linear_texels(self, number):
         """A texture's colours, linear, height by width by 3, top row first."""

@@ -9,14 +9,18 @@ class NotExpressible(ValueError):
 
 
 def refuse(scene, kinds):
-    """Raises NotExpressible where the scene holds any of these, keys of `held`, or surfaces that
-    are not Lambertian or emit by a texture, which no renderer's program has been taught yet."""
+    """Raises NotExpressible where the scene holds any of these, keys of `held`, or what no
+    renderer's program has been taught yet: lobes of Weft's own and emission by a texture."""
     held = {"lights without area": bool(scene.lights),
             "textures": bool(scene.textures),
             "vertex colours": any(mesh.colours is not None for mesh in scene.meshes),
-            # Exports that do not tell were made when there was no other lobe.
+            # Exports that do not tell were made when there was no other lobe. What a surface is
+            # described as, renderers express each in its own way, or refuse it themselves.
             "surfaces that are not Lambertian": not all(material.get("lambertian", True)
+                                                        or material.get("surface")
                                                         for material in scene.materials),
+            "metals, plastics and glass": any(material.get("surface")
+                                              for material in scene.materials),
             "textured emission": any(material.get("textured_emission", False)
                                      for material in scene.materials),
             "media": bool(scene.media),

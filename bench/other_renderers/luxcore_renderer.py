@@ -8,11 +8,14 @@ import time
 
 import equal_time
 import exported_scene
+import luxcore_surfaces
 from equal_time import Renderer
 from expressible import NotExpressible
 
 DEPTH = 256  # of paths: it has no unlimited setting
 POLL_SECONDS = 0.002
+# By columns: its images turn about +z, and begin and end at +x.
+SKY_TO_WORLD = [-1.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
 
 
 def start():
@@ -42,6 +45,10 @@ class LuxCore(Renderer):
                       "clamping, Sobol sampler, box filter; it renders until the time is over"]
         made = pyluxcore.Scene()
         self.textures(made, scene)
+        sky = scene.environment_texels()
+        if sky is not None:
+            made.DefineImageMap("sky", numpy.ascontiguousarray(sky, numpy.float32).reshape(-1),
+                                1.0, 3, sky.shape[1], sky.shape[0])
         for number, light in enumerate(scene.lights):
             if light["type"] == "spot":
                 texels = exported_scene.spot_texels(light)
@@ -71,6 +78,7 @@ class LuxCore(Renderer):
                 "native.threads.count": threads, "film.width": width, "film.height": height,
                 "film.filter.type": "BOX", "film.filter.width": 0.5,
                 "path.pathdepth.total": DEPTH, "path.pathdepth.diffuse": DEPTH,
+                "path.pathdepth.glossy": DEPTH, "path.pathdepth.specular": DEPTH,
                 "path.clamping.variance.maxvalue": 0.0, "path.forceblackbackground.enable": False,
                 "film.outputs.0.type": "RGB", "film.outputs.0.filename": "unused.exr",
                 "film.noiseestimation.warmup": 0, "film.hw.enable": False,
@@ -96,7 +104,11 @@ class LuxCore(Renderer):
             settings["scene.camera.volume"] = f"medium{scene.camera_medium}"
         for number, light in enumerate(scene.lights):
             settings |= self.light_settings(light, number)
-        if max(scene.environment) > 0.0:
+        if scene.environment_image is not None:
+            settings |= {"scene.lights.sky.type": "infinite", "scene.lights.sky.file": "sky",
+                         "scene.lights.sky.gamma": 1.0,
+                         "scene.lights.sky.transformation": SKY_TO_WORLD}
+        elif max(scene.environment) > 0.0:
             settings |= {"scene.lights.sky.type": "constantinfinite",
                          "scene.lights.sky.color": scene.environment}
         return settings
@@ -189,6 +201,9 @@ class LuxCore(Renderer):
         fields, rows = scene.materials[mesh.material], self.rows
         made.DefineMesh(name, rows(mesh.positions), rows(mesh.triangles), rows(mesh.normals),
                         rows(mesh.uvs), rows(mesh.colours), None)
+        if surface := scene.surface(mesh.material):
+            self.add_surface(made, scene, surface, mesh, name)
+            return
         settings, colour = self.reflectance(scene, fields, mesh, name)
         key = f"scene.materials.{name}"
         settings |= {f"{key}.type": "matte", f"{key}.kd": colour}
@@ -201,6 +216,16 @@ class LuxCore(Renderer):
                                   scene.emits(mesh.material))
         settings |= {f"scene.objects.{name}.shape": name,
                      f"scene.objects.{name}.material": material}
+        made.Parse(self.properties(settings))
+
+    def add_surface(self, made, scene, surface, mesh, name):
+        """A mesh, defined already, of a material beyond Lambert's law."""
+        fields = scene.materials[mesh.material]
+        settings = luxcore_surfaces.settings(made, surface, mesh, name, fields["two_sided"])
+        if scene.emits(mesh.material):
+            front = f"{name}-front" if f"scene.materials.{name}-front.type" in settings else name
+            settings |= self.emission(f"scene.materials.{front}.emission", fields["radiance"])
+        settings |= {f"scene.objects.{name}.shape": name, f"scene.objects.{name}.material": name}
         made.Parse(self.properties(settings))
 
     @staticmethod

@@ -6,6 +6,7 @@ with the LLVM library that DRJIT_LIBLLVM_PATH names."""
 
 import equal_time
 import exported_scene
+import mitsuba_surfaces
 from equal_time import Renderer, stopwatch
 from expressible import NotExpressible
 
@@ -83,9 +84,17 @@ class Mitsuba(Renderer):
             parts[f"boundary{number}"] = self.boundary(scene.boundaries[number], mesh, media)
         for number, light in enumerate(scene.lights):
             parts[f"light{number}"] = self.light(light)
-        if max(scene.environment) > 0.0:
+        if scene.environment_image is not None:
+            parts["environment"] = self.environment_map(scene.environment_texels())
+        elif max(scene.environment) > 0.0:
             parts["environment"] = {"type": "constant", "radiance": self.rgb(scene.environment)}
         return parts
+
+    def environment_map(self, texels):
+        """Its images begin a quarter of their width further right."""
+        turned = self.numpy.roll(texels, -(texels.shape[1] // 4), axis=1)
+        return {"type": "envmap",
+                "bitmap": self.mi.Bitmap(self.numpy.ascontiguousarray(turned, self.numpy.float32))}
 
     @staticmethod
     def rgb(values):
@@ -119,18 +128,24 @@ class Mitsuba(Renderer):
                 "wrap_mode": texture["wrap_u"],
                 "filter_type": "nearest" if texture["nearest"] else "bilinear"}
 
-    def surface(self, scene, mesh):
+    def bsdf(self, scene, mesh):
         material = scene.materials[mesh.material]
-        bsdf = {"type": "diffuse", "reflectance": self.reflectance(scene, material, mesh)}
         both = material["two_sided"] and not (scene.emits(mesh.material)
                                               and material["emits_both_sides"])
+        if surface := scene.surface(mesh.material):
+            return mitsuba_surfaces.bsdf(self.mi, surface, mesh, both)
+        bsdf = {"type": "diffuse", "reflectance": self.reflectance(scene, material, mesh)}
+        return {"type": "twosided", "bsdf": bsdf} if both else bsdf
+
+    def surface(self, scene, mesh):
+        material = scene.materials[mesh.material]
         properties = self.mi.Properties()
-        properties["bsdf"] = self.mi.load_dict({"type": "twosided", "bsdf": bsdf} if both else bsdf)
+        properties["bsdf"] = self.mi.load_dict(self.bsdf(scene, mesh))
         if scene.emits(mesh.material):
             properties["emitter"] = self.mi.load_dict(
                 {"type": "area", "radiance": self.rgb(material["radiance"])})
         colours = mesh.colours
-        if colours is not None:
+        if colours is not None and not material.get("surface"):
             colours = colours * self.numpy.array(material["reflectance"], self.numpy.float32)
         return self.mesh(mesh, properties, colours)
 

@@ -25,9 +25,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "common"
 import mitsuba_variant  # noqa: E402
 from equal_time import Costs, warm_up, within  # noqa: E402
 from processor import processor  # noqa: E402
-from verdicts import handed_over, judge, summary, verdict  # noqa: E402
-from weft_runs import (OWN_SETTINGS, Failure, Weft, compare, floor, reference,  # noqa: E402
-                       run)
+from verdicts import DENOISED, handed_over, judge, summary, verdict  # noqa: E402
+from weft_runs import (OWN_SETTINGS, Failure, Reference, Weft, compare, floor,  # noqa: E402
+                       reference, run)
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -65,6 +65,12 @@ def parse():
     parser.add_argument("--check", type=float, default=3.0, metavar="SECONDS",
                         help="of an image of each renderer for its mean alone, where no budget is "
                              "that long; default 3, 0: none")
+    parser.add_argument("--own-reference", type=float, default=120.0, metavar="SECONDS",
+                        help="of the image that each other renderer is compared with in scenes of "
+                             "metals, plastics or glass, which it makes itself; default 120, 0: "
+                             "with Weft's")
+    parser.add_argument("--environment", type=pathlib.Path, metavar="FILE",
+                        help="an image of the light from all around, of every scene")
     parser.add_argument("--size", type=int, help="width and height, default 512; --quick: 128")
     parser.add_argument("--threads", type=int, default=0, help="of every renderer; 0: all")
     parser.add_argument("--backend", help="of Weft")
@@ -110,6 +116,8 @@ def check(parser, args):
         parser.error("--budgets are out of range, expected 0.01 to 3600")
     if not (args.check == 0.0 or 0.01 <= args.check <= 3600.0):
         parser.error("--check is out of range, expected 0 or 0.01 to 3600")
+    if not (args.own_reference == 0.0 or 0.01 <= args.own_reference <= 36000.0):
+        parser.error("--own-reference is out of range, expected 0 or 0.01 to 36000")
     if args.resume and not args.json:
         parser.error("--resume: expected --json with it")
     if args.reference and len(args.scenes) > 1:
@@ -195,7 +203,14 @@ def export(args, scene, folder):
     """Writes the scene for the others, from nothing: what an older run left must not mix in."""
     shutil.rmtree(folder, ignore_errors=True)
     program = [args.export] if args.export else [ROOT / "weft", "bench", "export_scene"]
-    run([*program, scene, "-o", folder, "--size", args.size, args.size])
+    environment = ["--environment", args.environment] if args.environment else []
+    run([*program, scene, "-o", folder, "--size", args.size, args.size, *environment])
+
+
+def has_materials(folder):
+    """Whether an exported scene has surfaces beyond Lambert's law."""
+    fields = json.loads((folder / "scene.json").read_text(encoding="utf-8"))
+    return any(material.get("surface") for material in fields["materials"])
 
 
 def own_images(args, scene, folder):
@@ -229,11 +244,13 @@ def other_renderers(args, names, folder):
     left out."""
     images, notes, left_out = [], [], {}
     check = args.check if args.check > max(args.budgets) else 0.0
-    patience = SET_UP_PATIENCE + TRIES * (sum(args.budgets) + check)
+    own = args.own_reference if has_materials(folder / "export") else 0.0
+    patience = SET_UP_PATIENCE + TRIES * (sum(args.budgets) + check) + 2.0 * own
     for name in names:
+        reference = 0.0 if RENDERERS[name][1] == "denoised" else own
         lines, problem = child(args, name, "--scene", folder / "export", "--threads", args.threads,
-                               "-o", folder, "--check", check, "--budgets", *args.budgets,
-                               patience=patience)
+                               "-o", folder, "--check", check, "--reference", reference,
+                               "--budgets", *args.budgets, patience=patience)
         if problem:
             left_out[name] = f"left out or cut short, {problem}"
         for line in lines:
@@ -251,14 +268,34 @@ def other_renderers(args, names, folder):
     return images, notes, left_out
 
 
+def own_references(args, images, folder, against):
+    """The references that other renderers have made for themselves, by name, and a note for each on
+    how its mean compares with that of Weft's."""
+    found, notes = {}, []
+    for image in images:
+        if not image.get("reference"):
+            continue
+        file = folder / image["picture"]
+        found[image["name"]] = Reference(file)
+        mean = compare(args, file, against, [])["mean_ratio"]
+        notes.append(f"{image['name']}: compared with an image of its own, {image['samples']:g} "
+                     f"samples in {image['seconds']:.0f} s, whose mean is {mean or 0.0:.3f} of "
+                     "that of Weft's reference")
+    return found, notes
+
+
 def compared(args, images, folder, against):
-    """The images with their errors. Those that are there for the mean alone go, once all have
-    been judged by them."""
+    """The images with their errors, and notes. Those that are there for the mean or as references
+    alone go, once all have been judged by them."""
+    own, notes = own_references(args, images, folder, against)
+    images = [image for image in images if not image.get("reference")]
     for image in images:
         errors = [] if image.get("check") else ["hdrflip", "relmse"]
-        image.update(compare(args, folder / image["picture"], against, errors))
+        # A denoiser is judged by what its renderer shows without one.
+        reference = own.get(image["name"].removesuffix(DENOISED), against)
+        image.update(compare(args, folder / image["picture"], reference, errors))
     judge(images)
-    return [image for image in images if not image.get("check")]
+    return [image for image in images if not image.get("check")], notes
 
 
 def measure(args, scene, versions):
@@ -273,7 +310,8 @@ def measure(args, scene, versions):
     for note in notes:
         if "left out at" in note:
             print(note, file=sys.stderr)
-    images = compared(args, own + images, folder, against)
+    images, more_notes = compared(args, own + images, folder, against)
+    notes += more_notes
     notes = ["Left out of all times: reading the scene, building the acceleration structure and "
              "kernels, a warm-up image, writing files.", *notes]
     notes += [f"{name}: version {version}" for name, version in versions.items()]
@@ -302,6 +340,8 @@ def flip_cell(image):
 
 
 def relmse_cell(image):
+    if image["relmse_unbiased"] is None:  # its reference has no halves
+        return f"{image['relmse']:.4f}"
     return f"{image['relmse_unbiased']:.4f}±{image['relmse_interval']:.4f}"
 
 
@@ -362,6 +402,8 @@ def new_report(args, versions):
     machine = {"processor": processor(), "hardware_threads": os.cpu_count(),
                "threads": args.threads}
     settings = {"check_s": args.check, "backend": args.backend,
+                "own_reference_s": args.own_reference,
+                "environment": args.environment and args.environment.name,
                 "reference_spp": args.reference_spp,
                 "presets": [preset.name for preset in args.preset]}
     return {"benchmark": "peers", "quick": args.quick, "size": args.size, "budgets": args.budgets,

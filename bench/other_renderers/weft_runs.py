@@ -69,6 +69,8 @@ def render_command(args, scene, output):
         command += ["--threads", args.threads]
     if args.backend:
         command += ["--backend", args.backend]
+    if args.environment:
+        command += ["--environment", args.environment]
     return command
 
 

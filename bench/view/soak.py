@@ -110,9 +110,9 @@ async def switch(page, hello, size, cycle):
     algorithms = [one for one in hello["algorithms"]
                   if one not in ("reference", "irradiance-cache", "ir")]
     algorithm = algorithms[cycle % len(algorithms)]
-    await page.ask({"set": {"algorithm": algorithm}}, "switch")
+    await page.ask({"set": {"algorithm": algorithm}}, f"switch to {algorithm}")
     await asyncio.sleep(2.0)
-    await page.ask({"set": {"algorithm": "ais", "trust": True}}, "switch")
+    await page.ask({"set": {"algorithm": "ais", "trust": True}}, "switch back to ais")
     await asyncio.sleep(2.0)
     await page.ask({"set": {"size": [size[0] // 2, size[1] // 2], "trust": False}}, "resize")
     await asyncio.sleep(1.0)

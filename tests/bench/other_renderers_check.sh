@@ -26,6 +26,15 @@ sed 's/"emissiveStrength": 20\.620098/"emissiveStrength": 20.7/' \
 ! python3 "$root/tests/testing/exported_box.py" "$work/brighter.gltf" "$work/export" 2>/dev/null ||
     fail "the export of another area light was taken for the right one"
 
+"$export_scene" "$root/scenes/car-paint.gltf" -o "$work/surfaces" --size 8 8 2>"$work/log" ||
+    fail "the car cannot be exported" "$work/log"
+python3 "$root/tests/testing/exported_surfaces.py" "$root/scenes/car-paint.gltf" \
+    "$work/surfaces" || fail "the exported surfaces are others"
+sed 's/"clearcoatFactor": 1\.0/"clearcoatFactor": 0.9/' \
+    "$root/scenes/car-paint.gltf" >"$work/other.gltf"
+! python3 "$root/tests/testing/exported_surfaces.py" "$work/other.gltf" "$work/surfaces" \
+    2>/dev/null || fail "the export of another coat was taken for the right one"
+
 code=0
 "$export_scene" "$work/missing.gltf" -o "$work/none" 2>"$work/log" || code=$?
 [ "$code" -eq 2 ] || fail "a missing scene ended with $code, expected 2" "$work/log"
@@ -65,6 +74,8 @@ code=0
     fail "finding samples that fit a budget fails" "$work/log"
 "$python" -B "$root/tests/bench/expressible_test.py" >"$work/log" 2>&1 ||
     fail "leaving out scenes that cannot be expressed fails" "$work/log"
+"$python" -B "$root/tests/bench/surfaces_test.py" >"$work/log" 2>&1 ||
+    fail "what other renderers are told of surfaces is wrong" "$work/log"
 "$python" -B "$root/tests/bench/other_renderers_run_test.py" >"$work/log" 2>&1 ||
     fail "going on with a run, or judging its images, fails" "$work/log"
 echo "the export holds what the file holds; without another renderer the benchmark says so"

@@ -100,7 +100,7 @@ class Halves(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.args = types.SimpleNamespace(
             references=self.folder, reference=None, size=64, reference_spp=513, weft="weft",
-            threads=0, backend=None, half_errors=["half_errors"])
+            threads=0, backend=None, environment=None, half_errors=["half_errors"])
         self.commands = []
         known = weft_runs.run, weft_runs.folder_digest
         self.addCleanup(lambda: setattr(weft_runs, "run", known[0]))
