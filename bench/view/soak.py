@@ -13,6 +13,7 @@ import pathlib
 import random
 import re
 import signal
+import statistics
 import struct
 import subprocess
 import sys
@@ -135,7 +136,7 @@ def memory_mib(process):
 async def use(process, port, key, minutes, say):
     import websockets
     chance = random.Random(0)
-    peaks = {}
+    peaks, rests = {}, []
     async with websockets.connect(f"ws://127.0.0.1:{port}/ws", origin=f"http://127.0.0.1:{port}",
                                   max_size=None) as socket:
         await socket.send(json.dumps({"token": key}))
@@ -162,11 +163,13 @@ async def use(process, port, key, minutes, say):
             await pick(page, size, chance)
             if passed < WARM_UP:
                 page.waits.clear()  # kernels are compiled, and memory is touched
+            else:
+                rests.append(memory_mib(process))  # always of the same settings, and at rest
             say(int(passed / 60), peaks[int(passed / 60)], page)
             cycle += 1
         watcher.cancel()
         listener.cancel()
-    return page, peaks
+    return page, peaks, rests
 
 
 def soak(arguments, scene):
@@ -186,7 +189,7 @@ def soak(arguments, scene):
               f"{page.errors[-1:]}", flush=True)
 
     try:
-        page, peaks = asyncio.run(use(process, port, key, arguments.soak, say))
+        page, peaks, rests = asyncio.run(use(process, port, key, arguments.soak, say))
     finally:
         process.send_signal(signal.SIGINT)
         code = process.wait(60)
@@ -195,5 +198,11 @@ def soak(arguments, scene):
     growth = 100 * (max(peaks.values()) / first - 1)
     print(f"memory of the first two minutes: at most {first:.1f} MiB, of all: "
           f"{max(peaks.values()):.1f} MiB ({growth:+.1f} %); the program ended with {code}")
+    if rests:
+        # Peaks depend on what meets; what stays is seen where nothing happens.
+        tenth = max(len(rests) // 10, 1)
+        early, late = (statistics.median(part) for part in (rests[:tenth], rests[-tenth:]))
+        print(f"memory at rest: {early:.1f} MiB in the first tenth after the first minute, "
+              f"{late:.1f} in the last ({100 * (late / early - 1):+.1f} %)")
     if code != 0 or page.bad_values or page.errors:
         sys.exit("the view did not do what it should")
