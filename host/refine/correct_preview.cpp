@@ -3,6 +3,7 @@
 #include "refine/correct_preview.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -121,6 +122,13 @@ void average_layer(Image& preview, const ExactMeans& exact, std::string_view nam
     });
 }
 
+/// Whether a preview has layers of light that paths count as direct, indirect or emitted light.
+bool has_light_apart(const Image& preview) {
+    constexpr std::array layers{"media", "reflection", "refraction", "glossy"};
+    return std::any_of(layers.begin(), layers.end(),
+                       [&](const char* layer) { return preview.find(layer) != nullptr; });
+}
+
 }  // namespace
 
 ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact) {
@@ -145,7 +153,7 @@ ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact) {
 
 void correct_preview(Image& preview, const ExactMeans& exact) {
     average_layer(preview, exact, alpha_layer_name, nullptr);
-    if (preview.find("media") != nullptr) {
+    if (has_light_apart(preview)) {
         correct_layer(preview, exact, "", nullptr);
         return;
     }

@@ -39,9 +39,9 @@ struct ExactMeans {
 /// Corrects the light and the alpha of a preview in place. Direct and indirect light are corrected
 /// one by one. Emitted light and alpha of the preview err by nothing but where in the pixel its
 /// samples lie, so that they become the mean of all samples. Beauty changes by the sum; of images
-/// with light from media it is corrected as a whole, and layers of light stay as they are, since
-/// paths count that light elsewhere. So do layers that are not light. Values that would be negative
-/// become 0.
+/// with light from media, mirrors, gloss or glass it is corrected as a whole, and layers of light
+/// stay as they are, since paths count that light elsewhere. So do layers that are not light.
+/// Values that would be negative become 0.
 void correct_preview(Image& preview, const ExactMeans& exact);
 
 }  // namespace weft

@@ -160,14 +160,17 @@ TEST(CorrectPreview, LightIsNeverNegative) {
         for (const float value : found.values) ASSERT_EQ(value, 0.0F);
 }
 
-TEST(CorrectPreview, WithMediaBeautyAloneIsCorrected) {
-    Image preview = image_with(
-        {layer("", "RGB", 1.0F), layer("direct", "RGB", 0.5F), layer("media", "RGB", 0.5F)});
-    const Image exact = image_with({layer("", "RGB", 2.0F), layer("direct", "RGB", 1.5F)});
-    correct_preview(preview, {exact, exact, 0.5, 0.5});
-    EXPECT_NEAR(preview.find("")->values[7], 2.0F, 1e-5F);
-    EXPECT_EQ(preview.find("direct")->values[7], 0.5F);
-    EXPECT_EQ(preview.find("media")->values[7], 0.5F);
+// Paths have this light in the layers of direct, indirect and emitted light.
+TEST(CorrectPreview, WithLightThatPathsCountElsewhereBeautyAloneIsCorrected) {
+    for (const char* const name : {"media", "reflection", "refraction", "glossy"}) {
+        Image preview = image_with(
+            {layer("", "RGB", 1.0F), layer("direct", "RGB", 0.5F), layer(name, "RGB", 0.5F)});
+        const Image exact = image_with({layer("", "RGB", 2.0F), layer("direct", "RGB", 1.5F)});
+        correct_preview(preview, {exact, exact, 0.5, 0.5});
+        EXPECT_NEAR(preview.find("")->values[7], 2.0F, 1e-5F) << name;
+        EXPECT_EQ(preview.find("direct")->values[7], 0.5F) << name;
+        EXPECT_EQ(preview.find(name)->values[7], 0.5F);
+    }
 }
 
 }  // namespace
