@@ -86,7 +86,7 @@ void AdaptiveSampling::sample(FrameContext& frame, const char* component, const 
                 round([&] { return scheduler_->next_round(); });
                 continue;
             }
-            const auto points = signal(frame, component, gbuffer, level, irradiance);
+            const auto points = signal(frame, component, gbuffer, level, irradiance, steps.beneath);
             // A frame that ended early may not have written the signal, so nothing is judged.
             if (frame.ended_early()) break;
             round([&] { return scheduler_->refine(level, points, slope_); });
@@ -142,7 +142,8 @@ void AdaptiveSampling::run_round(FrameContext& frame, const char* component, con
 
 std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const char* component,
                                                      const GBuffer& gbuffer, Level level,
-                                                     BufferRef<kinds::SlotLight> irradiance) {
+                                                     BufferRef<kinds::SlotLight> irradiance,
+                                                     const LightBeneath& beneath) {
     const std::uint32_t points = lattice_points(grid_, level);
     frame.run(Stage::heuristic, component,
               kernels::lattice_signal{.surfaces = view(gbuffer),
@@ -150,6 +151,11 @@ std::vector<shared::float4> AdaptiveSampling::signal(FrameContext& frame, const 
                                       .slots = slots_,
                                       .pixel_slot = pixel_slot_,
                                       .irradiance = irradiance,
+                                      .beneath_slots = beneath.slots,
+                                      .beneath_albedo = beneath.albedo,
+                                      .beneath_emission = beneath.emission,
+                                      .beneath_pixel_slot = beneath.pixel_slot,
+                                      .beneath_irradiance = beneath.irradiance,
                                       .signal = signal_},
               {points});
     return read_buffer(frame.executor, signal_, points);

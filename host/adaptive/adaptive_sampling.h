@@ -17,6 +17,16 @@
 
 namespace weft {
 
+/// The light of the image's own surfaces, on top of which the light of a component is seen that
+/// samples others. Errors are as visible as they are beside it.
+struct LightBeneath {
+    BufferRef<kinds::SurfaceAlbedo> albedo;
+    BufferRef<kinds::SurfaceEmission> emission;
+    BufferRef<kinds::PixelSlots> pixel_slot;
+    BufferRef<kinds::SlotLight> irradiance;
+    std::uint32_t slots = 0;  ///< stride of its planes; 0: there is no such light
+};
+
 /// Samples one component adaptively: makes the samples that its LevelScheduler decides on, and
 /// reconstructs the pixels between them.
 class AdaptiveSampling : public SamplingDecision {
@@ -26,7 +36,8 @@ class AdaptiveSampling : public SamplingDecision {
         /// Makes the samples of slots [first, first + count), both multiples of PACKET_BLOCK.
         std::function<void(std::uint32_t first, std::uint32_t count)> gather;
         /// Optional: returns the least level of each tile once the coarse lattice has its samples.
-        std::function<std::vector<Level>()> least_levels;
+        std::function<std::vector<Level>()> least_levels{};
+        LightBeneath beneath{};
     };
 
     AdaptiveSampling(Executor& executor, const TileGrid& grid, const LevelSettings& settings,
@@ -70,7 +81,8 @@ class AdaptiveSampling : public SamplingDecision {
                    const Steps& steps);
     [[nodiscard]] std::vector<shared::float4> signal(FrameContext& frame, const char* component,
                                                      const GBuffer& gbuffer, Level level,
-                                                     BufferRef<kinds::SlotLight> irradiance);
+                                                     BufferRef<kinds::SlotLight> irradiance,
+                                                     const LightBeneath& beneath);
 
     TileGrid grid_;
     LevelSettings settings_;

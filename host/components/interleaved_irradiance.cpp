@@ -24,7 +24,8 @@ InterleavedIrradiance::InterleavedIrradiance(const ComponentInputs& inputs, cons
 }
 
 void InterleavedIrradiance::sample(FrameContext& frame, const Gather& gather,
-                                   const std::function<std::vector<Level>()>& least_levels) {
+                                   const std::function<std::vector<Level>()>& least_levels,
+                                   const LightBeneath& beneath) {
     if (!adaptive_) {
         gather({shared_.receivers, shared_.slot_pixel, shared_.block_set, irradiance_,
                 shared_.slots, 0, shared_.slots});
@@ -36,7 +37,7 @@ void InterleavedIrradiance::sample(FrameContext& frame, const Gather& gather,
              gather({adaptive_->receivers(), adaptive_->slot_pixel(), adaptive_->block_set(),
                      irradiance_, adaptive_->slots(), first, count});
          },
-         least_levels});
+         least_levels, beneath});
 }
 
 void InterleavedIrradiance::reconstruct(FrameContext& frame) {

@@ -39,8 +39,10 @@ class InterleavedIrradiance {
 
     /// Calls `gather` for all samples of a frame. `least_levels`, a component's own heuristic, is
     /// AdaptiveSampling::Steps::least_levels; it is not called where every pixel is sampled.
+    /// `beneath` is the light that this one is seen on top of.
     void sample(FrameContext& frame, const Gather& gather,
-                const std::function<std::vector<Level>()>& least_levels = {});
+                const std::function<std::vector<Level>()>& least_levels = {},
+                const LightBeneath& beneath = {});
     /// Reconstructs the irradiance of every pixel from that of the slots.
     void reconstruct(FrameContext& frame);
 

@@ -162,7 +162,8 @@ void Media::sample(FrameContext& frame) {
     if (!plan.has_direct()) make_light_samples(frame, name);
     if (samples_) make_media_samples(frame, name, samples_);
     if (!plan.gathers_vpls() && plan.has_vpls()) walk_vpls(frame, name);
-    if (tiles_) frame.run_whole([&] { tiles_->examine(frame, frame.buffers.view_media->ends()); });
+    if (tiles_)
+        frame.run_whole([&] { tiles_->examine(frame, frame.buffers.view_media->ends(), name); });
     radiance_.sample(frame,
                      [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); });
 }

@@ -35,6 +35,16 @@ bool gathers_vpls(const FramePlan& plan) {
     return plan.indirect && plan.has_vpls();
 }
 
+/// The component of direct light of the image's surfaces, or null.
+const Component* direct_of(std::span<const ActiveComponent> earlier) {
+    for (const ActiveComponent& other : earlier) {
+        const auto slots = other.component->slot_irradiance();
+        if (slots && slots->part == LightPart::direct && !slots->undersampled)
+            return other.component.get();
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 ComponentRequirements requirements_of_view_chains(const FramePlan& plan, ViewWay way) {
@@ -59,6 +69,7 @@ ComponentRequirements requirements_of_view_chains(const FramePlan& plan, ViewWay
 ViewChains::ViewChains(const ComponentInputs& inputs, const char* name, ViewWay way)
     : name_(name),
       way_(way),
+      direct_(direct_of(inputs.earlier)),
       ends_(allocate_gbuffer(inputs.executor, inputs.pixels(), "ends of view rays")),
       tiles_(inputs.plan.adaptive
                  ? std::make_unique<TileGeometry>(inputs.executor, inputs.width, inputs.height)
@@ -94,7 +105,7 @@ void ViewChains::trace(FrameContext& frame) {
                                    .counters = frame.buffers.counters},
               {frame.pixels()});
     if (tiles_) {
-        tiles_->examine(frame, ends_);
+        tiles_->examine(frame, ends_, name_);
         return;
     }
     frame.run(Stage::receivers, name_,
@@ -170,10 +181,21 @@ void ViewChains::gather(FrameContext& frame, const InterleavedIrradiance::Slots&
               {.count = slots.count, .first = slots.first});
 }
 
+LightBeneath ViewChains::light_beneath(const FrameContext& frame) const {
+    if (direct_ == nullptr) return {};
+    const SlotIrradiance direct = *direct_->slot_irradiance();
+    return {.albedo = frame.buffers.gbuffer.gb_albedo,
+            .emission = frame.buffers.gbuffer.gb_emission,
+            .pixel_slot = frame.buffers.pixel_slot,
+            .irradiance = direct.irradiance,
+            .slots = direct.stride};
+}
+
 void ViewChains::sample(FrameContext& frame) {
     frame.run_whole([&] { trace(frame); });
-    irradiance_.sample(frame,
-                       [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); });
+    irradiance_.sample(
+        frame, [&](const InterleavedIrradiance::Slots& slots) { gather(frame, slots); }, {},
+        light_beneath(frame));
 }
 
 void ViewChains::reconstruct(FrameContext& frame) {

@@ -31,6 +31,8 @@ class ViewChains : public Component {
 
   private:
     void trace(FrameContext& frame);
+    /// The light of the image's own surfaces, as far as all of its pixels have samples.
+    [[nodiscard]] LightBeneath light_beneath(const FrameContext& frame) const;
     void gather(FrameContext& frame, const InterleavedIrradiance::Slots& slots);
     /// Adds what a list of virtual lights sends to the ends.
     void gather_list(FrameContext& frame, const InterleavedIrradiance::Slots& slots, Stage stage,
@@ -39,6 +41,7 @@ class ViewChains : public Component {
 
     const char* name_;
     ViewWay way_;
+    const Component* direct_;  ///< null without
     GBuffer ends_;
     std::unique_ptr<TileGeometry> tiles_;            ///< where the plan adapts
     DeviceBuffer<kinds::ReceiverPlanes> receivers_;  ///< the ends, where it does not

@@ -12,8 +12,8 @@ namespace weft {
 TileGeometry::TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height)
     : grid_{width, height}, buffer_(allocate<kinds::Tiles>(executor, grid_.tiles(), "tiles")) {}
 
-void TileGeometry::examine(FrameContext& frame, const GBuffer& gbuffer) {
-    frame.run(Stage::tile_geometry, "",
+void TileGeometry::examine(FrameContext& frame, const GBuffer& gbuffer, const char* component) {
+    frame.run(Stage::tile_geometry, component,
               kernels::tile_geometry{.surfaces = view(gbuffer), .tiles = buffer_}, {grid_.tiles()});
     records_ = read_buffer(frame.executor, buffer_, grid_.tiles());
     ordered_masks_.clear();

@@ -19,8 +19,9 @@ class TileGeometry {
   public:
     TileGeometry(Executor& executor, std::uint32_t width, std::uint32_t height);
 
-    /// Launches tile_geometry.cl on a G-buffer and reads its records.
-    void examine(FrameContext& frame, const GBuffer& gbuffer);
+    /// Launches tile_geometry.cl on a G-buffer and reads its records. `component` is what it is
+    /// for; the G-buffer of the image serves all.
+    void examine(FrameContext& frame, const GBuffer& gbuffer, const char* component = "");
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
     [[nodiscard]] std::span<const shared::TileRecord> records() const { return records_; }

@@ -3,10 +3,11 @@
 //
 // Computes what the level scheduler judges an undersampled component by, at every lattice point
 // that has a sample: the luminances of its irradiance, of the reflectance that it is seen with and
-// of the emission there, and which of its eight lattice neighbours lie on its surface and have
-// samples. One work-item per lattice point of stride `lattice_stride` writes 4 floats; the last
-// holds the neighbours as bits, row by row from the upper left, and LATTICE_SAMPLED where the point
-// has a sample.
+// of the other light there, and which of its eight lattice neighbours lie on its surface and have
+// samples. Other light is emission and, with `beneath_slots`, what the surface sends that the
+// component's light is seen on top of. One work-item per lattice point of stride `lattice_stride`
+// writes 4 floats; the last holds the neighbours as bits, row by row from the upper left, and
+// LATTICE_SAMPLED where the point has a sample.
 #include "kernels/adaptive/lattice.h"
 #include "kernels/bsdf/lambert.h"
 #include "kernels/core/kernel.h"
@@ -45,7 +46,15 @@ WEFT_KERNEL(lattice_signal)
             bit <<= 1;
         }
     }
-    signal[point] = f4(luminance(slot_irradiance(irradiance, slots, slot)),
-                       LAMBERT_REFLECTANCE(luminance(xyz(gb_albedo[pixel]))),
-                       luminance(xyz(gb_emission[pixel])), (float)bits);
+    float3 other = xyz(gb_emission[pixel]);
+    if (beneath_slots != 0u) {
+        other += xyz(beneath_emission[pixel]);
+        uint beneath = beneath_pixel_slot[pixel];
+        if (beneath != INVALID_INDEX)
+            other += LAMBERT_REFLECTANCE(xyz(beneath_albedo[pixel])) *
+                     slot_irradiance(beneath_irradiance, beneath_slots, beneath);
+    }
+    signal[point] =
+        f4(luminance(slot_irradiance(irradiance, slots, slot)),
+           LAMBERT_REFLECTANCE(luminance(xyz(gb_albedo[pixel]))), luminance(other), (float)bits);
 }

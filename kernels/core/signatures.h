@@ -347,6 +347,11 @@
     X(VALUE, uint, slots)                              \
     X(READS, PixelSlots, pixel_slot)                   \
     X(READS, SlotLight, irradiance)                    \
+    X(VALUE, uint, beneath_slots)                      \
+    X(MAY_READ, SurfaceAlbedo, beneath_albedo)         \
+    X(MAY_READ, SurfaceEmission, beneath_emission)     \
+    X(MAY_READ, PixelSlots, beneath_pixel_slot)        \
+    X(MAY_READ, SlotLight, beneath_irradiance)         \
     X(WRITES, LatticeSignals, signal)
 
 #define ARGUMENTS_reconstruct_tiles(X)                 \

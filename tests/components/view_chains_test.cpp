@@ -203,6 +203,31 @@ TEST(ViewChains, SameBitsWhateverTheBackend) {
     }
 }
 
+// What a varnished wall reflects is as bright whatever its own colour, but errors of it are less
+// visible on top of white than on top of black, so that fewer pixels need samples.
+TEST(ViewChains, ADimReflectionOnABrightSurfaceIsSampledLess) {
+    std::vector<std::uint64_t> samples;
+    for (const float albedo : {0.0F, 0.9F}) {
+        SceneBuilder builder = lit_things(false);
+        SurfaceDescription varnish;
+        MetallicSurface surface;
+        surface.base_colour.factor = glm::vec3(albedo);
+        surface.metallic.factor = 0.0F;
+        surface.roughness.value.factor = 0.0F;
+        varnish.model = surface;
+        builder.add(test::quad_mesh({0.0F, -6.0F, -6.0F}, {0.0F, 12.0F, 0.0F}, {0.0F, 0.0F, 12.0F}),
+                    test::add_surface(builder, varnish));
+        RenderSettings how = settings_of(Algorithm::ais, 96);
+        how.sampling.threshold = 1.0;
+        const Rendering seen =
+            render(builder.scene, test::look_at({2.0, 0.6, 2.6}, {0.0, 0.0, 0.6}, 0.5), how);
+        for (const LevelStats& level : seen.stats[0].levels)
+            if (level.component == "reflection") samples.push_back(level.samples);
+    }
+    ASSERT_EQ(samples.size(), 2U);
+    EXPECT_LT(4 * samples[1], 3 * samples[0]);
+}
+
 TEST(ViewChains, ComponentsThatAreLeftOutLeaveTheOthersAlone) {
     SceneBuilder builder = lit_things(false);
     builder.add(test::smooth_sphere(3), test::add_surface(builder, test::metal(0.0F)),
