@@ -17,6 +17,7 @@
 #include "base/limits.h"
 #include "base/quote.h"
 #include "components/component.h"
+#include "film/sample_parts.h"
 
 namespace weft {
 namespace {
@@ -26,23 +27,48 @@ constexpr std::array<std::string_view, 2> switch_names = {"on", "off"};
 constexpr std::array<std::string_view, 2> filter_names = {"box", "centre"};
 constexpr std::uint32_t most_bounces = 1000000;
 
+/// Reads which samples are rendered, where not all.
+void read_samples(const CLI::App& command, RenderOptions& options) {
+    const auto range = value_of(command, "--samples");
+    const auto part = value_of(command, "--part");
+    const char* const name = range ? "--samples" : "--part";
+    if (range && part) throw usage_error("--part: says what --samples says, expected one of them");
+    if (range) {
+        if (options.spp) throw usage_error("--samples: says what --spp says, expected one of them");
+        options.samples = parse_range("--samples", *range);
+    }
+    if (part) {
+        const PartOfMany of = parse_part("--part", *part);
+        if (!options.spp)
+            throw usage_error("--part: is a part of the samples of --spp, expected both");
+        if (of.parts > *options.spp)
+            throw usage_error(
+                fmt::format("--part: there are {} parts of {} samples, expected at "
+                            "most one for each sample",
+                            of.parts, *options.spp));
+        options.samples = part_of({0, *options.spp}, of.part, of.parts);
+        options.spp.reset();
+    }
+    if ((range || part) && options.output.extension() != ".exr")
+        throw usage_error(std::string(name) +
+                          ": needs a file that holds sums, expected an .exr file as --output");
+    options.keep_complete = is_given(command, "--keep-complete");
+    if (options.keep_complete && !options.samples)
+        throw usage_error(
+            "--keep-complete: is for parts, expected it together with --samples or --part");
+}
+
 /// Reads the options of path tracing.
 void read_path(const CLI::App& command, RenderOptions& options) {
     namespace fs = std::filesystem;
     constexpr double least_error = 1e-9;
-    for (const char* const name : {"--samples", "--target-error", "--resume", "--pixel-filter"})
+    for (const char* const name :
+         {"--samples", "--part", "--target-error", "--resume", "--pixel-filter"})
         if (value_of(command, name) && !is_reference(options.algorithm))
             throw usage_error(std::string(name) +
                               ": is for references, expected it together with "
                               "--algorithm path or reference");
-    if (const auto text = value_of(command, "--samples")) {
-        options.samples = parse_range("--samples", *text);
-        if (options.spp) throw usage_error("--samples: says what --spp says, expected one of them");
-        if (options.output.extension() != ".exr")
-            throw usage_error(
-                "--samples: needs a file that holds sums, expected an .exr file as "
-                "--output");
-    }
+    read_samples(command, options);
     if (const auto text = value_of(command, "--target-error"))
         options.target_error = parse_number("--target-error", *text, least_error, 1.0);
     if (const auto text = value_of(command, "--resume")) {
@@ -54,6 +80,11 @@ void read_path(const CLI::App& command, RenderOptions& options) {
             if (options.resume->lexically_normal() == other.lexically_normal())
                 throw usage_error("--resume: names the same file as " +
                                   std::string(other == options.scene ? "the scene" : "--output"));
+    }
+    if (const auto text = value_of(command, "--checkpoint")) {
+        if (!options.resume)
+            throw usage_error("--checkpoint: is for the file of --resume, expected both");
+        options.checkpoint_seconds = parse_duration("--checkpoint", *text);
     }
     if (const auto text = value_of(command, "--max-bounces")) {
         if (options.algorithm != Algorithm::path)

@@ -73,7 +73,7 @@ void read_frames(const CLI::App& command, RenderOptions& options) {
         check_animated("--edits");
     }
     if (!options.frames) return;
-    for (const char* const name : {"--samples", "--resume"})
+    for (const char* const name : {"--samples", "--part", "--resume"})
         if (value_of(command, name))
             throw usage_error(std::string(name) +
                               ": is for a single image, expected it without --frames");

@@ -16,6 +16,7 @@
 #include "base/quote.h"
 #include "film/cryptomatte.h"
 #include "film/film_sums_file.h"
+#include "film/sample_parts.h"
 #include "image/exr.h"
 
 namespace weft {
@@ -38,12 +39,34 @@ std::vector<Layer> mattes_of(const Image& image) {
     return layers;
 }
 
-/// What lies between ranges, which are in order and apart.
-std::vector<SampleRange> gaps_of(const std::vector<SampleRange>& ranges) {
-    std::vector<SampleRange> gaps;
-    for (std::size_t i = 1; i < ranges.size(); ++i)
-        gaps.push_back({ranges[i - 1].end, ranges[i].first});
-    return gaps;
+/// Fails where the parts do not have just the samples that are expected.
+void check_expected(const std::vector<SampleRange>& ranges, SampleRange expected,
+                    const std::string& output) {
+    const std::vector<SampleRange> missing = missing_of(ranges, expected);
+    if (!missing.empty())
+        throw input_error(output, fmt::format("lacks the samples {}, expected parts that have all "
+                                              "of {}:{}",
+                                              ranges_text(missing), expected.first, expected.end));
+    if (ranges.front().first < expected.first || ranges.back().end > expected.end)
+        throw input_error(output,
+                          fmt::format("would have the samples {}, expected no others than {}:{}",
+                                      ranges_text(ranges), expected.first, expected.end));
+}
+
+/// Prints the numbers of the parts that are not there.
+void print_missing(const MergeOptions& options) {
+    std::vector<SampleRange> ranges;
+    std::string identity;
+    for (const std::filesystem::path& part : options.parts) {
+        if (!std::filesystem::exists(part)) continue;
+        const FilmSums sums = sums_of(read_exr(part), part.string());
+        if (!identity.empty() && sums.identity != identity)
+            throw input_error(part.string(), "is of another image than the parts before it");
+        identity = sums.identity;
+        ranges.insert(ranges.end(), sums.ranges.begin(), sums.ranges.end());
+    }
+    fmt::print("{}\n",
+               numbers_text(missing_parts(joined(ranges), *options.expect, *options.missing)));
 }
 
 /// Warns where parts come from backends that are not those of the parts before.
@@ -60,6 +83,10 @@ void warn_about_other_backends(const FilmSums& whole, const FilmSums& part,
 }  // namespace
 
 void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
+    if (options.missing) {
+        print_missing(options);
+        return;
+    }
     FilmSums whole;
     std::map<std::string, std::string> metadata;
     std::vector<Layer> mattes;
@@ -88,7 +115,9 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
             throw input_error(part.string(),
                               "has another --background than the first part, expected the same");
     }
-    for (const SampleRange& gap : gaps_of(whole.ranges))
+    if (options.expect) check_expected(whole.ranges, *options.expect, options.output.string());
+    const SampleRange all{whole.ranges.front().first, whole.ranges.back().end};
+    for (const SampleRange& gap : missing_of(whole.ranges, all))
         diagnostics.warn(options.output.string(),
                          fmt::format("lacks the samples {0}:{1} between those of its parts, which "
                                      "--samples {0}:{1} with --resume adds",

@@ -66,10 +66,16 @@ void add_render(CLI::App& app) {
         "Samples per pixel (default: 6 of ais, 64 of path, else 1, or what fits into --time)");
     add_value(render, "--samples", "A:B",
               "Only samples A to B - 1 of a path-traced image, for `weft merge`");
+    add_value(render, "--part", "I/N",
+              "Only part I of the N equal parts, from 1 on, of the samples that --spp says");
+    add_flag(render, "--keep-complete",
+             "Renders nothing where the output has just these samples already");
     add_value(render, "--target-error", "E",
               "Ends path tracing at this relative standard error of the image's mean");
     add_value(render, "--resume", "FILE",
               "Keeps the exact sums of path tracing in this .exr file and goes on from there");
+    add_value(render, "--checkpoint", "T",
+              "Time between two savings of --resume, such as 10s (default: 60s)");
     add_value(render, "--pixel-filter", "NAME",
               "Of path tracing: box, or centre: every sample through the pixel's centre (default: "
               "box)");

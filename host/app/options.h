@@ -75,8 +75,10 @@ struct RenderOptions {
     std::optional<std::vector<std::string>> components;  ///< of choosable_components
     std::optional<std::uint32_t> spp;                    ///< samples per pixel, 1 and up
     std::optional<SampleRange> samples;                  ///< of path tracing: only these
+    bool keep_complete = false;                          ///< an output with just these samples
     std::optional<double> target_error;                  ///< of path tracing: ends it, above 0
     std::optional<std::filesystem::path> resume;  ///< of path tracing: sums, read and written
+    double checkpoint_seconds = 60.0;             ///< between two times that they are written
     std::optional<std::uint32_t> most_bounces{};  ///< of path
     bool through_centres = false;                 ///< of path tracing
     Denoiser denoiser = Denoiser::none;
@@ -179,8 +181,12 @@ struct CompareOptions {
 
 /// Options of `weft merge`.
 struct MergeOptions {
-    std::vector<std::filesystem::path> parts;  ///< at least one
-    std::filesystem::path output;              ///< ends in .exr, in any case
+    std::vector<std::filesystem::path> parts;  ///< at least one, but with `missing`
+    std::filesystem::path output;              ///< ends in .exr; empty with `missing`
+    std::optional<SampleRange> expect;         ///< the samples that the whole has to have
+    /// Only tell which of so many parts of `expect` are not there; files that are missing are not
+    /// errors then.
+    std::optional<std::uint32_t> missing;
 };
 
 enum class ErrorMeasure : std::uint8_t;

@@ -165,6 +165,15 @@ SampleRange parse_range(std::string_view option, std::string_view text) {
     return range;
 }
 
+PartOfMany parse_part(std::string_view option, std::string_view text) {
+    PartOfMany of;
+    const std::size_t bar = text.find('/');
+    if (bar == std::string_view::npos || !parse_all(text.substr(0, bar), of.part) ||
+        !parse_all(text.substr(bar + 1), of.parts) || of.part < 1 || of.part > of.parts)
+        fail(option, text, "I/N, such as 1/16 for the first of 16 parts");
+    return of;
+}
+
 FrameRange parse_frames(std::string_view option, std::string_view text) {
     FrameRange range;
     if (!parse_half_open(text, limits::max_frames, range.first, range.end))

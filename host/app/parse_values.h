@@ -43,6 +43,14 @@ namespace weft {
 /// `A:B`, the whole numbers from A to B - 1, of which there is at least one.
 [[nodiscard]] SampleRange parse_range(std::string_view option, std::string_view text);
 
+struct PartOfMany {
+    std::uint32_t part = 1;  ///< 1 to `parts`
+    std::uint32_t parts = 1;
+};
+
+/// `I/N`, part I of N, from 1 on.
+[[nodiscard]] PartOfMany parse_part(std::string_view option, std::string_view text);
+
 /// `A:B`, the frames from A to B - 1, of which there is at least one.
 [[nodiscard]] FrameRange parse_frames(std::string_view option, std::string_view text);
 

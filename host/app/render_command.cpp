@@ -140,6 +140,7 @@ class CommandOutput : public FileOutput {
                       .background = options.background,
                       .overlays = options.overlays,
                       .sums = options.resume,
+                      .save_interval_ms = 1000.0 * options.checkpoint_seconds,
                       .with_sums = options.samples.has_value(),
                       .scene = options.scene.filename().string()},
                      diagnostics),
@@ -152,6 +153,7 @@ class CommandOutput : public FileOutput {
     void write(SessionImage image) override {
         times_.render_ms += watch_.lap() - image.denoise_ms;
         times_.denoise_ms += image.denoise_ms;
+        times_.correct_ms += image.correct_ms;
         denoiser_ = image.denoiser;
         if (!image.complete && whole_only_) return;
         if (image.complete) progress_.update(1.0, "writing");
@@ -234,6 +236,22 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
                             options.resume->string(), diagnostics);
     }
     return {std::move(executor), std::move(moving), camera, left, kept_frames, std::move(sums)};
+}
+
+/// Whether the output has just the samples that are asked for, of this image. A file that cannot be
+/// read has not.
+bool has_part(RenderSession& session, const RenderOptions& options) {
+    if (!options.keep_complete || !options.samples || !std::filesystem::exists(options.output))
+        return false;
+    FilmSums kept;
+    try {
+        kept = sums_of(read_exr(options.output), options.output.string());
+    } catch (const Error&) {
+        return false;
+    }
+    const std::optional<FilmSums> now = session.image().sums;
+    return now && kept.identity == now->identity && kept.width == now->width &&
+           kept.height == now->height && kept.ranges == std::vector<SampleRange>{*options.samples};
 }
 
 /// The camera in one frame of an animation.
@@ -391,6 +409,10 @@ ExitCode render_command(const RenderOptions& given, Diagnostics& diagnostics) {
     const Camera first_camera = camera_of_frame(scene, camera, options, frames.first);
     RenderSession session = make_session(std::move(executor), std::move(moving), first_camera,
                                          options, settings, diagnostics);
+    if (has_part(session, options)) {
+        progress.clear_bar();
+        return ExitCode::success;
+    }
     warn_about_paths(session, options, diagnostics);
     warn_about_materials(session, options, diagnostics);
     warn_about_media(session, options, diagnostics);

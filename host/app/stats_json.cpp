@@ -155,6 +155,7 @@ nlohmann::json stats_json(const RenderOptions& options, const RenderSession& ses
               {"build_bvh_ms", times.build_bvh_ms},
               {"render_ms", times.render_ms},
               {"denoise_ms", times.denoise_ms},
+              {"correct_ms", times.correct_ms},
               {"write_ms", times.write_ms},
               {"total_ms", times.total_ms}}},
             {"bytes", executor.allocated_bytes()},

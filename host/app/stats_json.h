@@ -20,6 +20,7 @@ struct RunTimes {
     double build_bvh_ms = 0.0;
     double render_ms = 0.0;
     double denoise_ms = 0.0;
+    double correct_ms = 0.0;  ///< a part of render_ms: correcting previews by unbiased samples
     double write_ms = 0.0;
     double total_ms = 0.0;  ///< from the start of the program to the written image
 };

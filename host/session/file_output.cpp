@@ -19,8 +19,6 @@
 namespace weft {
 namespace {
 
-constexpr double save_ms = 60e3;
-
 bool is_png(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -134,7 +132,7 @@ double FileOutput::write_ms(const SessionImage& image) {
 }
 
 std::optional<double> FileOutput::save_interval_ms() const {
-    return settings_.sums ? std::optional(save_ms) : std::nullopt;
+    return settings_.sums ? std::optional(settings_.save_interval_ms) : std::nullopt;
 }
 
 void FileOutput::save(const FilmSums& sums, const Image& image) {

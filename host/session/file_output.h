@@ -24,6 +24,7 @@ struct FileOutputSettings {
     std::optional<Background> background;       ///< empty: none but what was rendered
     bool overlays = false;                      ///< of ais: also what was sampled, and why
     std::optional<std::filesystem::path> sums;  ///< EXR file that path tracing saves its sums to
+    double save_interval_ms = 60000.0;          ///< between two times that it does, above 0
     bool with_sums = false;                     ///< of path tracing: `file` gets its sums, too
     std::string scene;                          ///< its name, for the metadata
 };

@@ -25,6 +25,7 @@ struct SessionImage {
     bool complete = true;                ///< false where the user has ended it early
     Denoiser denoiser = Denoiser::none;  ///< that its beauty has gone through
     double denoise_ms = 0.0;             ///< and how long that took
+    double correct_ms = 0.0;  ///< how long the correction of a preview took, see correct_preview
     /// See FrameRenderer::light.
     std::vector<LightShare> light;
 };

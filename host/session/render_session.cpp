@@ -212,8 +212,11 @@ SessionImage RenderSession::image() {
         result.seed = std::get<PathSettings>(settings_).seed;
     } else {
         result.image = renderer_->image();
-        if (refinement_ && refinement_->can_correct())
+        if (refinement_ && refinement_->can_correct()) {
+            const Stopwatch watch;
             refinement_->correct(result.image, renderer_->samples());
+            result.correct_ms = watch.total();
+        }
         result.algorithm = std::get<RenderSettings>(settings_).algorithm;
         result.seed = std::get<RenderSettings>(settings_).seed;
     }
