@@ -108,7 +108,8 @@ class Unfilled(unittest.TestCase):
                 return None, 0.3 if self.made % 2 else 30.0
 
         lines = io.StringIO()
-        args = types.SimpleNamespace(budgets=[10.0], check=0.0, mirror=False, output=".")
+        args = types.SimpleNamespace(budgets=[10.0], check=0.0, reference=0.0, mirror=False,
+                                     output=".")
         exr_file = types.SimpleNamespace(write_exr=lambda file, image: None)  # needs no numpy
         modules = {"exr_file": exr_file}
         with mock.patch.dict(sys.modules, modules):
@@ -117,6 +118,25 @@ class Unfilled(unittest.TestCase):
         self.assertEqual(len(found), 3)
         self.assertTrue(found[1]["unfilled"].startswith("Never: left out at 10 s"))
         self.assertTrue(found[2]["check"])
+
+    def test_serve_makes_a_reference_of_its_own(self):
+        class Steady(equal_time.Renderer):
+            name, version = "Steady", "1"
+
+            def render(self, samples, seed):
+                return None, 0.01 * samples
+
+        lines, files = io.StringIO(), []
+        args = types.SimpleNamespace(budgets=[1.0], check=0.0, reference=20.0, mirror=False,
+                                     output=".")
+        exr_file = types.SimpleNamespace(write_exr=lambda file, image: files.append(file.name))
+        with mock.patch.dict(sys.modules, {"exr_file": exr_file}):
+            equal_time.serve(Steady(), args, lines)
+        found = [json.loads(line) for line in lines.getvalue().splitlines()]
+        self.assertEqual(files, ["steady-1.exr", "steady-reference.exr"])
+        self.assertNotIn("reference", found[1])
+        self.assertTrue(found[2]["reference"])
+        self.assertGreater(found[2]["samples"], 10 * found[1]["samples"])
 
 
 class Verdict(unittest.TestCase):

@@ -225,5 +225,35 @@ class SpotLight(unittest.TestCase):
             exported_scene.spot_texels({"cos_inner": 0.5, "cos_outer": 0.0})
 
 
+class OwnReferences(unittest.TestCase):
+    """Other renderers are compared with images of their own where they have made one."""
+
+    def test_images_are_compared_with_those_of_their_renderer(self):
+        against = weft_runs.Reference("weft.exr")
+        seen = []
+
+        def compare(args, image, reference, errors):
+            seen.append((image.name, reference.file.name))
+            return {"mean_ratio": 1.05 if not errors else 1.0, "hdrflip": 0.1}
+
+        known = other_renderers.compare
+        self.addCleanup(lambda: setattr(other_renderers, "compare", known))
+        other_renderers.compare = compare
+
+        def image(name, picture, **fields):
+            return {"name": name, "picture": picture, "budget_s": 1.0, "seconds": 1.0,
+                    "samples": 4, "denoised": name.endswith("denoised"), **fields}
+
+        images, notes = other_renderers.compared(
+            None, [image("Weft path", "w.exr"), image("Other", "o.exr"),
+                   image("Other, denoised", "d.exr"), image("Third", "t.exr"),
+                   image("Other", "long.exr", reference=True)], pathlib.Path("."), against)
+        self.assertEqual([one["picture"] for one in images], ["w.exr", "o.exr", "d.exr", "t.exr"])
+        self.assertEqual(seen[1:], [("w.exr", "weft.exr"), ("o.exr", "long.exr"),
+                                    ("d.exr", "long.exr"), ("t.exr", "weft.exr")])
+        self.assertEqual(len(notes), 1)
+        self.assertIn("1.050 of that of Weft's reference", notes[0])
+
+
 if __name__ == "__main__":
     unittest.main()
