@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -25,30 +26,44 @@ struct Details {
     ColourPlanes first, second;
 };
 
+/// How many independent products a neighbourhood's mean is of, about: one over the sum of the
+/// squares of its weights, halved, since details next to each other hang together.
+constexpr float independent_products = 31.0F;
+
 /// What is known of the details: adds it to `image`, weighed over neighbourhoods that are a few
 /// times as wide as they are.
-void add_known(const Details& details, std::uint32_t scale, float first_share,
+void add_known(const Details& details, std::uint32_t scale, float first_share, float doubt,
                ColourPlanes& image) {
     const Plane& any = details.first[0];
     Plane signal{any.width, any.height, std::vector<float>(any.values.size())};
     Plane power = signal;
+    Plane spread = signal;
     const float second_share = 1.0F - first_share;
     for_each_pixel(any.values.size(), [&](std::size_t i) {
+        float apart = 0.0F;
+        float squares = 0.0F;
         for (std::size_t c = 0; c < 3; ++c) {
             const float first = details.first[c].values[i];
             const float second = details.second[c].values[i];
             const float mean = first_share * first + second_share * second;
             signal.values[i] += first * second;
             power.values[i] += mean * mean;
+            apart += (first - second) * (first - second);
+            squares += first * first + second * second;
         }
+        // Of Gaussian noise alone this is the variance of the product; without noise it is 0.
+        spread.values[i] = apart * squares / 8.0F;
     });
     for (const std::uint32_t wider : {0U, 1U}) {
         signal = smoothed(signal, 1U << (scale + wider));
         power = smoothed(power, 1U << (scale + wider));
+        if (doubt > 0.0F) spread = smoothed(spread, 1U << (scale + wider));
     }
     for_each_pixel(any.values.size(), [&](std::size_t i) {
-        if (!(signal.values[i] > 0.0F)) return;
-        const float share = std::min(1.0F, signal.values[i] / power.values[i]);
+        float known = signal.values[i];
+        if (doubt > 0.0F) known -= doubt * std::sqrt(spread.values[i] / independent_products);
+        if (!(known > 0.0F)) return;
+        const float share = std::min(1.0F, known / power.values[i]);
         for (std::size_t c = 0; c < 3; ++c)
             image[c].values[i] += share * (first_share * details.first[c].values[i] +
                                            second_share * details.second[c].values[i]);
@@ -93,14 +108,16 @@ void change(Layer& layer, Layer* beauty, std::size_t i, float changed) {
     layer.values[i] = changed;
 }
 
-/// Corrects a layer of light, if all images have it.
-void correct_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty) {
+/// Corrects a layer of light, if all images have it; `doubt` as of `corrected`.
+void correct_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty,
+                   float doubt = 0.0F) {
     const auto layer = common_layer(preview, exact, name);
     if (!layer) return;
     const ColourPlanes result =
         corrected(planes_of(preview, *layer->preview),
                   {planes_of(exact.first, *layer->first), planes_of(exact.second, *layer->second),
-                   static_cast<float>(exact.first_share)});
+                   static_cast<float>(exact.first_share)},
+                  doubt);
     const std::size_t pixels = std::size_t{preview.width} * preview.height;
     for (std::size_t c = 0; c < result.size(); ++c)
         for_each_pixel(pixels, [&](std::size_t i) {
@@ -122,16 +139,16 @@ void average_layer(Image& preview, const ExactMeans& exact, std::string_view nam
     });
 }
 
-/// Whether a preview has layers of light that paths count as direct, indirect or emitted light.
-bool has_light_apart(const Image& preview) {
-    constexpr std::array layers{"media", "reflection", "refraction", "glossy"};
+/// Whether a preview has light of mirrors, gloss or glass.
+bool shows_mirrors(const Image& preview) {
+    constexpr std::array layers{"reflection", "refraction", "glossy"};
     return std::any_of(layers.begin(), layers.end(),
                        [&](const char* layer) { return preview.find(layer) != nullptr; });
 }
 
 }  // namespace
 
-ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact) {
+ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact, float doubt) {
     ColourPlanes image = preview;
     Details rest;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -145,16 +162,20 @@ ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact) {
             details.first[c] = take_detail(rest.first[c], scale);
             details.second[c] = take_detail(rest.second[c], scale);
         }
-        add_known(details, scale, exact.first_share, image);
+        add_known(details, scale, exact.first_share, doubt, image);
     }
-    add_known(rest, scales, exact.first_share, image);
+    add_known(rest, scales, exact.first_share, doubt, image);
     return image;
 }
 
 void correct_preview(Image& preview, const ExactMeans& exact) {
     average_layer(preview, exact, alpha_layer_name, nullptr);
-    if (has_light_apart(preview)) {
-        correct_layer(preview, exact, "", nullptr);
+    // Paths count light of mirrors and media as direct, indirect or emitted light. By way of
+    // mirrors few of them bring much: a pixel's noise is no longer a small share of its
+    // neighbourhood's.
+    const bool mirrors = shows_mirrors(preview);
+    if (mirrors || preview.find("media") != nullptr) {
+        correct_layer(preview, exact, "", nullptr, mirrors ? 1.0F : 0.0F);
         return;
     }
     Layer* const beauty = layer_of(preview, "");

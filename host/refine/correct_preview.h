@@ -26,7 +26,11 @@ struct ExactHalves {
 /// mean square of the difference, and S the mean product of the differences of the two halves,
 /// whose noise is independent. So an error of the preview that is wider than a few pixels is
 /// corrected by few samples, and with more and more of them the result becomes their mean.
-[[nodiscard]] ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact);
+///
+/// `doubt` is for noise with rare bright samples, of which the halves agree by chance: S counts
+/// less so many of its standard errors. Where samples have no noise it changes nothing.
+[[nodiscard]] ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
+                                     float doubt = 0.0F);
 
 /// Two means of disjoint unbiased samples of the same image, as resolve_sums makes them.
 struct ExactMeans {

@@ -120,6 +120,38 @@ TEST(CorrectPreview, OneBrightSampleDoesNotShow) {
             EXPECT_LT(std::abs(result[c].values[i] - preview[c].values[i]), 0.02F);
 }
 
+/// The truth by samples of which one in 250 brings half of the light.
+ColourPlanes rarely_lit(std::uint32_t seed) {
+    constexpr double chance = 0.004;
+    std::mt19937 random(seed);
+    std::bernoulli_distribution lit(chance);
+    ColourPlanes planes = image_of(truth);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float factor = lit(random) ? static_cast<float>(1.0 / chance) : 0.0F;
+        for (Plane& plane : planes) plane.values[i] *= 0.5F + 0.5F * factor;
+    }
+    return planes;
+}
+
+// Some 37 of the 9216 pixels of each half are bright. That none is so in both halves has a chance
+// of 86 %, and holds for these seeds; where one is, nothing can tell it from the truth.
+TEST(CorrectPreview, DoubtKeepsRareBrightSamplesOut) {
+    const ColourPlanes preview = image_of(truth);
+    for (const std::uint32_t seed : {1U, 2U, 3U}) {
+        const ExactHalves exact{rarely_lit(100 + seed), rarely_lit(200 + seed), 0.5F};
+        const double without = mean_square_error(corrected(preview, exact), truth);
+        const double with = mean_square_error(corrected(preview, exact, 1.0F), truth);
+        EXPECT_LT(with, 0.4 * without) << seed << ": " << with << " of " << without;
+    }
+}
+
+TEST(CorrectPreview, DoubtEndsWithTheNoise) {
+    const ColourPlanes exact = image_of(truth);
+    EXPECT_LT(
+        mean_square_error(corrected(image_of(preview_value), {exact, exact, 0.5F}, 1.0F), truth),
+        1e-12);
+}
+
 Layer layer(const char* name, const char* channels, float value) {
     Layer made{name, channels, {}, false, false};
     made.values.assign(made.channels.size() * pixels, value);
