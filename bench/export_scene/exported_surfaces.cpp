@@ -41,11 +41,21 @@ json opacity_json(const Opacity& opacity) {
             {"alpha", parameter_json(opacity.alpha)}};
 }
 
+/// The roughness as glTF has it; null where a map has it on another scale.
+json roughness_json(const Roughness& roughness) {
+    if (roughness.scale == RoughnessScale::roughness) return parameter_json(roughness.value);
+    if (roughness.value.map.present()) return nullptr;
+    return {{"factor", perceived(roughness)}, {"map", nullptr}};
+}
+
 json model_json(const MetallicSurface& s) {
+    const json roughness = roughness_json(s.roughness);
+    const json coat_roughness = roughness_json(s.clearcoat.roughness);
+    if (roughness.is_null() || coat_roughness.is_null()) return {{"model", "other"}};
     return {{"model", "metallic"},
             {"base_colour", parameter_json(s.base_colour)},
             {"metallic", parameter_json(s.metallic)},
-            {"roughness", parameter_json(s.roughness.value)},
+            {"roughness", roughness},
             {"anisotropy",
              {{"strength", s.anisotropy.strength},
               {"rotation", s.anisotropy.rotation},
@@ -60,7 +70,7 @@ json model_json(const MetallicSurface& s) {
              {{"colour", colour_json(s.absorption.colour)}, {"distance", s.absorption.distance}}},
             {"clearcoat",
              {{"factor", parameter_json(s.clearcoat.factor)},
-              {"roughness", parameter_json(s.clearcoat.roughness.value)},
+              {"roughness", coat_roughness},
               {"normal_map", normal_map_json(s.clearcoat.normal_map)}}}};
 }
 

@@ -99,10 +99,9 @@ def principled(nodes, transmission):
         made.inputs["Specular IOR Level"].default_value = 0.5 * surface.factor("specular")
     strength, rotation = surface.anisotropy
     if strength > 0.0:
-        # glTF: alpha across stays; Blender's aspect, the root of the ratio, is that of both.
-        along, across = surfaces.anisotropic_alphas(surface, surface.factor("roughness"))
-        made.inputs["Roughness"].default_value = (along * across) ** 0.25
-        made.inputs["Anisotropic"].default_value = min((1.0 - across / along) / 0.9, 1.0)
+        rough, anisotropic = surfaces.disney_anisotropy(surface)
+        made.inputs["Roughness"].default_value = rough
+        made.inputs["Anisotropic"].default_value = anisotropic
         made.inputs["Anisotropic Rotation"].default_value = rotation / (2.0 * np.pi) % 1.0
         tangent = nodes.tree.nodes.new("ShaderNodeTangent")
         tangent.direction_type, tangent.uv_map = "UV_MAP", "uv"

@@ -8,11 +8,6 @@ import numpy as np
 import surfaces
 from expressible import NotExpressible
 
-# Of Disney's coat a quarter counts.
-COAT_SHARE = 4.0
-# Its facets for a gloss of 0 and 1.
-COAT_ALPHAS = 0.1, 0.001
-
 
 class Materials:
     """Properties of one material by the name `name`, and the image maps that it needs."""
@@ -62,20 +57,13 @@ class Materials:
         colour = self.base_colour()
         if not surface.is_metallic:
             return self.material(name, type="matte", kd=colour)
-        coat, coat_roughness = surface.coat
-        widest, narrowest = COAT_ALPHAS
-        gloss = (widest - surfaces.alpha_of(coat_roughness)) / (widest - narrowest)
+        coat, gloss = surfaces.disney_coat(surface)
         fields = {"type": "disney", "basecolor": colour, "roughness": self.value("roughness"),
-                  "metallic": self.value("metallic"), "clearcoat": COAT_SHARE * coat,
-                  "clearcoatgloss": float(np.clip(gloss, 0.0, 1.0)),
-                  # Of it, 0.08 is the reflectance at normal incidence.
-                  "specular": float(np.clip(surface.reflectance() / 0.08, 0.0, 1.0))}
+                  "metallic": self.value("metallic"), "clearcoat": coat,
+                  "clearcoatgloss": gloss, "specular": surfaces.disney_specular(surface)}
         strength, _ = surface.anisotropy
         if strength > 0.0:
-            # glTF: alpha across stays; Disney's aspect, the root of the ratio, is that of both.
-            along, across = surfaces.anisotropic_alphas(surface, surface.factor("roughness"))
-            fields["roughness"] = float((along * across) ** 0.25)
-            fields["anisotropic"] = float(np.clip((1.0 - across / along) / 0.9, 0.0, 1.0))
+            fields["roughness"], fields["anisotropic"] = surfaces.disney_anisotropy(surface)
         normals = surface.normal_texels()
         if normals is not None:
             image = self.image("normals", surface["normal_map"], normals)

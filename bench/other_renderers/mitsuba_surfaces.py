@@ -7,11 +7,7 @@ import numpy as np
 import surfaces
 from expressible import NotExpressible
 
-# Of Disney's coat a quarter counts.
-COAT_SHARE = 4.0
-# Its facets for a gloss of 0 and 1.
-COAT_ALPHAS = 0.1, 0.001
-
+LEAST_SPECULAR = 1e-3  # Mitsuba refuses 0
 
 def rgb(values):
     return {"type": "rgb", "value": [float(value) for value in values]}
@@ -25,13 +21,13 @@ def bitmap(mi, surface, parameter, texels):
             "filter_type": "nearest" if texture["nearest"] else "bilinear"}
 
 
-def value(mi, surface, parameter, change=lambda numbers: numbers):
-    """A parameter as a texture or a constant, of which a function makes another."""
+def value(mi, surface, parameter):
+    """A parameter as a texture or a constant."""
     texels = surface.texels(parameter)
     if texels is not None:
-        return bitmap(mi, surface, parameter, change(texels))
+        return bitmap(mi, surface, parameter, texels)
     factor = parameter["factor"]
-    return rgb(change(np.array(factor))) if isinstance(factor, list) else float(change(factor))
+    return rgb(factor) if isinstance(factor, list) else float(factor)
 
 
 def base_colour(mi, surface, mesh):
@@ -46,23 +42,16 @@ def opaque(mi, surface, mesh):
     colour = base_colour(mi, surface, mesh)
     if not surface.is_metallic:
         return {"type": "diffuse", "reflectance": colour}
-    coat, coat_roughness = surface.coat
-    widest, narrowest = COAT_ALPHAS
-    gloss = (widest - surfaces.alpha_of(coat_roughness)) / (widest - narrowest)
+    coat, gloss = surfaces.disney_coat(surface)
     made = {"type": "principled", "base_color": colour,
             "roughness": value(mi, surface, surface["roughness"]),
             "metallic": value(mi, surface, surface["metallic"]),
-            # Of it, 0.08 is the reflectance at normal incidence.
-            "specular": float(np.clip(surface.reflectance() / 0.08, 1e-3, 1.0))}
+            "specular": max(surfaces.disney_specular(surface), LEAST_SPECULAR)}
     strength, _ = surface.anisotropy
     if strength > 0.0:
-        # glTF: alpha across stays; Disney's aspect, the root of the ratio, is that of both.
-        along, across = surfaces.anisotropic_alphas(surface, surface.factor("roughness"))
-        made["roughness"] = float((along * across) ** 0.25)
-        made["anisotropic"] = float(np.clip((1.0 - across / along) / 0.9, 0.0, 1.0))
+        made["roughness"], made["anisotropic"] = surfaces.disney_anisotropy(surface)
     if coat > 0.0:
-        made["clearcoat"] = COAT_SHARE * coat
-        made["clearcoat_gloss"] = float(np.clip(gloss, 0.0, 1.0))
+        made["clearcoat"], made["clearcoat_gloss"] = coat, gloss
     return made
 
 

@@ -144,6 +144,26 @@ def is_none(share):
     return share < RIGHT
 
 
+def disney_specular(surface):
+    """Disney's strength of reflection, of which 0.08 is the reflectance at normal incidence."""
+    return float(np.clip(surface.reflectance() / 0.08, 0.0, 1.0))
+
+
+def disney_coat(surface):
+    """Disney's strength of a coat, of which a quarter counts, and the gloss of its facets, whose
+    alpha is 0.1 at 0 and 0.001 at 1."""
+    coat, roughness = surface.coat
+    gloss = (0.1 - alpha_of(roughness)) / (0.1 - 0.001)
+    return 4.0 * coat, float(np.clip(gloss, 0.0, 1.0))
+
+
+def disney_anisotropy(surface):
+    """Disney's roughness and anisotropy: glTF leaves alpha across the direction as it is, Disney's
+    aspect, the root of the ratio, changes both."""
+    along, across = anisotropic_alphas(surface, surface.factor("roughness"))
+    return float((along * across) ** 0.25), float(min((1.0 - across / along) / 0.9, 1.0))
+
+
 def alpha_of(roughness):
     """The width of facets for glTF's roughness."""
     return max(roughness * roughness, 1e-4)

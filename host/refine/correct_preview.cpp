@@ -32,8 +32,8 @@ constexpr float independent_products = 31.0F;
 
 /// What is known of the details: adds it to `image`, weighed over neighbourhoods that are a few
 /// times as wide as they are.
-void add_known(const Details& details, std::uint32_t scale, float first_share, float doubt,
-               ColourPlanes& image) {
+void add_known(const Details& details, std::uint32_t scale, float first_share,
+               float standard_errors, ColourPlanes& image) {
     const Plane& any = details.first[0];
     Plane signal{any.width, any.height, std::vector<float>(any.values.size())};
     Plane power = signal;
@@ -52,16 +52,17 @@ void add_known(const Details& details, std::uint32_t scale, float first_share, f
             squares += first * first + second * second;
         }
         // Of Gaussian noise alone this is the variance of the product; without noise it is 0.
-        spread.values[i] = apart * squares / 8.0F;
+        if (standard_errors > 0.0F) spread.values[i] = apart * squares / 8.0F;
     });
     for (const std::uint32_t wider : {0U, 1U}) {
         signal = smoothed(signal, 1U << (scale + wider));
         power = smoothed(power, 1U << (scale + wider));
-        if (doubt > 0.0F) spread = smoothed(spread, 1U << (scale + wider));
+        if (standard_errors > 0.0F) spread = smoothed(spread, 1U << (scale + wider));
     }
     for_each_pixel(any.values.size(), [&](std::size_t i) {
         float known = signal.values[i];
-        if (doubt > 0.0F) known -= doubt * std::sqrt(spread.values[i] / independent_products);
+        if (standard_errors > 0.0F)
+            known -= standard_errors * std::sqrt(spread.values[i] / independent_products);
         if (!(known > 0.0F)) return;
         const float share = std::min(1.0F, known / power.values[i]);
         for (std::size_t c = 0; c < 3; ++c)
@@ -108,16 +109,16 @@ void change(Layer& layer, Layer* beauty, std::size_t i, float changed) {
     layer.values[i] = changed;
 }
 
-/// Corrects a layer of light, if all images have it; `doubt` as of `corrected`.
+/// Corrects a layer of light, if all images have it; `standard_errors` as of `corrected`.
 void correct_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty,
-                   float doubt = 0.0F) {
+                   float standard_errors = 0.0F) {
     const auto layer = common_layer(preview, exact, name);
     if (!layer) return;
     const ColourPlanes result =
         corrected(planes_of(preview, *layer->preview),
                   {planes_of(exact.first, *layer->first), planes_of(exact.second, *layer->second),
                    static_cast<float>(exact.first_share)},
-                  doubt);
+                  standard_errors);
     const std::size_t pixels = std::size_t{preview.width} * preview.height;
     for (std::size_t c = 0; c < result.size(); ++c)
         for_each_pixel(pixels, [&](std::size_t i) {
@@ -148,7 +149,8 @@ bool shows_mirrors(const Image& preview) {
 
 }  // namespace
 
-ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact, float doubt) {
+ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
+                       float standard_errors) {
     ColourPlanes image = preview;
     Details rest;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -162,9 +164,9 @@ ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact, fl
             details.first[c] = take_detail(rest.first[c], scale);
             details.second[c] = take_detail(rest.second[c], scale);
         }
-        add_known(details, scale, exact.first_share, doubt, image);
+        add_known(details, scale, exact.first_share, standard_errors, image);
     }
-    add_known(rest, scales, exact.first_share, doubt, image);
+    add_known(rest, scales, exact.first_share, standard_errors, image);
     return image;
 }
 

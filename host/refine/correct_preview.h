@@ -27,10 +27,10 @@ struct ExactHalves {
 /// whose noise is independent. So an error of the preview that is wider than a few pixels is
 /// corrected by few samples, and with more and more of them the result becomes their mean.
 ///
-/// `doubt` is for noise with rare bright samples, of which the halves agree by chance: S counts
-/// less so many of its standard errors. Where samples have no noise it changes nothing.
+/// `standard_errors` is for noise with rare bright samples, of which the halves agree by chance: S
+/// counts less so many of its standard errors. Where samples have no noise it changes nothing.
 [[nodiscard]] ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
-                                     float doubt = 0.0F);
+                                     float standard_errors = 0.0F);
 
 /// Two means of disjoint unbiased samples of the same image, as resolve_sums makes them.
 struct ExactMeans {

@@ -79,6 +79,17 @@ class Surfaces(unittest.TestCase):
             with self.assertRaises(expressible.NotExpressible):
                 surface(**changes)
 
+    def test_disneys_parameters_stand_for_gltfs(self):
+        self.assertAlmostEqual(surfaces.disney_specular(surface()), 0.5)
+        coated = surface(clearcoat={"factor": parameter(0.5), "roughness": parameter(0.0),
+                                    "normal_map": None})
+        self.assertEqual(surfaces.disney_coat(coated), (2.0, 1.0))
+        brushed = surface(anisotropy={"strength": 1.0, "rotation": 0.0, "map": None})
+        rough, anisotropic = surfaces.disney_anisotropy(brushed)
+        aspect = math.sqrt(1.0 - 0.9 * anisotropic)
+        self.assertAlmostEqual(rough ** 2 / aspect, 1.0)
+        self.assertAlmostEqual(rough ** 2 * aspect, 0.25)
+
     def test_anisotropy_is_that_of_the_extension(self):
         brushed = surface(anisotropy={"strength": 1.0, "rotation": 0.0, "map": None})
         self.assertEqual(surfaces.anisotropic_alphas(brushed, 0.5), (1.0, 0.25))

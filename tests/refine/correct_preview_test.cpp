@@ -135,7 +135,7 @@ ColourPlanes rarely_lit(std::uint32_t seed) {
 
 // Some 37 of the 9216 pixels of each half are bright. That none is so in both halves has a chance
 // of 86 %, and holds for these seeds; where one is, nothing can tell it from the truth.
-TEST(CorrectPreview, DoubtKeepsRareBrightSamplesOut) {
+TEST(CorrectPreview, AStandardErrorKeepsRareBrightSamplesOut) {
     const ColourPlanes preview = image_of(truth);
     for (const std::uint32_t seed : {1U, 2U, 3U}) {
         const ExactHalves exact{rarely_lit(100 + seed), rarely_lit(200 + seed), 0.5F};
@@ -145,7 +145,7 @@ TEST(CorrectPreview, DoubtKeepsRareBrightSamplesOut) {
     }
 }
 
-TEST(CorrectPreview, DoubtEndsWithTheNoise) {
+TEST(CorrectPreview, WithoutNoiseThereIsNoStandardError) {
     const ColourPlanes exact = image_of(truth);
     EXPECT_LT(
         mean_square_error(corrected(image_of(preview_value), {exact, exact, 0.5F}, 1.0F), truth),
