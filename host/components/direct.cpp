@@ -141,17 +141,20 @@ void Direct::sample_distant(FrameContext& frame) {
                                .stride = plan.environment_samples,
                                .length = plan.environment_samples};
     frame.run(Stage::distant_light, name,
-              kernels::distant_light{.scene = frame.scene_buffers.seen_by_light(),
-                                     .media_tables = shared_.media(),
-                                     .list = list,
-                                     .slots = shared_.slots,
-                                     .receiver_planes = shared_.receivers,
-                                     .block_set = shared_.block_set,
-                                     .lights = frame.scene_buffers.light_table.lights,
-                                     .samples = shared_.light_samples,
-                                     .sampled_irradiance = irradiance_,
-                                     .exact_irradiance = exact_irradiance_,
-                                     .counters = shared_.counters},
+              kernels::distant_light{
+                  .scene = frame.scene_buffers.seen_by_light(),
+                  .media_tables = shared_.media(),
+                  .list = list,
+                  .slots = shared_.slots,
+                  .receiver_planes = shared_.receivers,
+                  .block_set = shared_.block_set,
+                  .lights = frame.scene_buffers.light_table.lights,
+                  .environment_record = frame.scene_buffers.environment.environment_record,
+                  .environment_irradiance = frame.scene_buffers.environment_irradiance,
+                  .samples = shared_.light_samples,
+                  .sampled_irradiance = irradiance_,
+                  .exact_irradiance = exact_irradiance_,
+                  .counters = shared_.counters},
               {shared_.slots});
 }
 

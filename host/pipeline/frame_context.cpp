@@ -100,6 +100,8 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat, bool soon) 
             upload<kinds::EnvironmentRecords>(executor, image.records, "environment"),
             upload<kinds::EnvironmentTexels>(executor, image.texels, "texels of the environment"),
             upload<kinds::EnvironmentSums>(executor, image.sums, "sums of the environment")};
+        scene.environment_irradiance = upload<kinds::EnvironmentIrradiance>(
+            executor, image.irradiance, "irradiance of the environment");
     }
     upload_surfaces(executor, flat.surfaces, scene.surfaces);
     TracedGeometry traced = traced_geometry(flat);

@@ -28,6 +28,7 @@ struct SceneBuffers {
     owned::SurfaceTables surfaces;                ///< of FEATURE_MATERIALS
     DeviceBuffer<kinds::LightNodes> light_nodes;  ///< none where there is one light or none
     owned::EnvironmentImage environment;          ///< none without FEATURE_IMAGE_ENVIRONMENT
+    DeviceBuffer<kinds::EnvironmentIrradiance> environment_irradiance;  ///< likewise
     std::unique_ptr<TracedScene> traced;
     /// What blocks light in previews, where that is less than all; null until make_light_scene.
     std::unique_ptr<TracedScene> blocking;

@@ -8,8 +8,12 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "film/for_each_pixel.h"
+#include "refine/isolated_errors.h"
+#include "refine/sample_noise.h"
 
 namespace weft {
 namespace {
@@ -21,54 +25,36 @@ Plane difference(const Plane& a, const Plane& b) {
     return result;
 }
 
-/// Details of one size in all channels, of each half.
-struct Details {
-    ColourPlanes first, second;
-};
-
-/// How many independent products a neighbourhood's mean is of, about: one over the sum of the
-/// squares of its weights, halved, since details next to each other hang together.
-constexpr float independent_products = 31.0F;
-
-/// What is known of the details: adds it to `image`, weighed over neighbourhoods that are a few
-/// times as wide as they are.
-void add_known(const Details& details, std::uint32_t scale, float first_share,
-               float standard_errors, ColourPlanes& image) {
-    const Plane& any = details.first[0];
-    Plane signal{any.width, any.height, std::vector<float>(any.values.size())};
+/// What is known of details: adds it to `image`, weighed over neighbourhoods that are a few times
+/// as wide as they are. `variance`: of the noise of the pixels that have become each detail.
+void add_known(const ExactHalves& details, const Plane& variance, std::uint32_t scale,
+               const SurfaceRuns& runs, ColourPlanes& image) {
+    Plane signal{variance.width, variance.height, std::vector<float>(variance.values.size())};
     Plane power = signal;
-    Plane spread = signal;
-    const float second_share = 1.0F - first_share;
-    for_each_pixel(any.values.size(), [&](std::size_t i) {
-        float apart = 0.0F;
-        float squares = 0.0F;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float first = details.first[c].values[i];
-            const float second = details.second[c].values[i];
-            const float mean = first_share * first + second_share * second;
-            signal.values[i] += first * second;
-            power.values[i] += mean * mean;
-            apart += (first - second) * (first - second);
-            squares += first * first + second * second;
-        }
-        // Of Gaussian noise alone this is the variance of the product; without noise it is 0.
-        if (standard_errors > 0.0F) spread.values[i] = apart * squares / 8.0F;
+    Plane noise_squares = signal;
+    for_each_pixel(variance.values.size(), [&](std::size_t i) {
+        const HalfProducts products = half_products(details, i);
+        signal.values[i] = products.signal;
+        power.values[i] = products.power;
+        const float noise = variance.values[i] * noise_left(runs.rows[i], runs.columns[i], scale);
+        noise_squares.values[i] = noise * noise;
     });
-    for (const std::uint32_t wider : {0U, 1U}) {
-        signal = smoothed(signal, 1U << (scale + wider));
-        power = smoothed(power, 1U << (scale + wider));
-        if (standard_errors > 0.0F) spread = smoothed(spread, 1U << (scale + wider));
-    }
-    for_each_pixel(any.values.size(), [&](std::size_t i) {
-        float known = signal.values[i];
-        if (standard_errors > 0.0F)
-            known -= standard_errors * std::sqrt(spread.values[i] / independent_products);
+    const std::array planes{&signal, &power, &noise_squares};
+    for (const std::uint32_t wider : {0U, 1U}) smooth(planes, 1U << (scale + wider), runs);
+    for_each_pixel(variance.values.size(), [&](std::size_t i) {
+        const float by_chance = std::sqrt(noise_squares.values[i]) *
+                                chance_agreement(runs.rows[i], runs.columns[i], scale);
+        const float known = signal.values[i] - by_chance;
         if (!(known > 0.0F)) return;
         const float share = std::min(1.0F, known / power.values[i]);
-        for (std::size_t c = 0; c < 3; ++c)
-            image[c].values[i] += share * (first_share * details.first[c].values[i] +
-                                           second_share * details.second[c].values[i]);
+        for (std::size_t c = 0; c < 3; ++c) image[c].values[i] += share * details.mean(c, i);
     });
+}
+
+/// The planes of both halves.
+std::array<Plane*, 6> all_planes(ExactHalves& halves) {
+    return {halves.first.data(),  &halves.first[1],  &halves.first[2],
+            halves.second.data(), &halves.second[1], &halves.second[2]};
 }
 
 ColourPlanes planes_of(const Image& image, const Layer& layer) {
@@ -109,16 +95,16 @@ void change(Layer& layer, Layer* beauty, std::size_t i, float changed) {
     layer.values[i] = changed;
 }
 
-/// Corrects a layer of light, if all images have it; `standard_errors` as of `corrected`.
+/// Corrects a layer of light, if all images have it.
 void correct_layer(Image& preview, const ExactMeans& exact, std::string_view name, Layer* beauty,
-                   float standard_errors = 0.0F) {
+                   const SurfaceRuns& runs) {
     const auto layer = common_layer(preview, exact, name);
     if (!layer) return;
     const ColourPlanes result =
         corrected(planes_of(preview, *layer->preview),
                   {planes_of(exact.first, *layer->first), planes_of(exact.second, *layer->second),
                    static_cast<float>(exact.first_share)},
-                  standard_errors);
+                  runs);
     const std::size_t pixels = std::size_t{preview.width} * preview.height;
     for (std::size_t c = 0; c < result.size(); ++c)
         for_each_pixel(pixels, [&](std::size_t i) {
@@ -140,9 +126,10 @@ void average_layer(Image& preview, const ExactMeans& exact, std::string_view nam
     });
 }
 
-/// Whether a preview has light of mirrors, gloss or glass.
-bool shows_mirrors(const Image& preview) {
-    constexpr std::array layers{"reflection", "refraction", "glossy"};
+/// Whether a preview has light of mirrors, gloss, glass or media, which paths count as direct,
+/// indirect or emitted light.
+bool shows_more_than_paths(const Image& preview) {
+    constexpr std::array layers{"reflection", "refraction", "glossy", "media"};
     return std::any_of(layers.begin(), layers.end(),
                        [&](const char* layer) { return preview.find(layer) != nullptr; });
 }
@@ -150,39 +137,39 @@ bool shows_mirrors(const Image& preview) {
 }  // namespace
 
 ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
-                       float standard_errors) {
+                       const SurfaceRuns& runs) {
     ColourPlanes image = preview;
-    Details rest;
+    ExactHalves rest{{}, {}, exact.first_share};
     for (std::size_t c = 0; c < 3; ++c) {
         rest.first[c] = difference(exact.first[c], preview[c]);
         rest.second[c] = difference(exact.second[c], preview[c]);
     }
-    const std::uint32_t scales = starlet_scales(preview[0].width, preview[0].height);
+    Plane variance = sample_variance(rest);
+    correct_isolated(rest, variance, runs, image);
+    const std::uint32_t scales = starlet_scales(runs.width, runs.height);
     for (std::uint32_t scale = 0; scale < scales; ++scale) {
-        Details details;
-        for (std::size_t c = 0; c < 3; ++c) {
-            details.first[c] = take_detail(rest.first[c], scale);
-            details.second[c] = take_detail(rest.second[c], scale);
-        }
-        add_known(details, scale, exact.first_share, standard_errors, image);
+        std::vector<Plane> taken = take_details(all_planes(rest), scale, runs);
+        ExactHalves details{{}, {}, exact.first_share};
+        const auto planes = all_planes(details);
+        for (std::size_t k = 0; k < planes.size(); ++k) *planes[k] = std::move(taken[k]);
+        add_known(details, variance, scale, runs, image);
+        const std::array noise{&variance};
+        smooth(noise, 1U << scale, runs);
     }
-    add_known(rest, scales, exact.first_share, standard_errors, image);
+    add_known(rest, variance, scales, runs, image);
     return image;
 }
 
 void correct_preview(Image& preview, const ExactMeans& exact) {
+    const SurfaceRuns runs = find_surface_runs(preview);
     average_layer(preview, exact, alpha_layer_name, nullptr);
-    // Paths count light of mirrors and media as direct, indirect or emitted light. By way of
-    // mirrors few of them bring much: a pixel's noise is no longer a small share of its
-    // neighbourhood's.
-    const bool mirrors = shows_mirrors(preview);
-    if (mirrors || preview.find("media") != nullptr) {
-        correct_layer(preview, exact, "", nullptr, mirrors ? 1.0F : 0.0F);
+    if (shows_more_than_paths(preview)) {
+        correct_layer(preview, exact, "", nullptr, runs);
         return;
     }
     Layer* const beauty = layer_of(preview, "");
-    correct_layer(preview, exact, "direct", beauty);
-    correct_layer(preview, exact, "indirect", beauty);
+    correct_layer(preview, exact, "direct", beauty, runs);
+    correct_layer(preview, exact, "indirect", beauty, runs);
     average_layer(preview, exact, "emission", beauty);
     if (beauty == nullptr) return;
     for_each_pixel(beauty->values.size(),

@@ -3,21 +3,11 @@
 #ifndef WEFT_REFINE_CORRECT_PREVIEW_H
 #define WEFT_REFINE_CORRECT_PREVIEW_H
 
-#include <array>
-
 #include "image/image.h"
-#include "refine/starlet.h"
+#include "refine/exact_halves.h"
+#include "refine/surface_runs.h"
 
 namespace weft {
-
-/// The red, green and blue plane of some light of an image.
-using ColourPlanes = std::array<Plane, 3>;
-
-/// What unbiased samples say of the same light, in two independent halves.
-struct ExactHalves {
-    ColourPlanes first, second;
-    float first_share = 0.5F;  ///< of the samples that the first half has, in (0, 1)
-};
 
 /// The light of a preview, corrected by unbiased samples: the difference between the mean of the
 /// samples and the preview is split by the size of details, and of each detail is added what is
@@ -27,10 +17,12 @@ struct ExactHalves {
 /// whose noise is independent. So an error of the preview that is wider than a few pixels is
 /// corrected by few samples, and with more and more of them the result becomes their mean.
 ///
-/// `standard_errors` is for noise with rare bright samples, of which the halves agree by chance: S
-/// counts less so many of its standard errors. Where samples have no noise it changes nothing.
+/// Details and neighbourhoods end at the edges of surfaces, which `runs` has, so that an error on
+/// one object does not reach another. S counts less what halves of so much noise agree on by
+/// chance; where samples have no noise that is nothing. Single pixels that are far off are
+/// corrected by themselves, see correct_isolated.
 [[nodiscard]] ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
-                                     float standard_errors = 0.0F);
+                                     const SurfaceRuns& runs);
 
 /// Two means of disjoint unbiased samples of the same image, as resolve_sums makes them.
 struct ExactMeans {

@@ -107,14 +107,15 @@ std::uint32_t features_of(const FlatScene& scene, const FramePlan& plan,
                           std::span<const ComponentKind> kinds) {
     const std::uint32_t of_media = plan.media ? FEATURE_MEDIA | scene.media.features() : 0U;
     const ComponentRequirements required = requirements_of(plan, kinds);
-    // Only paths choose lights by the tree.
+    // Only paths and glossy surfaces choose lights by the tree.
     const bool paths = std::ranges::any_of(required.kernels, [](KernelId kernel) {
         return kernel == KernelId::vpl_residual || kernel == KernelId::hemisphere_rays;
     });
-    const std::uint32_t of_paths = paths ? scene.features & FEATURE_LIGHT_TREE : 0U;
+    const bool chooses = paths || (required.features & FEATURE_GLOSSY) != 0;
+    const std::uint32_t of_choice = chooses ? scene.features & FEATURE_LIGHT_TREE : 0U;
     const std::uint32_t of_materials =
         plan.materials ? scene.features & (FEATURE_MATERIALS | FEATURE_SEE_THROUGH) : 0U;
-    return surface_features(scene) | of_media | of_paths | of_materials | required.features;
+    return surface_features(scene) | of_media | of_choice | of_materials | required.features;
 }
 
 Renderer::Renderer(Executor& executor, const FlatScene& scene, const Camera& camera,

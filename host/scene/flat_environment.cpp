@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "scene/environment_irradiance.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
@@ -277,6 +278,7 @@ FlatEnvironment flatten_environment(const EnvironmentImage& image, const glm::dm
     Padding(image, flat).write(flat.records.front());
     measure(flat);
     flat.trend = to_world * weigh_cells(flat);
+    flat.irradiance = environment_irradiance(flat);
     return flat;
 }
 

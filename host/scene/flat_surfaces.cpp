@@ -326,7 +326,7 @@ void add_tables(FlatSurfaces& surfaces) {
 }
 
 /// What of a surface previews follow: SURFACE_MIRRORS, SURFACE_GLOSSY, SURFACE_LETS_THROUGH.
-/// Classes of width are bounded by MIRROR_ALPHA and GLOSSY_ALPHA of kernels/bsdf/seen_lobes.h.
+/// What is sharp is bounded by MIRROR_ALPHA of kernels/bsdf/seen_lobes.h.
 std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const Texture> textures) {
     std::uint32_t parts = 0;
     if (surface.opacity.mode == OpacityMode::blend) parts |= SURFACE_LETS_THROUGH;
@@ -338,8 +338,7 @@ std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const 
             continue;
         }
         if (width_of(lobe.least_alpha) <= LobeWidth::sharp) parts |= SURFACE_MIRRORS;
-        if (width_of(lobe.most_alpha) > LobeWidth::sharp &&
-            width_of(lobe.least_alpha) < LobeWidth::rough)
+        if (width_of(lobe.most_alpha) > LobeWidth::sharp && !is_nearly_diffuse(lobe))
             parts |= SURFACE_GLOSSY;
     }
     return parts;

@@ -13,6 +13,19 @@ namespace {
 
 constexpr double widest_sharp = 1e-3;
 constexpr double widest_glossy = 0.25;
+// EVEN_ALPHA and EVEN_REFLECTANCE of kernels/bsdf/seen_lobes.h.
+constexpr double even_alpha = 0.5;
+constexpr double even_reflectance = 0.08;
+
+double greatest(const glm::vec3& colour) {
+    return static_cast<double>(std::max({colour.r, colour.g, colour.b}));
+}
+
+/// Share of light that a smooth boundary reflects at normal incidence.
+double normal_reflectance(double ior) {
+    const double root = (ior - 1.0) / (ior + 1.0);
+    return root * root;
+}
 
 /// Least and greatest value of a channel of a texture.
 std::pair<double, double> range_of(const Texture& texture, Channel channel) {
@@ -61,15 +74,24 @@ class LobeCollector {
         const double strength = s.anisotropy.strength;
         shape.most_alpha += (1.0 - shape.most_alpha) * strength * strength;
         if (!s.metallic.is_zero()) add(shape, "metal", false);
-        if (!all_metal && !s.specular.is_zero()) add(shape, "dielectric", false);
+        if (!all_metal && !s.specular.is_zero()) {
+            shape.most_reflectance = std::min(1.0, normal_reflectance(static_cast<double>(s.ior)) *
+                                                       greatest(s.specular_colour.factor)) *
+                                     static_cast<double>(s.specular.factor);
+            add(shape, "dielectric", false);
+        }
         if (s.transmits()) add(shape, s.solid ? "glass" : "thin glass", true);
         if (!all_metal && !all_clear) add_diffuse();
-        if (s.clearcoat.present())
+        if (s.clearcoat.present()) {
             lobes.push_back(lobe_with("clear coat", s.clearcoat.roughness, s.clearcoat.roughness));
+            lobes.back().most_reflectance = normal_reflectance(1.5);
+        }
     }
     void operator()(const SpecularSurface& s) {
-        if (s.specular.factor != glm::vec3(0.0F))
+        if (s.specular.factor != glm::vec3(0.0F)) {
             lobes.push_back(lobe_with("reflection", s.roughness, s.roughness));
+            lobes.back().most_reflectance = greatest(s.specular.factor);
+        }
         if (s.diffuse.factor != glm::vec3(0.0F)) add_diffuse();
     }
     void operator()(const ConductorSurface& s) {
@@ -82,6 +104,8 @@ class LobeCollector {
     }
     void operator()(const PlasticSurface& s) {
         lobes.push_back(lobe_with("dielectric", s.roughness, s.roughness));
+        lobes.back().most_reflectance =
+            normal_reflectance(s.ior_inside / s.ior_outside) * greatest(s.specular.factor);
         add_diffuse();
     }
 
@@ -136,6 +160,10 @@ bool absorbs(const SurfaceDescription& surface) {
 }
 
 }  // namespace
+
+bool is_nearly_diffuse(const SurfaceLobe& lobe) {
+    return lobe.least_alpha >= even_alpha && lobe.most_reflectance <= even_reflectance;
+}
 
 LobeWidth width_of(double alpha) {
     if (alpha < std::ldexp(1.0, -12)) return LobeWidth::delta;

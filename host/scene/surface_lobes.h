@@ -30,7 +30,12 @@ struct SurfaceLobe {
     bool transmits = false;
     double least_alpha = 0.0;  ///< over the texture, where roughness has one
     double most_alpha = 0.0;
+    double most_reflectance = 1.0;  ///< at normal incidence, over the textures
 };
+
+/// Whether the light of such a lobe that reflects is all but that of a diffuse surface: it is wide
+/// everywhere, and faint but at grazing angles.
+[[nodiscard]] bool is_nearly_diffuse(const SurfaceLobe& lobe);
 
 /// The lobes that a surface has anywhere.
 [[nodiscard]] std::vector<SurfaceLobe> lobes_of(const SurfaceDescription& surface,

@@ -4,16 +4,23 @@
 // What previews make of a material that is seen from a direction: what smooth facets mirror, what
 // glossy ones do, what is seen through it, each in one direction, and a diffuse surface for all the
 // rest. The direction of glossy facets and of rough glass is that of one facet, which is chosen.
-// Facets from GLOSSY_ALPHA on count as diffuse light of the same albedo.
+// Rough facets count as diffuse light of the same albedo where a surface is seen in a mirror, and
+// where they reflect little (way_of_facets).
 #ifndef WEFT_KERNELS_BSDF_SEEN_LOBES_H
 #define WEFT_KERNELS_BSDF_SEEN_LOBES_H
 
 #include "kernels/bsdf/scattering.h"
 
 // Alpha up to which facets are seen as a mirror, about the angle of a pixel, and from which on they
-// count as diffuse.
+// count as diffuse where a surface is seen in a mirror.
 #define MIRROR_ALPHA 0.001f
 #define GLOSSY_ALPHA 0.25f
+// FacetChoice::widest of what the camera sees itself: alpha is 1 at most.
+#define ANY_ALPHA 2.0f
+// Alpha from which on facets count as diffuse wherever they are if they reflect no more than that
+// at normal incidence: the mirror of a rough dielectric is all but even.
+#define EVEN_ALPHA 0.5f
+#define EVEN_REFLECTANCE 0.08f
 
 // The ways on which light comes; SeenLobes::ways.
 #define WAY_REFLECTION 0
@@ -22,22 +29,27 @@
 #define WAY_COUNT 3
 
 // Numbers in [0, 1): `part` chooses between a coat and what lies below it, `u` and `v` choose the
-// facet that is seen.
+// facet that is seen. Facets that reflect count as diffuse from alpha `widest` on, across their
+// narrow axis.
 typedef struct {
     float part, u, v;
+    float widest;  // GLOSSY_ALPHA or ANY_ALPHA
 } FacetChoice;
 
 // Light from one direction.
 typedef struct {
     float3 share;      // of the light from there
     float3 direction;  // a unit vector
-    float alpha;       // of the facets where they are chosen, else 0
+    float alpha;       // of the facets where they are chosen, across their narrow axis; else 0
+    int missed;        // 1 where the chosen facet reflects downwards, and the mean one is taken
 } SeenWay;
 
 typedef struct {
     float3 diffuse;  // albedo
     SeenWay ways[WAY_COUNT];
     int refracts;  // 1 where what is transmitted enters or leaves a solid
+    // Luminance of what the facets of a coat, and of the boundary below it, send on WAY_GLOSSY.
+    float glossy_coat, glossy_boundary;
 } SeenLobes;
 
 static inline SeenLobes no_lobes(void) {
@@ -48,8 +60,11 @@ static inline SeenLobes no_lobes(void) {
         lobes.ways[i].share = none;
         lobes.ways[i].direction = none;
         lobes.ways[i].alpha = 0.0f;
+        lobes.ways[i].missed = 0;
     }
     lobes.refracts = 0;
+    lobes.glossy_coat = 0.0f;
+    lobes.glossy_boundary = 0.0f;
     return lobes;
 }
 
@@ -57,35 +72,58 @@ static inline float alpha_of_facets(Facets facets) {
     return m_max(facets.alpha_x, facets.alpha_y);
 }
 
-/// The way of what facets reflect: WAY_REFLECTION, WAY_GLOSSY, or WAY_COUNT where they count as
-/// diffuse.
-static inline int way_of_facets(Facets facets) {
-    float alpha = alpha_of_facets(facets);
-    if (alpha <= MIRROR_ALPHA) return WAY_REFLECTION;
-    return alpha < GLOSSY_ALPHA ? WAY_GLOSSY : WAY_COUNT;
+static inline float narrow_alpha(Facets facets) {
+    return m_min(facets.alpha_x, facets.alpha_y);
 }
 
-/// The normal of the facet that is seen, where it is chosen at all.
-static inline float3 chosen_facet(Facets facets, float3 v, FacetChoice choice) {
-    float3 normal = f3(0.0f, 0.0f, 1.0f);
+/// The way of what facets reflect, which is `reflectance` at normal incidence: WAY_REFLECTION,
+/// WAY_GLOSSY, or WAY_COUNT where they count as diffuse.
+static inline int way_of_facets(Facets facets, float reflectance, FacetChoice choice) {
     float alpha = alpha_of_facets(facets);
-    if (alpha <= MIRROR_ALPHA || !(alpha < GLOSSY_ALPHA)) return normal;
+    if (alpha <= MIRROR_ALPHA) return WAY_REFLECTION;
+    float narrow = narrow_alpha(facets);
+    int even = narrow >= EVEN_ALPHA && reflectance <= EVEN_REFLECTANCE ? 1 : 0;
+    return narrow < choice.widest && even == 0 ? WAY_GLOSSY : WAY_COUNT;
+}
+
+// A facet that is seen.
+typedef struct {
+    float3 normal;
+    int missed;  // SeenWay's
+} SeenFacet;
+
+/// The facet that is seen, where it is chosen at all.
+static inline SeenFacet chosen_facet(Facets facets, float3 v, FacetChoice choice) {
+    SeenFacet seen;
+    seen.normal = f3(0.0f, 0.0f, 1.0f);
+    seen.missed = 0;
+    if (alpha_of_facets(facets) <= MIRROR_ALPHA) return seen;
     float3 facet = sample_facet(facets, v, reflecting_cap(facets, v), choice.u, choice.v);
     // What it reflects stays above the surface, and the viewer sees it.
     float c = dot3(facet, v);
-    return c > 0.0f && reflected_direction(v, facet, c).z > 0.0f ? facet : normal;
+    if (c > 0.0f && reflected_direction(v, facet, c).z > 0.0f)
+        seen.normal = facet;
+    else
+        seen.missed = 1;
+    return seen;
+}
+
+static inline float3 reflected_by(SeenFacet facet, float3 v) {
+    return reflected_direction(v, facet.normal, dot3(v, facet.normal));
 }
 
 /// Adds light from a direction in the frame of the material to a way. All of its light comes from
 /// one direction: `part` chooses which, by luminance.
-static inline void add_to_way(float3 share, float3 direction, Facets facets, float part,
+static inline void add_to_way(float3 share, float3 direction, int missed, Facets facets, float part,
                               SeenWay* way) {
     float brightness = luminance(share);
     if (!(brightness > 0.0f)) return;
     way->share += share;
-    float alpha = alpha_of_facets(facets);
-    if (alpha > MIRROR_ALPHA && alpha < GLOSSY_ALPHA) way->alpha = m_max(way->alpha, alpha);
-    if (part * luminance(way->share) < brightness) way->direction = direction;
+    if (alpha_of_facets(facets) > MIRROR_ALPHA)
+        way->alpha = m_max(way->alpha, m_max(narrow_alpha(facets), MIRROR_ALPHA));
+    if (!(part * luminance(way->share) < brightness)) return;
+    way->direction = direction;
+    way->missed = missed;
 }
 
 /// What a coat reflects.
@@ -94,16 +132,16 @@ static inline void add_coat(const LayeredBsdf* bsdf, float3 v, FacetChoice choic
     float coat = 1.0f - bsdf->under_coat;
     if (!(coat > 0.0f)) return;
     float3 share = f3(coat, coat, coat);
-    int way = way_of_facets(bsdf->coat_facets);
+    int way = way_of_facets(bsdf->coat_facets, 0.04f, choice);
     float3 coat_v = local_direction(v, bsdf->coat_normal);
     if (way == WAY_COUNT || !(coat_v.z > 0.0f)) {
         lobes->diffuse += share;
         return;
     }
-    float3 m = chosen_facet(bsdf->coat_facets, coat_v, choice);
-    float3 in = reflected_direction(coat_v, m, dot3(coat_v, m));
-    add_to_way(share, to_world(in, bsdf->coat_normal), bsdf->coat_facets, choice.part,
-               &lobes->ways[way]);
+    SeenFacet facet = chosen_facet(bsdf->coat_facets, coat_v, choice);
+    add_to_way(share, to_world(reflected_by(facet, coat_v), bsdf->coat_normal), facet.missed,
+               bsdf->coat_facets, choice.part, &lobes->ways[way]);
+    if (way == WAY_GLOSSY) lobes->glossy_coat = luminance(share);
 }
 
 /// The refracted direction by the facet with the normal `m`, or where that reflects all light, by
@@ -127,18 +165,19 @@ static inline void find_layered_lobes(const LayeredBsdf* bsdf, float3 v, FacetCh
     SeenWay* through = &lobes->ways[WAY_REFRACTION];
     float3 sheet = bsdf->sheet_colour;
     if (max_component(sheet) > 0.0f) {
-        float3 m = chosen_facet(bsdf->sheet, v, choice);
+        SeenFacet facet = chosen_facet(bsdf->sheet, v, choice);
         sheet = sheet * facet_albedo(bsdf->sheet, cosine).all;
-        add_to_way(sheet, across_sheet(reflected_direction(v, m, dot3(v, m))), bsdf->sheet, 0.0f,
+        add_to_way(sheet, across_sheet(reflected_by(facet, v)), facet.missed, bsdf->sheet, 0.0f,
                    through);
     }
     if (!(bsdf->p_boundary > 0.0f)) return;
-    float3 m = chosen_facet(bsdf->facets, v, choice);
+    SeenFacet facet = chosen_facet(bsdf->facets, v, choice);
     ColouredFresnel f = boundary_fresnel(bsdf, cosine);
     float3 transmitted = f.transmitted * bsdf->glass_albedo;
     if (max_component(transmitted) > 0.0f) {
         // A material has either a sheet of glass or a solid's boundary.
-        add_to_way(transmitted, refracted_by_facet(bsdf, v, m, f), bsdf->facets, 0.0f, through);
+        add_to_way(transmitted, refracted_by_facet(bsdf, v, facet.normal, f), facet.missed,
+                   bsdf->facets, 0.0f, through);
         lobes->refracts = 1;
     }
     float3 reflected = f.reflected;
@@ -151,12 +190,14 @@ static inline void find_layered_lobes(const LayeredBsdf* bsdf, float3 v, FacetCh
         if (bsdf->alone != 0 && (bsdf->flags & LAYERED_CONDUCTOR) != 0u)
             reflected = reflected * facet_albedo(bsdf->facets, cosine).all;
     }
-    int way = way_of_facets(bsdf->facets);
-    if (way == WAY_COUNT)
+    int way = way_of_facets(bsdf->facets, max_component(bsdf->f0), choice);
+    if (way == WAY_COUNT) {
         lobes->diffuse += reflected;
-    else
-        add_to_way(reflected, reflected_direction(v, m, dot3(v, m)), bsdf->facets, choice.part,
-                   &lobes->ways[way]);
+        return;
+    }
+    add_to_way(reflected, reflected_by(facet, v), facet.missed, bsdf->facets, choice.part,
+               &lobes->ways[way]);
+    if (way == WAY_GLOSSY) lobes->glossy_boundary = luminance(reflected);
 }
 
 /// Of Mitsuba's plastics.
@@ -169,14 +210,17 @@ static inline void find_plastic_lobes(const Plastic* plastic, float3 v, FacetCho
     float leaving = (1.0f - inner_reflectance(eta)) * (eta * eta);
     lobes->diffuse = plastic->body * (entering * leaving);
     float3 mirror = plastic->specular * (1.0f - entering);
-    int way = way_of_facets(plastic->facets);
+    float eta_step = (eta - 1.0f) / (eta + 1.0f);
+    int way = way_of_facets(plastic->facets,
+                            max_component(plastic->specular) * (eta_step * eta_step), choice);
     if (way == WAY_COUNT) {
         lobes->diffuse += mirror;
         return;
     }
-    float3 m = chosen_facet(plastic->facets, v, choice);
-    add_to_way(mirror, reflected_direction(v, m, dot3(v, m)), plastic->facets, 0.0f,
+    SeenFacet facet = chosen_facet(plastic->facets, v, choice);
+    add_to_way(mirror, reflected_by(facet, v), facet.missed, plastic->facets, 0.0f,
                &lobes->ways[way]);
+    if (way == WAY_GLOSSY) lobes->glossy_boundary = luminance(mirror);
 }
 
 /// Turns the ways into the world. Where normal maps or interpolated normals send smooth ones to the
@@ -189,10 +233,12 @@ static inline void place_ways(const SurfaceScattering* scattering, SeenLobes* lo
         float side = dot3(way->direction, scattering->outward);
         bool fits = i == WAY_REFRACTION ? side < 0.0f : side > 0.0f;
         if (fits) continue;
-        if (way->alpha > 0.0f)
+        if (way->alpha > 0.0f) {
             way->direction = way->direction - scattering->outward * (2.0f * side);
-        else
+            way->missed = 1;
+        } else {
             way->share = f3(0.0f, 0.0f, 0.0f);
+        }
     }
 }
 

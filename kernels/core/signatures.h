@@ -47,8 +47,11 @@
     X(TRACES, Scene, scene)                            \
     X(GROUP, Geometry, geometry)                       \
     X(GROUP, SurfaceTables, surfaces)                  \
+    X(GROUP, LightTable, light_table)                  \
+    X(MAY_READ, LightNodes, light_nodes)               \
     X(GROUP, EnvironmentImage, environment)            \
     X(VALUE, uint, way_number)                         \
+    X(VALUE, uint, samples_lights)                     \
     X(VALUE, uint, keeps_shares)                       \
     X(READS, SurfaceIds, gb_ids)                       \
     X(READS, SurfacePositions, gb_position)            \
@@ -192,6 +195,8 @@
     X(READS, ReceiverPlanes, receiver_planes)          \
     X(READS, BlockSets, block_set)                     \
     X(READS, Lights, lights)                           \
+    X(MAY_READ, EnvironmentRecords, environment_record)\
+    X(MAY_READ, EnvironmentIrradiance, environment_irradiance) \
     X(MAY_READ, VirtualLights, samples)                \
     X(MAY_WRITE, SlotLight, sampled_irradiance)        \
     X(MAY_WRITE, SlotLight, exact_irradiance)          \

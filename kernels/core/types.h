@@ -404,6 +404,9 @@ typedef struct {
     uint pad;
 } TileRecord;
 
+// Nodes of the map of the environment's irradiance, along each of its axes.
+#define IRRADIANCE_NODES 65u
+
 // Edge of the squares of pixels that see different facets of rough surfaces (view_chains.cl).
 #define GLOSSY_PATTERN 9u
 

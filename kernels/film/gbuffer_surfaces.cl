@@ -22,7 +22,7 @@ WEFT_KERNEL(gbuffer_surfaces)
     Hit hits[LANES];
     trace_camera_packet(&params, scene, &block.rays, block.inside, hits);
     // Which facet is seen makes no difference to what is diffuse.
-    FacetChoice mean_facet = {0.5f, 0.5f, 0.5f};
+    FacetChoice mean_facet = {0.5f, 0.5f, 0.5f, ANY_ALPHA};
     for (uint lane = 0u; lane < LANES; ++lane) {
         if ((block.inside >> lane & 1u) == 0u) continue;
         uint pixel = pixel_of_lane(&params, &block, lane);
@@ -38,7 +38,7 @@ WEFT_KERNEL(gbuffer_surfaces)
                 seen_texture_angle(&params, params.camera.texture_angle, depth) * (depth / hit.t);
             seen = see_surface(&params, &geometry, &tables, hit, angle, mean_facet, &path);
             if (seen.is_there != 0) break;
-            pass_chain(&params, &tables, &seen, &path);
+            pass_chain(&params, &tables, &seen, hit.t, &path);
             hit = trace_closest(scene, path.ray.origin, direction, RAY_INFINITY);
             depth += hit.t;
         }

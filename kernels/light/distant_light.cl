@@ -12,6 +12,7 @@
 #include "kernels/core/kernel.h"
 #include "kernels/core/receiver_values.h"
 #include "kernels/light/environment.h"
+#include "kernels/light/environment_irradiance.h"
 #include "kernels/media/packet_media.h"
 
 /// Transmittance of media for light from that direction; see packet_transmittance.
@@ -22,6 +23,14 @@ static inline float3 distant_transmittance(const RenderParams* params, const Med
     Random random = way_random(params, position, number);
     return ray_transmittance(params, media, position, direction, RAY_INFINITY, enclosing_media,
                              &random);
+}
+
+/// Irradiance of a surface that sees all samples of an image that are on its side, over all sets.
+static inline float3 open_sample_irradiance(GLOBAL const Vpl* samples, uint count, float3 normal) {
+    float3 sum = f3(0.0f, 0.0f, 0.0f);
+    for (uint i = 0u; i < count; ++i)
+        sum += xyz(samples[i].flux) * m_max(dot3(xyz(samples[i].position), normal), 0.0f);
+    return sum * (1.0f / (float)count);
 }
 
 WEFT_KERNEL(distant_light)
@@ -58,10 +67,30 @@ WEFT_KERNEL(distant_light)
                 distant_transmittance(&params, &through, position, direction, enclosing_media, i);
             open += image != 0 ? arrives * xyz(first[i].flux) * cosine : arrives;
         }
-        add_irradiance(sampled_irradiance, stride, slot,
-                       image != 0 ? open * (1.0f / (float)count)
-                                  : xyz(params.scene.environment) *
-                                        (open * (COSINE_IRRADIANCE / (float)count)));
+        open = open * (1.0f / (float)count);
+        float3 factor = xyz(params.scene.environment);
+        if (image != 0) {
+            // Samples find out what of the light is seen; how bright it is where all is, is known.
+            float3 sampled = open_sample_irradiance(
+                samples + list.first, params.sampling.sets * params.sampling.environment_samples,
+                shading);
+            float3 expected =
+                factor * open_irradiance(environment_record, environment_irradiance, shading);
+            if (max_component(sampled) > 0.0f) {
+                open = open * sampling_correction(expected, sampled);
+            } else {
+                // No sample is on this side: the way straight up stands for all.
+                ++rays;
+                open = sees_infinity(scene, &params, position, shading) != 0
+                           ? distant_transmittance(&params, &through, position, shading,
+                                                   enclosing_media, 0u)
+                           : open;
+                open = open * expected;
+            }
+        } else {
+            open = open * (factor * COSINE_IRRADIANCE);
+        }
+        add_irradiance(sampled_irradiance, stride, slot, open);
     }
     if (HAS(&params, FEATURE_DIRECTIONAL_LIGHTS)) {
         for (uint i = 0u; i < params.scene.directional_lights; ++i) {

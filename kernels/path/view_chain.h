@@ -6,7 +6,7 @@
 #ifndef WEFT_KERNELS_PATH_VIEW_CHAIN_H
 #define WEFT_KERNELS_PATH_VIEW_CHAIN_H
 
-#include "kernels/bsdf/seen_lobes.h"
+#include "kernels/bsdf/glossy_value.h"
 #include "kernels/path/surface_path.h"
 
 // Most gaps and absent boundaries that a ray passes: more than any foliage has, but not endless.
@@ -15,6 +15,7 @@
 // A surface that the ray has met.
 typedef struct {
     Surface surface;
+    SurfaceScattering scattering;  // where `lobes` has more than a diffuse part
     Crossing crossing;
     SeenLobes lobes;
     float3 shading;   // unit normal of the diffuse part, with that of normal maps
@@ -35,6 +36,8 @@ static inline SurfacePath start_view_chain(float3 direction) {
     path.ray.enclosing_media = 0u;
     path.ray.bounce = 0u;
     path.ray.smooth = 0u;
+    path.ray.kind = RAY_OF_CAMERA;
+    path.ray.pdf = 0.0f;
     path.around = no_interfaces();
     path.passed = 0.0f;
     return path;
@@ -62,15 +65,16 @@ static inline SeenSurface see_surface(const RenderParams* params, const Geometry
         return seen;
     }
     float3 viewer = normalize3(-direction);
-    SurfaceScattering scattering = scattering_at(params, geometry, tables, &seen.surface, hit,
-                                                 texture_footprint(&facet, hit, direction, angle),
-                                                 viewer, seen.crossing.ratio);
-    if (!(scattering.coverage > 0.0f)) {
+    seen.scattering = scattering_at(params, geometry, tables, &seen.surface, hit,
+                                    texture_footprint(&facet, hit, direction, angle), viewer,
+                                    seen.crossing.ratio);
+    const SurfaceScattering* scattering = &seen.scattering;
+    if (!(scattering->coverage > 0.0f)) {
         seen.is_there = 0;
         return seen;
     }
-    seen.emission = seen.emission * scattering.coverage;
-    seen.shading = scattering.frame.normal;
+    seen.emission = seen.emission * scattering->coverage;
+    seen.shading = scattering->frame.normal;
     // The back of a one-sided material is black, but for what it emits.
     int black = seen.surface.front == 0 && seen.crossing.solid == 0 &&
                         (record->flags & SURFACE_THIN) == 0u && HAS(params, FEATURE_ONE_SIDED) &&
@@ -78,19 +82,22 @@ static inline SeenSurface see_surface(const RenderParams* params, const Geometry
                     ? 1
                     : 0;
     if (black != 0) {
-        seen.lobes.ways[WAY_REFRACTION].share = scattering.straight;
+        seen.lobes.ways[WAY_REFRACTION].share = scattering->straight;
         seen.lobes.ways[WAY_REFRACTION].direction = -viewer;
         return seen;
     }
-    if (record->model == SURFACE_UNLIT) seen.emission += scattering.albedo * scattering.coverage;
-    seen.lobes = seen_lobes(&scattering, viewer, choice);
+    if (record->model == SURFACE_UNLIT) seen.emission += scattering->albedo * scattering->coverage;
+    // What the host knows not to be glossy anywhere has no component of gloss.
+    if ((record->flags & SURFACE_GLOSSY) == 0u) choice.widest = GLOSSY_ALPHA;
+    seen.lobes = seen_lobes(scattering, viewer, choice);
     return seen;
 }
 
-/// Lets the ray go on behind a surface as it is.
+/// Lets the ray go on as it is behind a surface that it has met after `t`.
 static inline void pass_chain(const RenderParams* params, const SurfaceTables* tables,
-                              const SeenSurface* seen, SurfacePath* path) {
+                              const SeenSurface* seen, float t, SurfacePath* path) {
     const Surface* surface = &seen->surface;
+    path->passed += t;
     path->ray.origin = surface->position -
                        surface->normal * surface_offset(surface->position, params->scene.extent);
     if (seen->crossing.solid != 0) enclose_path(tables, seen->crossing.beyond, path);

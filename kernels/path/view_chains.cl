@@ -15,7 +15,7 @@
 #include "kernels/core/counters.h"
 #include "kernels/core/kernel.h"
 #include "kernels/film/primary_rays.h"
-#include "kernels/path/view_chain.h"
+#include "kernels/path/glossy_light.h"
 
 #define MOST_DELTAS 8u
 // Ways that leave less than this of all light are not followed.
@@ -58,16 +58,26 @@ static inline float choice_number(const RenderParams* params, uint deltas) {
     return x < 1.0f ? x : x - 1.0f;
 }
 
-/// In each sample, neighbours see other facets: those of 3 x 3 pixels cover a lobe evenly, those of
-/// GLOSSY_PATTERN x GLOSSY_PATTERN more finely, and over such squares their mean has no noise
-/// (filter_chains.cl).
-static inline FacetChoice facet_choice(const RenderParams* params, uint pixel) {
+/// The pixel's number in its square of 3 x 3 pixels.
+static inline uint place_of_nine(const RenderParams* params, uint pixel) {
+    return pixel % params->camera.width % 3u + pixel / params->camera.width % 3u * 3u;
+}
+
+/// The number of the pixel's sample among those of its square of GLOSSY_PATTERN x GLOSSY_PATTERN
+/// pixels, from 1 on: those of 3 x 3 pixels are apart by one in each sample.
+static inline uint pattern_number(const RenderParams* params, uint pixel) {
     uint x = pixel % params->camera.width;
     uint y = pixel / params->camera.width;
-    uint place = x % 3u + y % 3u * 3u + (x / 3u % 3u + y / 3u % 3u * 3u) * 9u;
-    uint number = params->sampling.sample * (GLOSSY_PATTERN * GLOSSY_PATTERN) + place + 1u;
+    uint place = place_of_nine(params, pixel) + (x / 3u % 3u + y / 3u % 3u * 3u) * 9u;
+    return params->sampling.sample * (GLOSSY_PATTERN * GLOSSY_PATTERN) + place + 1u;
+}
+
+/// In each sample, neighbours see other facets: those of 3 x 3 pixels cover a lobe evenly, those of
+/// GLOSSY_PATTERN x GLOSSY_PATTERN more finely, and over such squares their mean has hardly any
+/// noise (filter_chains.cl).
+static inline FacetChoice facet_choice(uint number) {
     FacetChoice choice = {plain_inverse(5u, number), plain_inverse(2u, number),
-                          plain_inverse(3u, number)};
+                          plain_inverse(3u, number), ANY_ALPHA};
     return choice;
 }
 
@@ -87,6 +97,21 @@ static inline float curvature_of(const RenderParams* params, const Geometry* geo
     return size > 0.0f ? square_root(turn / size) : 0.0f;
 }
 
+/// How a glossy pixel, whose surface reflects that share of light and whose cone is that wide
+/// there, samples lights.
+static inline GlossyLighting glossy_lighting(const RenderParams* params, const Geometry* geometry,
+                                             uint pixel, uint triangle, float3 share, float width) {
+    GlossyLighting lighting;
+    int all = luminance(share) >= FULLY_LIT ? 1 : 0;
+    lighting.share = all != 0 ? 1.0f : 1.0f / 9.0f;
+    // 4 has no divisor in common with 9: the pixel that takes a sample changes from one to another.
+    uint turn = (place_of_nine(params, pixel) + 4u * params->sampling.sample) % 9u;
+    lighting.takes = all != 0 || turn == 0u ? 1 : 0;
+    spread_numbers(pattern_number(params, pixel), &lighting);
+    lighting.turn = curvature_of(params, geometry, triangle) * width + params->camera.pixel_angle;
+    return lighting;
+}
+
 /// Sends the way on from a surface by one of its lobes, WAY_*.
 static inline void leave_mirror(const RenderParams* params, const Geometry* geometry,
                                 const SurfaceTables* tables, const SeenSurface* seen, int by,
@@ -96,6 +121,7 @@ static inline void leave_mirror(const RenderParams* params, const Geometry* geom
     int through = by == WAY_REFRACTION ? 1 : 0;
     SurfacePath* path = &way->path;
     path->ray.direction = seen->lobes.ways[by].direction;
+    path->passed = 0.0f;
     path->ray.origin = surface->position + surface->normal * (through != 0 ? -offset : offset);
     if (through != 0 && seen->crossing.solid != 0)
         enclose_path(tables, seen->crossing.beyond, path);
@@ -197,6 +223,10 @@ WEFT_KERNEL(view_chains)
     GEOMETRY_MAKE(geometry);
     SURFACES_MAKE(tables);
     ENVIRONMENT_MAKE(environment);
+    PathScene world = {scene,       geometry,
+                       lights,      emissive,
+                       light_nodes, samples_lights != 0u ? params.scene.choice_lights : 0u,
+                       environment, &tables};
     PixelStore store = {end_ids, end_position, end_normal, end_shading, end_albedo, end_emission};
     ViewWay way;
     way.emission = f3(0.0f, 0.0f, 0.0f);
@@ -214,7 +244,7 @@ WEFT_KERNEL(view_chains)
     Hit hit;
     way = start_view_way(&params, &geometry, pixel, triangle, xyz(gb_position[pixel]), &hit);
     SurfacePath* path = &way.path;
-    FacetChoice facets = facet_choice(&params, pixel);
+    FacetChoice facets = facet_choice(pattern_number(&params, pixel));
     float texture_share = params.camera.texture_angle / params.camera.pixel_angle;
     uint rays = 0u;
     uint deltas = 0u;
@@ -229,23 +259,38 @@ WEFT_KERNEL(view_chains)
         if (max_component(path->ray.absorption) > 0.0f)
             way.weight = way.weight * beer_transmittance(path->ray.absorption, hit.t);
         if (seen.is_there == 0) {
-            pass_chain(&params, &tables, &seen, path);
+            pass_chain(&params, &tables, &seen, hit.t, path);
             ++gaps;
         } else {
             int chosen = (int)way_number;
+            float brightest;  // of what is left of light
             if (deltas == 0u) {
                 way.weight = seen.lobes.ways[chosen].share;
                 first_share = way.weight;
+                brightest = max_component(first_share);
                 alpha = seen.lobes.ways[chosen].alpha;
+                if (chosen == WAY_GLOSSY && brightest >= FAINT_WAY) {
+                    GlossyLighting lighting = {0.0f, 0, 0.0f, 0.0f, 0.0f, 0.0f};
+                    if (world.light_count > 0u)
+                        lighting = glossy_lighting(&params, &geometry, pixel, seen.surface.triangle,
+                                                   first_share, way.cone.width);
+                    if (lighting.takes != 0)
+                        rays += add_glossy_light(&params, &world, &seen, &lighting, &way.emission);
+                    way.weight = weigh_glossy_ray(&seen, &lighting, path);
+                }
+                facets.widest = GLOSSY_ALPHA;
             } else {
-                way.emission += way.weight * seen.emission * path->ray.basic;
+                float weight = met_share(&params, &world, path, &seen.surface, hit.t);
+                way.emission += way.weight * seen.emission * (weight * path->ray.basic);
+                path->ray.kind = RAY_OF_CAMERA;
                 chosen = choose_lobe(&seen.lobes, choice_number(&params, deltas - 1u), &way);
+                brightest = max_component(way.weight);
             }
             if (chosen == WAY_COUNT) {
                 instance = seen.surface.instance;
                 albedo = way.weight * seen.lobes.diffuse * path->ray.basic;
             }
-            if (chosen < 0 || chosen == WAY_COUNT || max_component(way.weight) < FAINT_WAY) break;
+            if (chosen < 0 || chosen == WAY_COUNT || brightest < FAINT_WAY) break;
             leave_mirror(&params, &geometry, &tables, &seen, chosen, &way);
             ++deltas;
         }
@@ -256,7 +301,7 @@ WEFT_KERNEL(view_chains)
             if (way.bent == 0)
                 sky = background_radiance(&params, &environment, path->ray.direction);
             else if (HAS(&params, FEATURE_ENVIRONMENT))
-                sky = environment_radiance(&params, &environment, path->ray.direction);
+                sky = met_sky(&params, &world, path);
             way.emission += way.weight * sky;
             break;
         }

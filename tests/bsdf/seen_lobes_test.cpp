@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#define NATIVE_KERNELS "kernels/bsdf/seen_lobes.h"
+#define NATIVE_KERNELS "kernels/bsdf/glossy_value.h"
+#include "tests/bsdf/seen_materials.h"
 #include "tests/testing/native_kernels.h"
 
 // What previews make of materials (kernels/bsdf/seen_lobes.h): no light is lost or gained between
@@ -14,69 +15,7 @@
 namespace weft::seen_lobes_test {
 namespace {
 
-using native::f3;
-using native::float3;
-using native::LayeredBsdf;
-using native::LayeredMaterial;
-using native::make_facets;
-using native::SeenLobes;
-
-constexpr native::FacetChoice middle{0.5F, 0.5F, 0.5F};
-
-float3 direction(float cosine) {
-    return f3(std::sqrt((1.0F - cosine) * (1.0F + cosine)), 0.0F, cosine);
-}
-
-/// A dielectric of index 1.5 with a body of that colour.
-LayeredMaterial dielectric(float alpha, float base) {
-    LayeredMaterial material{};
-    material.base = f3(base, base, base);
-    material.f0 = f3(0.04F, 0.04F, 0.04F);
-    material.f90 = 1.0F;
-    material.facets = make_facets(alpha, alpha, 0);
-    material.sheet = material.facets;
-    material.coat_facets = make_facets(0.0F, 0.0F, 0);
-    material.ratio = {1.5F, 1.25F};
-    material.glass_albedo = 1.0F;
-    material.coat_normal = f3(0, 0, 1);
-    material.diffuse_normal = f3(0, 0, 1);
-    material.geometric_normal = f3(0, 0, 1);
-    return material;
-}
-
-LayeredMaterial metal(float alpha) {
-    LayeredMaterial material = dielectric(alpha, 0.8F);
-    material.metallic = 1.0F;
-    return material;
-}
-
-LayeredMaterial coated(float alpha) {
-    LayeredMaterial material = dielectric(alpha, 0.8F);
-    material.coat = 1.0F;
-    return material;
-}
-
-LayeredMaterial pane(float alpha) {
-    LayeredMaterial material = dielectric(alpha, 1.0F);
-    material.transmission = 1.0F;
-    material.flags = LAYERED_THIN;
-    return material;
-}
-
-LayeredMaterial glass(float alpha) {
-    LayeredMaterial material = dielectric(alpha, 1.0F);
-    material.transmission = 1.0F;
-    return material;
-}
-
-SeenLobes lobes_of(const LayeredMaterial& material, float cosine,
-                   native::FacetChoice choice = middle) {
-    const float3 v = direction(cosine);
-    const LayeredBsdf bsdf = native::make_layered(&material, v);
-    SeenLobes lobes = native::no_lobes();
-    native::find_layered_lobes(&bsdf, v, choice, &lobes);
-    return lobes;
-}
+using namespace seen_materials;
 
 float light_of(const SeenLobes& lobes) {
     float sum = lobes.diffuse.y;
@@ -92,9 +31,11 @@ TEST(SeenLobes, ShareTheLightOfTheMaterial) {
                 const float3 v = direction(cosine);
                 const LayeredBsdf bsdf = native::make_layered(&material, v);
                 const float albedo = native::layered_albedo(&bsdf, v).y;
-                EXPECT_NEAR(light_of(lobes_of(material, cosine)), albedo, 1e-4F * albedo)
-                    << "alpha " << alpha << ", cosine " << cosine;
-                EXPECT_LE(light_of(lobes_of(material, cosine)), 1.001F);
+                for (const native::FacetChoice& seen : {middle, mirrored}) {
+                    EXPECT_NEAR(light_of(lobes_of(material, cosine, seen)), albedo, 1e-4F * albedo)
+                        << "alpha " << alpha << ", cosine " << cosine;
+                    EXPECT_LE(light_of(lobes_of(material, cosine, seen)), 1.001F);
+                }
             }
     for (const float cosine : {0.3F, 1.0F})
         EXPECT_NEAR(light_of(lobes_of(glass(0.0F), cosine)), 1.0F, 1e-5F) << cosine;
@@ -109,8 +50,19 @@ TEST(SeenLobes, MirrorsAndGlassHaveNoDiffusePart) {
     EXPECT_EQ(lobes_of(metal(0.0F), 0.7F).ways[WAY_GLOSSY].share.y, 0.0F);
     EXPECT_EQ(lobes_of(metal(0.1F), 0.7F).ways[WAY_REFLECTION].share.y, 0.0F);
     EXPECT_GT(lobes_of(metal(0.1F), 0.7F).ways[WAY_GLOSSY].share.y, 0.7F);
-    EXPECT_EQ(lobes_of(metal(0.3F), 0.7F).ways[WAY_GLOSSY].share.y, 0.0F);
-    EXPECT_GT(lobes_of(metal(0.3F), 0.7F).diffuse.y, 0.7F);
+    for (const float alpha : {0.3F, 1.0F}) {
+        EXPECT_EQ(lobes_of(metal(alpha), 0.7F).diffuse.y, 0.0F);
+        EXPECT_EQ(lobes_of(metal(alpha), 0.7F, mirrored).ways[WAY_GLOSSY].share.y, 0.0F);
+        EXPECT_GT(lobes_of(metal(alpha), 0.7F, mirrored).diffuse.y, 0.6F);
+    }
+}
+
+TEST(SeenLobes, FaintFacetsAreDiffuseWhereTheyAreRough) {
+    EXPECT_GT(lobes_of(dielectric(0.4F, 0.5F), 0.7F).ways[WAY_GLOSSY].share.y, 0.03F);
+    EXPECT_EQ(lobes_of(dielectric(0.6F, 0.5F), 0.7F).ways[WAY_GLOSSY].share.y, 0.0F);
+    LayeredMaterial bright = dielectric(0.6F, 0.5F);
+    bright.f0 = f3(0.1F, 0.1F, 0.1F);
+    EXPECT_GT(lobes_of(bright, 0.7F).ways[WAY_GLOSSY].share.y, 0.06F);
 }
 
 TEST(SeenLobes, SmoothDirectionsAreThoseOfOptics) {
@@ -140,12 +92,14 @@ TEST(SeenLobes, PartsAreChosenByTheirLight) {
     EXPECT_NEAR(apart.ways[WAY_REFLECTION].share.y, coat, 1e-6F);
     EXPECT_GT(apart.ways[WAY_GLOSSY].share.y, 0.5F);
     material.coat_facets = make_facets(0.1F, 0.1F, 0);
-    const native::SeenWay body = lobes_of(material, 0.8F, {0.0F, 0.5F, 0.5F}).ways[WAY_GLOSSY];
+    const native::SeenWay body =
+        lobes_of(material, 0.8F, {0.0F, 0.5F, 0.5F, ANY_ALPHA}).ways[WAY_GLOSSY];
     int coats = 0;
     constexpr int count = 1000;
     for (int i = 0; i < count; ++i) {
         const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
-        const native::SeenWay way = lobes_of(material, 0.8F, {part, 0.5F, 0.5F}).ways[WAY_GLOSSY];
+        const native::SeenWay way =
+            lobes_of(material, 0.8F, {part, 0.5F, 0.5F, ANY_ALPHA}).ways[WAY_GLOSSY];
         if (way.direction.x != body.direction.x) ++coats;
         EXPECT_EQ(way.share.y, body.share.y);
     }
@@ -160,9 +114,10 @@ TEST(SeenLobes, FacetsSpreadByTheirRoughness) {
         constexpr int edge = 16;
         for (int i = 0; i < edge; ++i)
             for (int j = 0; j < edge; ++j) {
-                const SeenLobes lobes = lobes_of(metal(alpha), 1.0F,
-                                                 {0.5F, (static_cast<float>(i) + 0.5F) / edge,
-                                                  (static_cast<float>(j) + 0.5F) / edge});
+                const SeenLobes lobes =
+                    lobes_of(metal(alpha), 1.0F,
+                             {0.5F, (static_cast<float>(i) + 0.5F) / edge,
+                              (static_cast<float>(j) + 0.5F) / edge, ANY_ALPHA});
                 EXPECT_GT(lobes.ways[WAY_GLOSSY].direction.z, 0.0F);
                 square += 1.0 - static_cast<double>(lobes.ways[WAY_GLOSSY].direction.z);
             }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace weft::starlet_test {
 namespace {
@@ -20,14 +21,43 @@ Plane noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
     return plane;
 }
 
+/// Cuts a line before one place in 20 or so.
+std::vector<Run> cut(std::uint32_t size, std::mt19937& random) {
+    std::bernoulli_distribution edge(0.05);
+    std::vector<Run> runs;
+    for (std::uint32_t begin = 0; begin < size;) {
+        std::uint32_t end = begin + 1;
+        while (end < size && !edge(random)) ++end;
+        runs.insert(runs.end(), end - begin, {begin, end});
+        begin = end;
+    }
+    return runs;
+}
+
+SurfaceRuns cut_at_random(std::uint32_t width, std::uint32_t height) {
+    std::mt19937 random(width);
+    SurfaceRuns runs(width, height);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        const std::vector<Run> row = cut(width, random);
+        std::copy(row.begin(), row.end(), runs.rows.begin() + y * width);
+    }
+    for (std::uint32_t x = 0; x < width; ++x) {
+        const std::vector<Run> column = cut(height, random);
+        for (std::uint32_t y = 0; y < height; ++y) runs.columns[y * width + x] = column[y];
+    }
+    return runs;
+}
+
 TEST(Starlet, DetailsAndWhatIsLeftAddUpToTheImage) {
     for (const auto& [width, height] :
          {std::pair{1U, 1U}, {1U, 9U}, {7U, 2U}, {40U, 33U}, {130U, 64U}}) {
         const Plane image = noise(width, height, width);
         Plane rest = image;
         std::vector<double> sum(image.values.size(), 0.0);
+        const SurfaceRuns runs = cut_at_random(width, height);
+        Plane* const coarse = &rest;
         for (std::uint32_t scale = 0; scale < starlet_scales(width, height); ++scale) {
-            const Plane detail = take_detail(rest, scale);
+            const Plane detail = take_details({&coarse, 1}, scale, runs).front();
             for (std::size_t i = 0; i < sum.size(); ++i)
                 sum[i] += static_cast<double>(detail.values[i]);
         }
@@ -60,6 +90,37 @@ TEST(Starlet, WhatIsTheSameEverywhereStays) {
     const Plane flat{33, 18, std::vector<float>(33 * 18, 0.7F)};
     for (const std::uint32_t step : {1U, 8U, 64U})
         for (const float value : smoothed(flat, step).values) EXPECT_NEAR(value, 0.7F, 2e-7F);
+}
+
+TEST(Starlet, WhatIsTheSameInEachRunStays) {
+    SurfaceRuns runs(96, 96);
+    Plane halves{96, 96, std::vector<float>(96 * 96)};
+    for (std::uint32_t y = 0; y < 96; ++y)
+        for (std::uint32_t x = 0; x < 96; ++x) {
+            const bool right = x + y >= 96;  // slanted, so that taps of rows and columns differ
+            runs.rows[y * 96 + x] = right ? weft::Run{96 - y, 96} : weft::Run{0, 96 - y};
+            runs.columns[y * 96 + x] = right ? weft::Run{96 - x, 96} : weft::Run{0, 96 - x};
+            halves.values[y * 96 + x] = right ? 1e6F : 0.5F;
+        }
+    Plane* const planes[] = {&halves};
+    for (const std::uint32_t step : {1U, 2U, 4U, 8U, 16U, 32U}) smooth(planes, step, runs);
+    for (std::uint32_t y = 0; y < 96; ++y)
+        for (std::uint32_t x = 0; x < 96; ++x)
+            ASSERT_NEAR(halves.at(x, y), x + y >= 96 ? 1e6F : 0.5F, x + y >= 96 ? 2.0F : 1e-6F);
+}
+
+TEST(Starlet, SeveralPlanesAreSmoothedAsEachAlone) {
+    const SurfaceRuns runs = cut_at_random(60, 50);
+    Plane one = noise(60, 50, 1);
+    Plane other = noise(60, 50, 2);
+    Plane alone = other;
+    Plane* const both[] = {&one, &other};
+    Plane* const second[] = {&alone};
+    for (const std::uint32_t step : {1U, 4U}) {
+        smooth(both, step, runs);
+        smooth(second, step, runs);
+    }
+    EXPECT_EQ(other.values, alone.values);
 }
 
 TEST(Starlet, AMirroredImageIsSmoothedAlike) {

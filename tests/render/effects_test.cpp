@@ -406,11 +406,12 @@ std::vector<MaterialCase> material_cases() {
     const SurfaceDescription unlit{UnlitSurface{}, {}, {}};
     return {{"mirror", test::metal(0.0F), 1},
             {"glossy metal", test::metal(0.4F), 4},
-            {"rough metal", test::metal(0.8F), 0},
+            {"rough metal", test::metal(0.8F), 4},
             {"glass", test::glass(1.5), 3},
             {"glass that absorbs", test::absorbing_glass(1.5F, glm::vec3(0.5F), 1.0), 3},
             {"glossy plastic", plastic(0.1F), 4},
             {"glossy plastic with a coat", plastic(0.1F, 1.0F), 5},
+            {"plastic that is less rough", plastic(0.6F), 4},
             {"rough plastic", plastic(0.9F), 0},
             {"rough plastic with a coat", plastic(0.9F, 1.0F), 1},
             {"half a sheet", test::sheet(0.5F), 2},
