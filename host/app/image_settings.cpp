@@ -63,6 +63,12 @@ bool has_described(const Scene& scene) {
         scene.materials, [](const Material& material) { return material.description.has_value(); });
 }
 
+/// After how many samples of its own a preview is refined. With mirrors, gloss or glass what it
+/// leaves out, such as caustics, is soon more than the noise of few unbiased samples.
+std::uint32_t samples_before_refinement(const Scene& scene) {
+    return samples_of(Quality::preview, !scene.media.empty() || has_described(scene));
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> samples_of(const RenderOptions& options, const Scene& scene) {
@@ -110,9 +116,8 @@ RenderSettings image_settings(const RenderOptions& options, const Scene& scene) 
     const bool all_mirrors =
         (settings.reflection && settings.refraction && settings.glossy) || !has_described(scene);
     if (is_refined(options) && settings.requested.empty() && all_media && all_mirrors)
-        settings.refined_after = options.preset
-                                     ? options.preset->refined_after
-                                     : samples_of(Quality::preview, !scene.media.empty());
+        settings.refined_after =
+            options.preset ? options.preset->refined_after : samples_before_refinement(scene);
     // However many samples refine the preview, its own are the same: an image that goes on is the
     // one that would have been asked for.
     if (settings.refined_after > 0)
