@@ -9,9 +9,10 @@
 namespace weft {
 
 /// Corrects single pixels by themselves: where both halves of the difference to a preview agree on
-/// an error far greater than those around it and than their noise, such as a bright speck of the
-/// preview. What is more than around it is taken out of `difference`, so that it is not spread over
-/// its neighbourhood, and the share of it that is known is added to `image`. `variance` as of
+/// an error far greater than those around it and than their noise. What is more than around it is
+/// taken out of `difference`, so that it is not spread over its neighbourhood. The share of it that
+/// is known is added to `image`, which is the preview, where it corrects a bright speck of that, or
+/// is greater than anything that one half has alone nearby: else it may be chance. `variance` as of
 /// sample_variance.
 void correct_isolated(ExactHalves& difference, const Plane& variance, const SurfaceRuns& runs,
                       ColourPlanes& image);

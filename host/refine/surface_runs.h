@@ -27,7 +27,7 @@ struct SurfaceRuns {
     std::vector<Run> columns;  ///< the same of its column
 
     /// Whole rows and columns.
-    SurfaceRuns(std::uint32_t width, std::uint32_t height);
+    SurfaceRuns(std::uint32_t wide, std::uint32_t high);
 };
 
 /// Finds the edges by the layers "depth", "normal" and "albedo", as far as the image has them. Two

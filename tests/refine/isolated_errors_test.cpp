@@ -62,6 +62,28 @@ TEST(IsolatedErrors, WhatOneHalfHasAloneStays) {
     EXPECT_EQ(halves.first[1].values[speck], 200.0F);
 }
 
+// Where samples are now and then as bright, both halves are so in a pixel by chance.
+TEST(IsolatedErrors, WhatMayBeChanceIsLeftOut) {
+    ExactHalves halves{noisy(0.0F, 0.1F, 5), noisy(0.0F, 0.1F, 6), 0.5F};
+    halves.first[1].values[speck] = halves.second[1].values[speck] = 200.0F;
+    halves.first[1].values[speck + 5 * size] = 250.0F;
+    const ColourPlanes image = correct(halves);
+    EXPECT_EQ(image[1].values[speck], 0.0F);
+    EXPECT_LT(halves.first[1].values[speck], 2.0F) << "nor do its neighbours get a part of it";
+}
+
+TEST(IsolatedErrors, ABrightSpeckOfThePreviewIsCorrectedAmongBrightSamples) {
+    ExactHalves halves{noisy(0.0F, 0.1F, 7), noisy(0.0F, 0.1F, 8), 0.5F};
+    ColourPlanes image = planes_of(1.0F);
+    for (std::size_t c = 0; c < 3; ++c) {
+        image[c].values[speck] = 200.0F;
+        halves.first[c].values[speck] = halves.second[c].values[speck] = -199.0F;
+        halves.first[c].values[speck + 5 * size] = 250.0F;
+    }
+    correct_isolated(halves, sample_variance(halves), SurfaceRuns(size, size), image);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(image[c].values[speck], 1.0F, 2.0F);
+}
+
 TEST(IsolatedErrors, WideErrorsAndNoiseStay) {
     for (const float error : {0.0F, 0.05F, 10.0F}) {
         ExactHalves halves{noisy(error, 0.1F, 3), noisy(error, 0.1F, 4), 0.5F};
