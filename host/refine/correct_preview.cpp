@@ -42,8 +42,9 @@ void add_known(const ExactHalves& details, const Plane& variance, std::uint32_t 
     const std::array planes{&signal, &power, &noise_squares};
     for (const std::uint32_t wider : {0U, 1U}) smooth(planes, 1U << (scale + wider), runs);
     for_each_pixel(variance.values.size(), [&](std::size_t i) {
-        const float by_chance = std::sqrt(noise_squares.values[i]) *
-                                chance_agreement(runs.rows[i], runs.columns[i], scale);
+        const float by_chance =
+            std::sqrt(noise_squares.values[i]) *
+            chance_agreement(runs.rows[i], runs.columns[i], scale, details.samples);
         const float known = signal.values[i] - by_chance;
         if (!(known > 0.0F)) return;
         const float share = std::min(1.0F, known / power.values[i]);
@@ -103,7 +104,7 @@ void correct_layer(Image& preview, const ExactMeans& exact, std::string_view nam
     const ColourPlanes result =
         corrected(planes_of(preview, *layer->preview),
                   {planes_of(exact.first, *layer->first), planes_of(exact.second, *layer->second),
-                   static_cast<float>(exact.first_share)},
+                   static_cast<float>(exact.first_share), exact.samples},
                   runs);
     const std::size_t pixels = std::size_t{preview.width} * preview.height;
     for (std::size_t c = 0; c < result.size(); ++c)
@@ -139,7 +140,7 @@ bool shows_more_than_paths(const Image& preview) {
 ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
                        const SurfaceRuns& runs) {
     ColourPlanes image = preview;
-    ExactHalves rest{{}, {}, exact.first_share};
+    ExactHalves rest{{}, {}, exact.first_share, exact.samples};
     for (std::size_t c = 0; c < 3; ++c) {
         rest.first[c] = difference(exact.first[c], preview[c]);
         rest.second[c] = difference(exact.second[c], preview[c]);
@@ -149,7 +150,7 @@ ColourPlanes corrected(const ColourPlanes& preview, const ExactHalves& exact,
     const std::uint32_t scales = starlet_scales(runs.width, runs.height);
     for (std::uint32_t scale = 0; scale < scales; ++scale) {
         std::vector<Plane> taken = take_details(all_planes(rest), scale, runs);
-        ExactHalves details{{}, {}, exact.first_share};
+        ExactHalves details{{}, {}, exact.first_share, exact.samples};
         const auto planes = all_planes(details);
         for (std::size_t k = 0; k < planes.size(); ++k) *planes[k] = std::move(taken[k]);
         add_known(details, variance, scale, runs, image);

@@ -28,8 +28,9 @@ namespace weft {
 struct ExactMeans {
     const Image& first;
     const Image& second;
-    double first_share;  ///< of these samples that `first` has, in (0, 1)
-    double share;        ///< of all samples of the image, the preview's included, that are these
+    double first_share;     ///< of these samples that `first` has, in (0, 1)
+    std::uint64_t samples;  ///< these, of each pixel
+    double share;           ///< of all samples of the image, the preview's included, that are these
 };
 
 /// Corrects the light and the alpha of a preview in place. Direct and indirect light are corrected

@@ -4,6 +4,8 @@
 #define WEFT_REFINE_EXACT_HALVES_H
 
 #include <array>
+#include <cstdint>
+#include <limits>
 
 #include "refine/starlet.h"
 
@@ -17,6 +19,8 @@ using ColourPlanes = std::array<Plane, 3>;
 struct ExactHalves {
     ColourPlanes first, second;
     float first_share = 0.5F;  ///< of the samples that the first half has, in (0, 1)
+    /// Of each pixel in both halves, from 2 on.
+    std::uint64_t samples = std::numeric_limits<std::uint64_t>::max();
 
     /// The mean of all samples.
     [[nodiscard]] float mean(std::size_t channel, std::size_t pixel) const {

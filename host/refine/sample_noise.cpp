@@ -51,9 +51,9 @@ float noise_left(Run row, Run column, std::uint32_t scale) {
     return weight_squares(row, scale) * weight_squares(column, scale);
 }
 
-float chance_agreement(Run row, Run column, std::uint32_t scale) {
+float chance_agreement(Run row, Run column, std::uint32_t scale, std::uint64_t samples) {
     const float n = independent_details(row, scale) * independent_details(column, scale);
-    return 1.0F / std::sqrt(n) + 1.0F / n;
+    return (1.0F / std::sqrt(n) + 1.0F / n) * (1.0F + 2.0F / static_cast<float>(samples));
 }
 
 }  // namespace weft

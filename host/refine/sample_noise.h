@@ -21,8 +21,11 @@ namespace weft {
 
 /// What the mean product of two halves of noise is by chance in the neighbourhood of a pixel with
 /// these runs, as a share of the noise's power: the standard error of n independent products, 1 /
-/// sqrt(n), and 1 / n more, since few products do not say how large it is either.
-[[nodiscard]] float chance_agreement(Run row, Run column, std::uint32_t scale);
+/// sqrt(n), and 1 / n more, since few products do not say how large it is either. Nor do few
+/// `samples` of a pixel, of which rare ones may be bright: it counts twice for 2, and once for
+/// many.
+[[nodiscard]] float chance_agreement(Run row, Run column, std::uint32_t scale,
+                                     std::uint64_t samples);
 
 }  // namespace weft
 

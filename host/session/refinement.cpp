@@ -89,7 +89,7 @@ void Refinement::correct(Image& preview, std::uint64_t preview_samples) {
     const Part& first = first_half(count);
     const Image second = rest_of(whole, count, first.mean, first.samples);
     const auto all = static_cast<double>(count);
-    correct_preview(preview, {first.mean, second, static_cast<double>(first.samples) / all,
+    correct_preview(preview, {first.mean, second, static_cast<double>(first.samples) / all, count,
                               all / (all + static_cast<double>(preview_samples))});
 }
 

@@ -246,7 +246,7 @@ TEST(CorrectPreview, BeautyIsTheSumOfWhatIsCorrectedAndAveraged) {
     const Image exact = image_with({layer("", "RGB", 1.3F), layer("alpha", "A", 1.0F),
                                     layer("direct", "RGB", 0.7F), layer("indirect", "RGB", 0.6F),
                                     layer("emission", "RGB", 0.0F), layer("depth", "Z", 4.0F)});
-    correct_preview(preview, {exact, exact, 0.5, 0.5});
+    correct_preview(preview, {exact, exact, 0.5, 64, 0.5});
     const auto expect = [&](const char* name, float value) {
         for (const float found : preview.find(name)->values) ASSERT_NEAR(found, value, 1e-5F);
     };
@@ -261,7 +261,7 @@ TEST(CorrectPreview, BeautyIsTheSumOfWhatIsCorrectedAndAveraged) {
 TEST(CorrectPreview, LightIsNeverNegative) {
     Image preview = image_with({layer("", "RGB", 0.1F), layer("direct", "RGB", 0.1F)});
     const Image exact = image_with({layer("", "RGB", -0.5F), layer("direct", "RGB", -0.5F)});
-    correct_preview(preview, {exact, exact, 0.5, 0.5});
+    correct_preview(preview, {exact, exact, 0.5, 64, 0.5});
     for (const Layer& found : preview.layers)
         for (const float value : found.values) ASSERT_EQ(value, 0.0F);
 }
@@ -272,7 +272,7 @@ TEST(CorrectPreview, WithLightThatPathsCountElsewhereBeautyAloneIsCorrected) {
         Image preview = image_with(
             {layer("", "RGB", 1.0F), layer("direct", "RGB", 0.5F), layer(name, "RGB", 0.5F)});
         const Image exact = image_with({layer("", "RGB", 2.0F), layer("direct", "RGB", 1.5F)});
-        correct_preview(preview, {exact, exact, 0.5, 0.5});
+        correct_preview(preview, {exact, exact, 0.5, 64, 0.5});
         EXPECT_NEAR(preview.find("")->values[7], 2.0F, 1e-5F) << name;
         EXPECT_EQ(preview.find("direct")->values[7], 0.5F) << name;
         EXPECT_EQ(preview.find(name)->values[7], 0.5F);

@@ -91,10 +91,12 @@ TEST(SampleNoise, WhatIsLeftIsThatOfTheTransform) {
 }
 
 TEST(SampleNoise, FewProductsAgreeMoreByChance) {
-    EXPECT_NEAR(chance_agreement({0, 512}, {0, 512}, 0), 0.212F, 0.001F);
-    EXPECT_EQ(chance_agreement({0, 1}, {7, 8}, 3), 2.0F);
-    EXPECT_LT(chance_agreement({0, 512}, {0, 512}, 0), chance_agreement({0, 8}, {0, 512}, 2));
-    EXPECT_LT(chance_agreement({0, 8}, {0, 512}, 2), chance_agreement({0, 8}, {0, 8}, 2));
+    constexpr std::uint64_t many = 1'000'000;
+    EXPECT_NEAR(chance_agreement({0, 512}, {0, 512}, 0, many), 0.212F, 0.001F);
+    EXPECT_NEAR(chance_agreement({0, 512}, {0, 512}, 0, 2), 0.424F, 0.002F);
+    EXPECT_NEAR(chance_agreement({0, 1}, {7, 8}, 3, many), 2.0F, 1e-4F);
+    EXPECT_LT(chance_agreement({0, 512}, {0, 512}, 0, 8), chance_agreement({0, 8}, {0, 512}, 2, 8));
+    EXPECT_LT(chance_agreement({0, 8}, {0, 512}, 2, 8), chance_agreement({0, 8}, {0, 8}, 2, 8));
 }
 
 }  // namespace
