@@ -10,10 +10,10 @@
 
 /// The facets as seen where the surface's normal turns by that angle.
 static inline Facets facets_turned(Facets facets, float turn) {
+    if (!(turn > 0.0f)) return facets;
     float square = turn * turn;
-    return make_facets(m_min(square_root(facets.alpha_x * facets.alpha_x + square), 1.0f),
-                       m_min(square_root(facets.alpha_y * facets.alpha_y + square), 1.0f),
-                       facets.flags);
+    return make_facets(square_root(facets.alpha_x * facets.alpha_x + square),
+                       square_root(facets.alpha_y * facets.alpha_y + square), facets.flags);
 }
 
 /// Adds what facets with that reflectance reflect from l to v, directions in their frame; `share`

@@ -15,8 +15,8 @@
 // count as diffuse where a surface is seen in a mirror.
 #define MIRROR_ALPHA 0.001f
 #define GLOSSY_ALPHA 0.25f
-// FacetChoice::widest of what the camera sees itself: alpha is 1 at most.
-#define ANY_ALPHA 2.0f
+// FacetChoice::widest of what the camera sees itself: no facets are as rough.
+#define ANY_ALPHA 1e6f
 // Alpha from which on facets count as diffuse wherever they are if they reflect no more than that
 // at normal incidence: the mirror of a rough dielectric is all but even.
 #define EVEN_ALPHA 0.5f

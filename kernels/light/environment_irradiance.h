@@ -11,6 +11,9 @@
 #include "kernels/core/types.h"
 #include "kernels/core/vector.h"
 
+// Ratios that are greater come from values that have left the range of floats.
+#define GREATEST_RATIO 1e30f
+
 /// The place in [0, 1]^2, as x and y, of a unit vector on the octahedron that is unfolded about the
 /// axis y (Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit
 /// Vectors").
@@ -46,11 +49,19 @@ static inline float3 open_irradiance(GLOBAL const EnvironmentRecord* record,
     return a * (1.0f - t) + b * t;
 }
 
-/// `expected` over `sampled` by channel; 0 where nothing was sampled.
+/// `expected` over `sampled`: 0 where nothing was sampled, and 1 where light is so bright that
+/// neither has a finite value.
+static inline float sampling_correction1(float expected, float sampled) {
+    if (!(sampled > 0.0f)) return 0.0f;
+    float ratio = expected / sampled;
+    return ratio < GREATEST_RATIO ? ratio : 1.0f;
+}
+
+/// The same by channel.
 static inline float3 sampling_correction(float3 expected, float3 sampled) {
-    return f3(sampled.x > 0.0f ? expected.x / sampled.x : 0.0f,
-              sampled.y > 0.0f ? expected.y / sampled.y : 0.0f,
-              sampled.z > 0.0f ? expected.z / sampled.z : 0.0f);
+    return f3(sampling_correction1(expected.x, sampled.x),
+              sampling_correction1(expected.y, sampled.y),
+              sampling_correction1(expected.z, sampled.z));
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -124,6 +125,15 @@ TEST(EnvironmentIrradiance, OfASunIsThatOfADirectionalLight) {
     for (const glm::dvec3& normal : some_normals(3, 500))
         EXPECT_NEAR(made.irradiance(normal).x, facing * std::max(0.0, glm::dot(normal, towards)),
                     0.02 * facing);
+}
+
+TEST(EnvironmentIrradiance, CorrectionsAreFinite) {
+    const float huge = std::numeric_limits<float>::infinity();
+    const native::float3 ratio =
+        native::sampling_correction(native::f3(6.0F, 1.0F, huge), native::f3(2.0F, 0.0F, huge));
+    EXPECT_EQ(ratio.x, 3.0F);
+    EXPECT_EQ(ratio.y, 0.0F);
+    EXPECT_EQ(ratio.z, 1.0F);
 }
 
 /// A floor under an image with a dim sky and a bright spot, and a roof over it where wanted.
