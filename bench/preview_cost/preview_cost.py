@@ -54,7 +54,8 @@ def main():
     parser.add_argument("--weft", required=True, help=argparse.SUPPRESS)
     parser.add_argument("--backend", default="native")
     parser.add_argument("--size", type=int, default=512)
-    parser.add_argument("--spp", type=int, default=5)
+    # Further samples of a scene with mirrors refine it, which others do not.
+    parser.add_argument("--spp", type=int, default=4)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--amax", action="store_true", help="measures amax over ais as well")
     parser.add_argument("--json", type=pathlib.Path, help="writes the figures to this file")
