@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refine/isolated_errors.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +45,7 @@ float apart(const ExactHalves& halves, std::size_t i) {
 Plane greatest_around(const Plane& plane) {
     const std::size_t width = plane.width;
     Plane rows = plane;
-    for_each_pixel(plane.height, [&](std::size_t y) {
+    tbb::parallel_for(std::size_t{0}, std::size_t{plane.height}, [&](std::size_t y) {
         const float* const from = &plane.values[y * width];
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t begin = x > reach ? x - reach : 0;
@@ -52,7 +54,7 @@ Plane greatest_around(const Plane& plane) {
         }
     });
     Plane all = rows;
-    for_each_pixel(plane.height, [&](std::size_t y) {
+    tbb::parallel_for(std::size_t{0}, std::size_t{plane.height}, [&](std::size_t y) {
         const std::size_t begin = y > reach ? y - reach : 0;
         const std::size_t end = std::min<std::size_t>(plane.height, y + reach + 1);
         float* const to = &all.values[y * width];

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refine/starlet.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,14 +13,6 @@ namespace {
 
 constexpr std::array<float, 3> spline{6.0F / 16.0F, 4.0F / 16.0F, 1.0F / 16.0F};
 constexpr std::array<std::int64_t, 4> offsets{-2, -1, 1, 2};  // of the taps beside the middle one
-
-template <class Work>
-void for_rows(std::uint32_t height, const Work& work) {
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, height),
-                      [&](const tbb::blocked_range<std::uint32_t>& rows) {
-                          for (std::uint32_t y = rows.begin(); y < rows.end(); ++y) work(y);
-                      });
-}
 
 /// Whether a run is long enough to be smoothed; if so, no tap is mirrored more than once.
 bool is_smoothed(Run run, std::int64_t step) {
@@ -118,14 +109,14 @@ void smooth(std::span<Plane* const> planes, std::uint32_t step, const SurfaceRun
     std::vector<Plane> rows;
     for (const Plane* const plane : planes)
         rows.push_back({plane->width, plane->height, std::vector<float>(plane->values.size())});
-    for_rows(runs.height, [&](std::uint32_t y) {
+    tbb::parallel_for(std::uint32_t{0}, runs.height, [&](std::uint32_t y) {
         const std::size_t first = y * width;
         for (std::uint32_t x = 0; x < width; x = runs.rows[first + x].end)
             for (std::size_t k = 0; k < planes.size(); ++k)
                 smooth_run(&planes[k]->values[first], &rows[k].values[first], runs.rows[first + x],
                            step);
     });
-    for_rows(runs.height, [&](std::uint32_t y) {
+    tbb::parallel_for(std::uint32_t{0}, runs.height, [&](std::uint32_t y) {
         const ColumnTaps taps(runs, y, step);
         for (std::size_t k = 0; k < planes.size(); ++k)
             taps.smooth(rows[k].values.data(), planes[k]->values.data());
@@ -151,7 +142,7 @@ std::vector<Plane> take_details(std::span<Plane* const> coarse, std::uint32_t sc
     std::vector<Plane> details;
     for (const Plane* const plane : coarse) details.push_back(*plane);
     smooth(coarse, 1U << scale, runs);
-    for_rows(runs.height, [&](std::uint32_t y) {
+    tbb::parallel_for(std::uint32_t{0}, runs.height, [&](std::uint32_t y) {
         const std::size_t first = std::size_t{y} * runs.width;
         for (std::size_t k = 0; k < coarse.size(); ++k)
             for (std::size_t i = first; i < first + runs.width; ++i)

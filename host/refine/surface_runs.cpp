@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refine/surface_runs.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -119,14 +118,6 @@ void cut(const Features& features, const Line& line, std::vector<Run>& runs) {
     }
 }
 
-template <class Work>
-void for_each_line(std::uint32_t count, const Work& work) {
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count),
-                      [&](const tbb::blocked_range<std::uint32_t>& lines) {
-                          for (std::uint32_t i = lines.begin(); i < lines.end(); ++i) work(i);
-                      });
-}
-
 }  // namespace
 
 SurfaceRuns::SurfaceRuns(std::uint32_t wide, std::uint32_t high)
@@ -141,10 +132,10 @@ SurfaceRuns find_surface_runs(const Image& image) {
                             runs.rows.size()};
     if (features.depth == nullptr && features.normal == nullptr && features.albedo == nullptr)
         return runs;
-    for_each_line(image.height, [&](std::uint32_t y) {
+    tbb::parallel_for(std::uint32_t{0}, image.height, [&](std::uint32_t y) {
         cut(features, {std::size_t{y} * image.width, 1, image.width}, runs.rows);
     });
-    for_each_line(image.width, [&](std::uint32_t x) {
+    tbb::parallel_for(std::uint32_t{0}, image.width, [&](std::uint32_t x) {
         cut(features, {x, image.width, image.height}, runs.columns);
     });
     return runs;
