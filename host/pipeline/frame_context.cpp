@@ -13,6 +13,7 @@
 #include "pipeline/tile_geometry.h"
 #include "pipeline/traced_geometry.h"
 #include "pipeline/view_media.h"
+#include "scene/environment_irradiance.h"
 #include "scene/mip_levels.h"
 
 namespace weft {
@@ -100,8 +101,6 @@ SceneBuffers upload_scene(Executor& executor, const FlatScene& flat, bool soon) 
             upload<kinds::EnvironmentRecords>(executor, image.records, "environment"),
             upload<kinds::EnvironmentTexels>(executor, image.texels, "texels of the environment"),
             upload<kinds::EnvironmentSums>(executor, image.sums, "sums of the environment")};
-        scene.environment_irradiance = upload<kinds::EnvironmentIrradiance>(
-            executor, image.irradiance, "irradiance of the environment");
     }
     upload_surfaces(executor, flat.surfaces, scene.surfaces);
     TracedGeometry traced = traced_geometry(flat);
@@ -116,6 +115,12 @@ void make_light_scene(Executor& executor, const FlatScene& flat, SceneBuffers& s
     scene.blocking_triangles = blocking_triangles(flat);
     if (scene.blocking_triangles.empty()) return;
     scene.blocking = executor.make_scene(blocking_geometry(flat, scene));
+}
+
+void make_open_irradiance(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {
+    if (scene.environment_irradiance || !flat.environment_image.present()) return;
+    scene.environment_irradiance = upload<kinds::EnvironmentIrradiance>(
+        executor, environment_irradiance(flat.environment_image), "irradiance of the environment");
 }
 
 void update_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene) {

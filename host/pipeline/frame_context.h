@@ -28,7 +28,8 @@ struct SceneBuffers {
     owned::SurfaceTables surfaces;                ///< of FEATURE_MATERIALS
     DeviceBuffer<kinds::LightNodes> light_nodes;  ///< none where there is one light or none
     owned::EnvironmentImage environment;          ///< none without FEATURE_IMAGE_ENVIRONMENT
-    DeviceBuffer<kinds::EnvironmentIrradiance> environment_irradiance;  ///< likewise
+    /// Of surfaces that see all of the environment's image; none until make_open_irradiance.
+    DeviceBuffer<kinds::EnvironmentIrradiance> environment_irradiance;
     std::unique_ptr<TracedScene> traced;
     /// What blocks light in previews, where that is less than all; null until make_light_scene.
     std::unique_ptr<TracedScene> blocking;
@@ -55,6 +56,9 @@ struct SceneBuffers {
 
 /// Makes SceneBuffers::blocking, once, where light passes through some surfaces.
 void make_light_scene(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
+
+/// Makes SceneBuffers::environment_irradiance, once, where the environment has an image.
+void make_open_irradiance(Executor& executor, const FlatScene& flat, SceneBuffers& scene);
 
 /// The scene's media on the device, which the first call uploads. All users of the buffers share
 /// one camera.

@@ -171,6 +171,8 @@ void Renderer::choose_indirect() {
 void Renderer::set_up() {
     components_.clear();
     if (plan_.materials) make_light_scene(executor_, scene_, *scene_buffers_);
+    if (plan_.direct && plan_.has_distant())
+        make_open_irradiance(executor_, scene_, *scene_buffers_);
     work_ = work_list_of(plan_, settings_);
     const std::uint32_t features = features_of_frames();
     executor_.build(kernels_of(plan_, settings_.components), features);

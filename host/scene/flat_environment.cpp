@@ -8,7 +8,6 @@
 #include <numbers>
 #include <span>
 
-#include "scene/environment_irradiance.h"
 #include "scene/flat_scene.h"
 
 namespace weft {
@@ -278,7 +277,6 @@ FlatEnvironment flatten_environment(const EnvironmentImage& image, const glm::dm
     Padding(image, flat).write(flat.records.front());
     measure(flat);
     flat.trend = to_world * weigh_cells(flat);
-    flat.irradiance = environment_irradiance(flat);
     return flat;
 }
 

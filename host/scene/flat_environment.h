@@ -21,9 +21,8 @@ struct FlatEnvironment {
     /// multiples of 2^-24, so that floats hold them and their differences exactly. A cell in which
     /// anything shines has a probability above 0.
     std::vector<float> sums;
-    std::vector<float> irradiance;  ///< environment_irradiance
-    glm::dvec3 mean{0.0};           ///< radiance over all directions
-    float brightest = 0.0F;         ///< largest radiance of any channel
+    glm::dvec3 mean{0.0};    ///< radiance over all directions
+    float brightest = 0.0F;  ///< largest radiance of any channel
     /// Where light comes from on the whole: twice the mean of unit directions, weighted by their
     /// luminance. Its dot product with a normal, plus 1, is the irradiance of a surface over pi
     /// times the mean luminance, as far as light that varies slowly goes.

@@ -34,17 +34,18 @@ constexpr double pi = std::numbers::pi;
 /// An image as kernels get it.
 struct NativeImage {
     FlatEnvironment flat;
+    std::vector<float> map;
     native::EnvironmentRecord record{};
 
     explicit NativeImage(const EnvironmentImage& of, const glm::dmat3& to_world = glm::dmat3(1.0))
-        : flat(flatten_environment(of, to_world)) {
+        : flat(flatten_environment(of, to_world)), map(environment_irradiance(flat)) {
         std::memcpy(&record, flat.records.data(), sizeof(record));
     }
 
     [[nodiscard]] glm::dvec3 irradiance(const glm::dvec3& normal) const {
         const glm::vec3 n(normal);
         const native::float3 found =
-            native::open_irradiance(&record, flat.irradiance.data(), native::f3(n.x, n.y, n.z));
+            native::open_irradiance(&record, map.data(), native::f3(n.x, n.y, n.z));
         return {found.x, found.y, found.z};
     }
     /// By a sum over directions that are spread evenly.
