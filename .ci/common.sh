@@ -23,6 +23,8 @@ install_tools() {
     # libFuzzer, the plots of reports and a browser; unlike tools, libraries are not to be found by a
     # command.
     local libraries=(libclang-rt-dev python3-matplotlib chromium-driver python3-selenium)
+    # A second OpenCL runtime comes from PyPI, a third with Mesa.
+    libraries+=(python3-venv mesa-opencl-icd)
     for tool in "${wanted[@]}"; do
         command -v "$tool" >/dev/null || missing+=("$tool")
     done

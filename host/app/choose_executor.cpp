@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "device/native/native_executor.h"
 #if WEFT_HAS_OPENCL
+#include "device/opencl/driver_fault.h"
 #include "device/opencl/opencl_executor.h"
+#include "device/opencl/usable_drivers.h"
 #endif
 
 namespace weft {
@@ -15,20 +17,23 @@ namespace {
 #if WEFT_HAS_OPENCL
 std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>& device, int threads) {
     if (threads > 0) limit_opencl_threads(threads);
-    return make_opencl_executor(choose_opencl_device(device.value_or("")), threads);
+    const OpenClDevice chosen = choose_opencl_device(device.value_or(""));
+    report_driver_faults(chosen.info, crash_mark(chosen.info.name, chosen.info.driver));
+    return make_opencl_executor(chosen, threads);
 }
 
-bool has_opencl_device(int threads) {
+/// Why no OpenCL device can be used; empty where one can.
+std::string why_no_opencl(int threads) {
     if (threads > 0) limit_opencl_threads(threads);
-    return !opencl_devices().empty();
+    return no_opencl_device(opencl_devices());
 }
 #else
 std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>&, int) {
     throw Error(ExitCode::device, "this weft was built without OpenCL, expected --backend embree");
 }
 
-bool has_opencl_device(int) {
-    return false;
+std::string why_no_opencl(int) {
+    return "this weft was built without OpenCL";
 }
 #endif
 
@@ -44,9 +49,11 @@ std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::
 std::unique_ptr<Executor> choose_executor(const RenderOptions& options, Diagnostics& diagnostics) {
     const int threads = options.threads ? static_cast<int>(usable_threads(*options.threads)) : 0;
     Backend backend = options.backend.value_or(Backend::opencl);
-    if (!options.backend && !options.device && !has_opencl_device(threads)) {
-        diagnostics.warn("", "no OpenCL device was found, rendering with --backend embree");
-        backend = Backend::embree;
+    if (!options.backend && !options.device) {
+        if (const std::string why = why_no_opencl(threads); !why.empty()) {
+            diagnostics.warn("", why + ", rendering with --backend embree");
+            backend = Backend::embree;
+        }
     }
     return executor_of(backend, options.device, threads);
 }
@@ -59,7 +66,7 @@ std::vector<std::unique_ptr<Executor>> selftest_executors(const SelftestOptions&
     }
     for (const Backend backend : {Backend::native, Backend::embree})
         executors.push_back(executor_of(backend, std::nullopt, 0));
-    if (options.device || has_opencl_device(0))
+    if (options.device || why_no_opencl(0).empty())
         executors.push_back(executor_of(Backend::opencl, options.device, 0));
     return executors;
 }
@@ -68,6 +75,13 @@ std::vector<DeviceInfo> all_devices() {
     std::vector<DeviceInfo> devices;
 #if WEFT_HAS_OPENCL
     for (const OpenClDevice& device : opencl_devices()) devices.push_back(device.info);
+    for (const DriverTrial& trial : driver_trials())
+        if (!trial.failure.empty()) {
+            DeviceInfo& refused = devices.emplace_back();
+            refused.backend = "opencl";
+            refused.driver = trial.driver.place();
+            refused.failure = trial.failure;
+        }
 #endif
     devices.push_back(native_device_info(NativeTraversal::embree));
     return devices;

@@ -23,7 +23,8 @@ namespace weft {
 [[nodiscard]] std::vector<std::unique_ptr<Executor>> selftest_executors(
     const SelftestOptions& options);
 
-/// Every OpenCL device, then the Embree backend.
+/// Every OpenCL device, then OpenCL drivers that could not be opened, which have a failure but no
+/// name, and the Embree backend.
 [[nodiscard]] std::vector<DeviceInfo> all_devices();
 
 }  // namespace weft

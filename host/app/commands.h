@@ -29,8 +29,9 @@ void tradeoff_command(const TradeoffOptions& options, Diagnostics& diagnostics);
 /// `weft info`: prints what a scene contains and needs on stdout.
 void info_command(const InfoOptions& options, Diagnostics& diagnostics);
 
-/// `weft devices`: prints the devices that can run kernels on stdout.
-void devices_command(const DevicesOptions& options);
+/// `weft devices`: prints the devices that can run kernels on stdout, and what is wrong with
+/// others. Returns success; with --check the code for devices that fail where one does.
+[[nodiscard]] ExitCode devices_command(const DevicesOptions& options);
 
 /// `weft selftest`: runs the cases with known answers and prints their results on stdout. Returns
 /// success where all of them pass, else the code for devices that fail.

@@ -14,14 +14,14 @@
 #include "base/error.h"
 #include "base/require_memory.h"
 #if WEFT_HAS_OPENCL
-#include "device/opencl/compile_server.h"
+#include "device/opencl/opencl_start.h"
 #endif
 
 namespace {
 
 #if WEFT_HAS_OPENCL
-/// Whether a command may have to compile kernels.
-bool compiles_kernels(const weft::ParsedCommand& command) {
+/// Whether a command may run kernels on an OpenCL device.
+bool uses_opencl(const weft::ParsedCommand& command) {
     return std::visit(
         [](const auto& options) {
             if constexpr (requires { options.image.backend; })
@@ -75,7 +75,7 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
     } else if (const auto* info = std::get_if<weft::InfoOptions>(&command)) {
         weft::info_command(*info, diagnostics);
     } else if (const auto* devices = std::get_if<weft::DevicesOptions>(&command)) {
-        weft::devices_command(*devices);
+        return weft::devices_command(*devices);
     } else if (const auto* selftest = std::get_if<weft::SelftestOptions>(&command)) {
         return weft::selftest_command(*selftest);
     } else if (const auto* tradeoff = std::get_if<weft::TradeoffOptions>(&command)) {
@@ -94,9 +94,12 @@ int main(int argc, char** argv) {
     try {
         const weft::ParsedCommand command = weft::parse_command_line(argc, argv);
 #if WEFT_HAS_OPENCL
-        // The server must be started before anything makes a thread or calls OpenCL.
-        std::optional<weft::CompileServer> server;
-        if (compiles_kernels(command)) server.emplace();
+        std::optional<weft::OpenClStart> opencl;
+        const auto* const devices = std::get_if<weft::DevicesOptions>(&command);
+        if (devices != nullptr || uses_opencl(command))
+            opencl.emplace(devices != nullptr && devices->check ? weft::TrialUse::fresh
+                                                                : weft::TrialUse::remembered,
+                           diagnostics);
 #endif
         verbose = is_verbose(command);
         const weft::ExitCode code = run(command, diagnostics);

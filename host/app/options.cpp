@@ -120,6 +120,7 @@ void add_commands(CLI::App& app) {
     add_verbose(info);
     CLI::App& devices = add_command(app, "devices", "Lists what can render");
     add_flag(devices, "--json", "Prints JSON");
+    add_flag(devices, "--check", "Tries every device again, and fails where one does not work");
     add_selftest(app);
     for (CLI::App* command : app.get_subcommands({})) {
         command->group("Commands");
@@ -357,7 +358,7 @@ ParsedCommand parse_command_line(int argc, const char* const* argv) {
     if (command->get_name() == "info")
         return InfoOptions{*value_of(*command, "SCENE"), parse_reading(*command),
                            is_given(*command, "--json"), is_given(*command, "--verbose")};
-    return DevicesOptions{is_given(*command, "--json")};
+    return DevicesOptions{is_given(*command, "--json"), is_given(*command, "--check")};
 }
 
 nlohmann::json options_json(const RenderOptions& options) {

@@ -132,6 +132,7 @@ struct InfoOptions {
 /// Options of `weft devices`.
 struct DevicesOptions {
     bool json = false;
+    bool check = false;  ///< tries all again, and fails where one fails
 };
 
 /// Options of `weft selftest`. What is empty was not given.

@@ -42,7 +42,12 @@ struct DeviceInfo {
     std::uint64_t max_allocation = 0;  ///< bytes of one buffer
     std::uint32_t native_width = 1;    ///< floats per vector
     std::uint32_t compute_units = 1;
-    bool is_cpu = true;
+    bool is_cpu = true;          ///< work-items take packets of rays; false: they take single rays
+    bool maps_memory = true;     ///< the host reaches buffers in place; false: it copies them
+    bool compiles_alone = true;  ///< one program at a time in a process, whatever its threads
+    double watchdog_ms = 0.0;    ///< a launch that takes longer fails; 0: there is no such limit
+    std::string failure;         ///< why it cannot be used, where that is known
+    std::vector<std::string> lacks;  ///< what images may miss on it, in few words each
 };
 
 /// Device memory. Contents are undefined until written.

@@ -56,7 +56,7 @@ CompileTimes compile_ahead(const std::vector<ProgramRecipe>& programs, const Dev
         std::min({processes, std::thread::hardware_concurrency(), most_processes});
     // Drivers of other devices compile with threads of their own; a simulator has to compile the
     // source in the process that it watches.
-    if (server == nullptr || workers < 2 || !device.is_cpu || is_simulator(device) ||
+    if (server == nullptr || workers < 2 || !device.compiles_alone || is_simulator(device) ||
         cache.folder().empty())
         return times;
     CompileRequest request;

@@ -29,21 +29,36 @@ namespace weft {
 /// Device memory; on CPU devices it is host memory.
 class OpenClBuffer : public Buffer {
   public:
-    OpenClBuffer(const cl::Context& context, bool on_host, std::size_t bytes, std::size_t& total)
-        : Buffer(bytes), total_(total) {
-        if (on_host) host_.emplace(bytes);
-        memory_ = cl::Buffer(
-            context, CL_MEM_READ_WRITE | (on_host ? CL_MEM_USE_HOST_PTR : CL_MEM_ALLOC_HOST_PTR),
-            bytes, on_host ? host_->data() : nullptr);
+    /// Launches that use the buffer are in `queue`.
+    OpenClBuffer(const cl::Context& context, const cl::CommandQueue& queue,
+                 const DeviceInfo& device, std::size_t bytes, std::size_t& total)
+        : Buffer(bytes), queue_(queue), total_(total) {
+        if (device.is_cpu) host_.emplace(bytes);
+        // Where memory is not mapped it should not be the host's: kernels would reach it by the
+        // bus.
+        const cl_mem_flags place = device.is_cpu        ? CL_MEM_USE_HOST_PTR
+                                   : device.maps_memory ? CL_MEM_ALLOC_HOST_PTR
+                                                        : cl_mem_flags{0};
+        memory_ =
+            cl::Buffer(context, CL_MEM_READ_WRITE | place, bytes, host_ ? host_->data() : nullptr);
         total_ += bytes;
     }
-    ~OpenClBuffer() override { total_ -= bytes(); }
+    ~OpenClBuffer() override {
+        total_ -= bytes();
+        if (!host_) return;
+        try {
+            // Where an error frees the buffers of a frame, launches may still use their memory.
+            queue_.finish();
+        } catch (const cl::Error&) {  // then the device is lost, and with it what ran there
+        }
+    }
     OpenClBuffer(const OpenClBuffer&) = delete;
     OpenClBuffer& operator=(const OpenClBuffer&) = delete;
 
     [[nodiscard]] const cl::Buffer& memory() const noexcept { return memory_; }
 
   private:
+    cl::CommandQueue queue_;
     std::optional<LargeMemory> host_;  // before memory_, which refers to it
     cl::Buffer memory_;
     std::size_t& total_;

@@ -4,13 +4,20 @@
 
 #include <fmt/format.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <cstdlib>
+#include <map>
+#include <string_view>
+#include <utility>
 
 #include "base/error.h"
+#include "base/quote.h"
+#include "device/opencl/usable_drivers.h"
 
 namespace weft {
 namespace {
@@ -21,23 +28,62 @@ std::string lower(std::string text) {
     return text;
 }
 
+/// Whether devices are to be used as if they were GPUs of the least that OpenCL asks for.
+bool simulates_gpu() {
+    const char* const text = std::getenv("WEFT_SIMULATE_GPU");
+    return text != nullptr && std::string_view(text) == "1";
+}
+
+/// Takes from a device what GPUs lack.
+void limit_as_gpu(DeviceInfo& info) {
+    constexpr std::uint64_t least_of_opencl = std::uint64_t{128} << 20;
+    constexpr double windows_ms = 2000.0;  // after which Windows resets a graphics card
+    info.is_cpu = false;
+    info.maps_memory = false;
+    info.max_allocation = std::min(info.max_allocation, least_of_opencl);
+    info.watchdog_ms = windows_ms;
+}
+
+/// What images may miss on a device, in few words each.
+std::vector<std::string> shortcomings_of(const cl::Device& device) {
+    constexpr cl_ulong roomy = cl_ulong{256} << 20;
+    const cl_device_fp_config floats = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+    std::vector<std::string> found;
+    if (device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>() == CL_FALSE)
+        found.emplace_back("a compiler");
+    if ((floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) == 0)
+        found.emplace_back(
+            "correctly rounded division and square roots, so that images may differ from those of "
+            "other devices in their last digits");
+    if ((floats & CL_FP_INF_NAN) == 0) found.emplace_back("infinities and NaNs");
+    if ((floats & CL_FP_DENORM) == 0) found.emplace_back("denormal numbers");
+    if (const cl_ulong most = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>(); most < roomy)
+        found.push_back(fmt::format("buffers of more than {} MiB", most >> 20));
+    return found;
+}
+
 DeviceInfo describe(const cl::Platform& platform, const cl::Device& device) {
     DeviceInfo info;
     info.backend = "opencl";
-    info.name = device.getInfo<CL_DEVICE_NAME>();
-    info.driver = fmt::format("{} {}", platform.getInfo<CL_PLATFORM_NAME>(),
-                              device.getInfo<CL_DRIVER_VERSION>());
+    info.name = one_line(device.getInfo<CL_DEVICE_NAME>());
+    info.driver = one_line(fmt::format("{} {}", platform.getInfo<CL_PLATFORM_NAME>(),
+                                       device.getInfo<CL_DRIVER_VERSION>()));
     info.version = device.getInfo<CL_DEVICE_VERSION>();
     info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.native_width = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    info.lacks = shortcomings_of(device);
     info.is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+    info.compiles_alone = info.is_cpu;
+    info.maps_memory = info.is_cpu || device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() == CL_TRUE;
+    if (simulates_gpu()) limit_as_gpu(info);
     return info;
 }
 
 /// Rank of a device; the largest is used where the user names none.
 int preference(const OpenClDevice& candidate) {
+    if (!candidate.info.failure.empty()) return -1;
     if (is_simulator(candidate.info)) return 0;
     const auto type = candidate.device.getInfo<CL_DEVICE_TYPE>();
     if ((type & CL_DEVICE_TYPE_GPU) != 0) return 3;
@@ -48,6 +94,36 @@ int preference(const OpenClDevice& candidate) {
 bool is_number(const std::string& text) {
     return !text.empty() && text.size() < 10 &&
            std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
+}
+
+const OpenClDevice* device_named(const std::string& wanted,
+                                 const std::vector<OpenClDevice>& devices) {
+    if (is_number(wanted)) {
+        const auto index = std::stoul(wanted);
+        return index < devices.size() ? &devices[index] : nullptr;
+    }
+    const auto found = std::ranges::find_if(devices, [&](const OpenClDevice& candidate) {
+        return lower(candidate.info.name).find(lower(wanted)) != std::string::npos;
+    });
+    return found != devices.end() ? &*found : nullptr;
+}
+
+std::string list_of(const std::vector<OpenClDevice>& devices) {
+    std::string list;
+    for (const OpenClDevice& candidate : devices)
+        list += fmt::format("{}{} \"{}\"", list.empty() ? "" : ", ", candidate.info.index,
+                            candidate.info.name);
+    return list;
+}
+
+/// Drivers that could not be opened, and the memory that they may use where that is limited.
+std::string refused_in_brackets() {
+    std::string text = refused_drivers();
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        text += fmt::format("{}drivers may fail under this process's limit of {} MiB of memory",
+                            text.empty() ? "" : "; ", limit.rlim_cur >> 20);
+    return text.empty() ? text : " (" + text + ")";
 }
 
 /// Lets PoCL bind each of its threads to a processor, unless the user has decided that. They sleep
@@ -91,33 +167,45 @@ std::vector<OpenClDevice> opencl_devices() {
             continue;  // a platform without devices
         }
     }
+    std::map<std::pair<std::string, std::string>, std::size_t> before;
+    for (auto& [device, info] : found)
+        info.failure = known_failure(info.name, info.driver, before[{info.name, info.driver}]++);
     return found;
 }
 
 OpenClDevice choose_opencl_device(const std::string& wanted) {
     const std::vector<OpenClDevice> devices = opencl_devices();
-    if (devices.empty())
+    const std::string none = no_opencl_device(devices);
+    if (devices.empty() || (wanted.empty() && !none.empty()))
         throw Error(ExitCode::device,
-                    "no OpenCL device was found, expected an OpenCL driver such as the package "
-                    "pocl-opencl-icd (or use --backend embree)");
+                    none +
+                        ", expected an OpenCL driver such as the package pocl-opencl-icd (or "
+                        "use --backend embree)");
     if (wanted.empty())
         return *std::max_element(devices.begin(), devices.end(), [](const auto& a, const auto& b) {
             return preference(a) < preference(b);
         });
-    if (is_number(wanted)) {
-        const auto index = std::stoul(wanted);
-        if (index < devices.size()) return devices[index];
-    } else {
-        for (const OpenClDevice& candidate : devices)
-            if (lower(candidate.info.name).find(lower(wanted)) != std::string::npos)
-                return candidate;
-    }
-    std::string list;
-    for (const OpenClDevice& candidate : devices)
-        list += fmt::format("{}{} \"{}\"", list.empty() ? "" : ", ", candidate.info.index,
-                            candidate.info.name);
-    throw Error(ExitCode::device,
-                fmt::format("no OpenCL device \"{}\", expected one of: {}", wanted, list));
+    const OpenClDevice* const named = device_named(wanted, devices);
+    if (named == nullptr)
+        throw Error(ExitCode::device, fmt::format("no OpenCL device \"{}\", expected one of: {}{}",
+                                                  wanted, list_of(devices), refused_in_brackets()));
+    if (!named->info.failure.empty())
+        throw Error(ExitCode::device,
+                    fmt::format("OpenCL device {} \"{}\" is not usable: {} (weft devices --check "
+                                "tries it again; or use --backend embree)",
+                                named->info.index, named->info.name, named->info.failure));
+    return *named;
+}
+
+std::string no_opencl_device(const std::vector<OpenClDevice>& devices) {
+    if (std::ranges::any_of(devices,
+                            [](const auto& device) { return device.info.failure.empty(); }))
+        return {};
+    if (devices.empty()) return "no OpenCL device was found" + refused_in_brackets();
+    const OpenClDevice& first = devices.front();
+    return fmt::format("no OpenCL device is usable ({} \"{}\": {}{})", first.info.index,
+                       first.info.name, first.info.failure,
+                       devices.size() > 1 ? "; weft devices says more" : "");
 }
 
 bool is_simulator(const DeviceInfo& device) {

@@ -22,8 +22,12 @@ struct OpenClDevice {
 
 /// The device that `wanted` names: an index, or a part of the name in any case. Where it is empty,
 /// the first GPU, else the first accelerator, else the first processor; a simulator only if nothing
-/// else is there. Throws Error (exit code 3) that lists the devices.
+/// else is there. Devices with a failure are never chosen. Throws Error (exit code 3) that says why
+/// there is none, and which there are.
 [[nodiscard]] OpenClDevice choose_opencl_device(const std::string& wanted);
+
+/// Why no device can be chosen where none is named, and empty where one can.
+[[nodiscard]] std::string no_opencl_device(const std::vector<OpenClDevice>& devices);
 
 /// Whether the device interprets kernels to find errors in them (Oclgrind).
 [[nodiscard]] bool is_simulator(const DeviceInfo& device);

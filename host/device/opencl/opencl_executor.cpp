@@ -91,7 +91,7 @@ class OpenClExecutor : public Executor {
                         fmt::format("{} needs {} bytes, {} allows {} in one buffer", what, bytes,
                                     info_.name, info_.max_allocation));
         try {
-            return std::make_unique<OpenClBuffer>(context_, info_.is_cpu, bytes, allocated_);
+            return std::make_unique<OpenClBuffer>(context_, queue_, info_, bytes, allocated_);
         } catch (const cl::Error& error) {
             rethrow(error, fmt::format("allocating {} ({} bytes)", what, bytes));
         } catch (const std::bad_alloc&) {
@@ -122,6 +122,9 @@ class OpenClExecutor : public Executor {
     [[nodiscard]] std::size_t allocated_bytes() const override { return allocated_; }
 
   private:
+    /// with_mapped for memory that the host does not reach.
+    void with_copied(const cl::Buffer& memory, std::size_t bytes, Access access,
+                     const std::function<void(std::span<std::byte>)>& use);
     /// Number of processes that may compile at the same time.
     [[nodiscard]] std::uint32_t processes() const {
         return static_cast<std::uint32_t>(arena_.max_concurrency());
@@ -174,6 +177,7 @@ class OpenClExecutor : public Executor {
 void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
                                  const std::function<void(std::span<std::byte>)>& use) {
     const cl::Buffer& memory = memory_of(buffer);
+    if (!info_.maps_memory) return with_copied(memory, buffer.bytes(), access, use);
     try {
         const cl_map_flags flags =
             access == Access::read ? CL_MAP_READ : CL_MAP_WRITE_INVALIDATE_REGION;
@@ -189,6 +193,20 @@ void OpenClExecutor::with_mapped(Buffer& buffer, Access access,
         queue_.enqueueUnmapMemObject(memory, data);
     } catch (const cl::Error& error) {
         rethrow(error, "mapping a buffer");
+    }
+}
+
+void OpenClExecutor::with_copied(const cl::Buffer& memory, std::size_t bytes, Access access,
+                                 const std::function<void(std::span<std::byte>)>& use) {
+    try {
+        LargeVector<std::byte> copy(bytes);
+        if (access == Access::read)
+            queue_.enqueueReadBuffer(memory, CL_TRUE, 0, bytes, copy.data());
+        use(copy);
+        if (access == Access::write)
+            queue_.enqueueWriteBuffer(memory, CL_TRUE, 0, bytes, copy.data());
+    } catch (const cl::Error& error) {
+        rethrow(error, "copying a buffer");
     }
 }
 
@@ -406,6 +424,10 @@ void OpenClExecutor::retire_oldest() {
     const auto end = event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
     if (end <= start) return;
     const double ms = static_cast<double>(end - start) * 1e-6;
+    if (info_.watchdog_ms > 0.0 && ms > info_.watchdog_ms)
+        throw Error(ExitCode::device,
+                    fmt::format("a launch of kernel {} took {:.0f} ms, expected at most {:.0f}",
+                                kernel_name(kernel), ms, info_.watchdog_ms));
     pacer_.took(kernel, most_items, items, ms);
     milliseconds_ += ms;
     if (milliseconds != nullptr) *milliseconds += ms;

@@ -1,0 +1,41 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_OPENCL_DRIVER_FOLDER_H
+#define WEFT_DEVICE_OPENCL_DRIVER_FOLDER_H
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+
+namespace weft {
+
+/// A folder for what drivers write while they compile, which starts empty and goes with this
+/// object. PoCL would keep compiled kernels for later runs, loads them without a look at what has
+/// become of them, and ends the program where they are damaged; Weft keeps them itself, with a
+/// checksum (ProgramCache).
+class DriverFolder {
+  public:
+    /// Makes the folder in `cache`, or else among temporary files, and has PoCL use it, in this
+    /// process and in those that it starts. Removes what processes have left that were killed.
+    /// Must come before the first OpenCL call.
+    explicit DriverFolder(const std::filesystem::path& cache);
+    ~DriverFolder();
+    DriverFolder(const DriverFolder&) = delete;
+    DriverFolder& operator=(const DriverFolder&) = delete;
+
+    /// The folder; empty where none could be made.
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+    /// Why `cache` cannot be used, such as "no space is left"; empty where it can, or is not known.
+    [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
+
+  private:
+    std::filesystem::path path_;
+    std::string trouble_;
+    int lock_ = -1;  ///< a locked file in the folder
+    pid_t owner_;    ///< processes that are forked leave the folder alone
+};
+
+}  // namespace weft
+
+#endif

@@ -1,0 +1,39 @@
+// Copyright 2026 The Weft Authors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef WEFT_DEVICE_OPENCL_DRIVER_TRIAL_H
+#define WEFT_DEVICE_OPENCL_DRIVER_TRIAL_H
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "device/opencl/driver_files.h"
+
+namespace weft {
+
+/// What came of trying a device.
+struct DeviceTrial {
+    std::string name;     ///< DeviceInfo::name
+    std::string driver;   ///< DeviceInfo::driver
+    std::string failure;  ///< what is wrong, in few words; empty where nothing is
+};
+
+/// What came of opening a driver and trying its devices.
+struct DriverTrial {
+    DriverFile driver;
+    std::string failure;  ///< of opening it and listing its devices; empty where that works
+    std::vector<DeviceTrial> devices;
+};
+
+/// Opens every driver and tries its devices (try_device), each driver in a process of its own and
+/// all at once, so that one that crashes, hangs or ends the process is only reported. Those that
+/// are not done after `seconds` are ended. Forks, so it must be called before the process has a
+/// thread or has called OpenCL. `cache_folder`: of open_only.
+[[nodiscard]] std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
+                                                   const std::filesystem::path& cache_folder,
+                                                   double seconds);
+
+}  // namespace weft
+
+#endif

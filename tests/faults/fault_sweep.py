@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs small commands again and again, each time with another call that fails, and checks that every
+run ends as promised: with exit code 0 and the right result, or with the code of its kind of failure
+and one line that says what is wrong; with nothing half written, and caches that later runs can use.
+
+The calls are those of the OpenCL driver (tests/device/opencl/faulty_driver.cpp) and those on files
+(faulty_files.cpp). Exit code 0: all runs end as promised, 1: some do not."""
+
+import argparse
+import concurrent.futures
+import errno
+import hashlib
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+
+OUT_OF_RESOURCES, ALLOCATION_FAILURE = -5, -4
+DEVICE, OUT_OF_MEMORY, BAD_INPUT, OUTPUT = 3, 4, 2, 5
+LONGEST = 120  # seconds of a run
+
+
+class Command:
+    """A command to try: `arguments` may hold {out}, the folder that it writes to; `prepare` fills
+    that folder before each run."""
+
+    def __init__(self, name, arguments, prepare=None, results=()):
+        self.name = name
+        self.arguments = arguments
+        self.prepare = prepare
+        self.results = results  # files whose content is known beforehand
+
+
+def digest(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def contents(folder):
+    """What lies in a folder: digests by relative name."""
+    return {str(path.relative_to(folder)): digest(path)
+            for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+class Sweep:
+    def __init__(self, options, command, worker):
+        self.options = options
+        self.command = command
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"{command.name}-{worker}-",
+                                                    dir=options.work))
+        self.cache = self.folder / "cache"
+        self.out = self.folder / "out"
+        self.log = self.folder / "log"
+        vendors = self.folder / "vendors"
+        vendors.mkdir()
+        (vendors / "faulty.icd").write_text(options.driver + "\n")
+        self.environment = {**os.environ, "WEFT_CACHE_DIR": str(self.cache),
+                            "OCL_ICD_VENDORS": str(vendors), "WEFT_FAULT_LOG": str(self.log)}
+        for name in ("WEFT_FAULT", "WEFT_FAULTY_DEVICE", "WEFT_FILE_FAULT"):
+            self.environment.pop(name, None)
+
+    def run(self, **variables):
+        """One run: its exit code, standard error, the failed calls, and what it has left."""
+        shutil.rmtree(self.out, ignore_errors=True)
+        self.out.mkdir()
+        self.log.unlink(missing_ok=True)
+        if self.command.prepare:
+            self.command.prepare(self)
+        before = contents(self.out)
+        arguments = [text.replace("{out}", str(self.out)) for text in self.command.arguments]
+        process = subprocess.Popen([self.options.weft, *arguments], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, start_new_session=True,
+                                   env={**self.environment, **variables}, cwd=self.folder)
+        try:
+            out, err = process.communicate(timeout=LONGEST)
+            code = process.returncode
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            out, err = process.communicate()
+            code = "no end"
+        failed = self.log.read_text().split() if self.log.exists() else []
+        return code, err.decode(errors="replace"), failed, before, contents(self.out)
+
+    def judge(self, result, good, codes):
+        """What is not as promised in a run; None where all is."""
+        code, err, failed, before, after = result
+        lines = err.splitlines()
+        errors = [line for line in lines if not line.startswith("weft: warning")]
+        if code == 0:
+            for name in self.command.results:
+                if after.get(name) != good.get(name):
+                    return f"exit code 0, but {name} is not what it should be"
+            if set(after) != set(good):
+                return f"exit code 0, but these files: {sorted(after)}"
+            if errors:
+                return f"exit code 0, but it says: {errors[0]}"
+            return None
+        if "crashed" in err:  # a call that fails is no crash
+            return f"exit code {code}: {err.strip()[-300:]}"
+        if code not in codes:
+            return f"exit code {code}: {err.strip()[-300:]}"
+        if len(errors) != 1 or not errors[0].startswith("weft: "):
+            return f"exit code {code} with {len(errors)} lines: {err.strip()[-300:]}"
+        for name, content in after.items():
+            # Whole files of this run may stay; others must be as they were.
+            if before.get(name) != content and good.get(name) != content and \
+                    name in self.command.results:
+                return f"exit code {code}, but {name} is neither the old nor the new one"
+            if name not in good and name not in before:
+                return f"exit code {code}, but it leaves {name}"
+        for name in before:
+            if name not in after:
+                return f"exit code {code}, but {name} is gone"
+        return None
+
+
+def sweep(options, command, kind, worker, workers, report):
+    """Fails calls worker, worker + workers ...; returns their number."""
+    run = Sweep(options, command, worker)
+    result = run.run()
+    if result[0] != 0:
+        raise RuntimeError(f"{command.name} fails without a fault: {result[1]}")
+    good = run.run()[4]  # now from the cache
+    points = 0
+    number = 1 + worker * options.stride
+    while True:
+        variables, codes = kind(number, run)
+        result = run.run(**variables)
+        if not result[2]:
+            break  # there are no more calls
+        points += 1
+        wrong = run.judge(result, good, codes)
+        if wrong:
+            report(f"{command.name}, call {number} ({', '.join(result[2][:3])}): {wrong}")
+        if result[0] != 0 and points % 50 == 0:
+            again = run.run()
+            if again[0] != 0 or any(again[4].get(n) != good.get(n) for n in command.results):
+                report(f"{command.name}, after call {number}: the next run fails: {again[1]}")
+        number += workers * options.stride
+    again = run.run()
+    if again[0] != 0:
+        report(f"{command.name}: what faults have left makes the next run fail: {again[1]}")
+    shutil.rmtree(run.folder, ignore_errors=True)
+    return points
+
+
+def driver_kind(code):
+    def kind(number, _):
+        return ({"WEFT_FAULT": f"fail={number}", "WEFT_FAULT_CODE": str(code)},
+                (DEVICE, OUT_OF_MEMORY))
+    return kind
+
+
+def file_kind(error, for_good):
+    def kind(number, run):
+        return ({"WEFT_FILE_FAULT": f"{number}{'+' if for_good else ''}",
+                 "WEFT_FAULT_ERROR": str(error), "WEFT_FAULT_FOLDER": str(run.folder),
+                 "LD_PRELOAD": run.options.files}, (BAD_INPUT, DEVICE, OUTPUT, OUT_OF_MEMORY))
+    return kind
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--weft", required=True, help="the program")
+    parser.add_argument("--driver", required=True, help="the library of faulty_driver.cpp")
+    parser.add_argument("--files", required=True, help="the library of faulty_files.cpp")
+    parser.add_argument("--scene", required=True)
+    parser.add_argument("--stride", type=int, default=1, help="fails only every so many calls")
+    parser.add_argument("--workers", type=int, default=len(os.sched_getaffinity(0)))
+    parser.add_argument("--only", default="", help="commands and kinds whose name contains this")
+    return parser.parse_args(arguments)
+
+
+def main():
+    options = parse(sys.argv[1:])
+    options.work = tempfile.mkdtemp(prefix="weft-faults-")
+    place = ["--backend", "opencl", "--progress", "none"]
+    size = ["--size", "16x16"]
+    first = pathlib.Path(options.work) / "first.exr"
+    made = subprocess.run([options.weft, "render", options.scene, *size, *place, "--algorithm",
+                           "path", "--spp", "2", "--resume", str(first), "-o",
+                           str(first.with_name("image.exr"))], check=False)
+    if made.returncode != 0:
+        return 1
+    commands = [
+        Command("render", ["render", options.scene, *size, *place, "--spp", "1", "--algorithm",
+                           "ais", "-o", "{out}/image.exr"], results=("image.exr",)),
+        Command("resume", ["render", options.scene, *size, *place, "--spp", "4", "--algorithm",
+                           "path", "--resume", "{out}/sums.exr", "-o", "{out}/image.exr"],
+                prepare=lambda run: shutil.copy(first, run.out / "sums.exr"),
+                results=("image.exr", "sums.exr")),
+        Command("tradeoff", ["tradeoff", options.scene, *size, *place, "--quick", "--algorithms",
+                             "path", "--repetitions", "2", "--reference-spp", "2", "--references",
+                             "{out}/references", "-o", "{out}/tradeoff"]),
+    ]
+    kinds = {"driver": driver_kind(OUT_OF_RESOURCES),
+             "driver memory": driver_kind(ALLOCATION_FAILURE),
+             "files, disk full": file_kind(errno.ENOSPC, False),
+             "files, disk full for good": file_kind(errno.ENOSPC, True),
+             "files, broken disk": file_kind(errno.EIO, False)}
+    failures = []
+    lock = threading.Lock()
+
+    def report(text):
+        with lock:
+            failures.append(text)
+            print("NOT AS PROMISED", text, flush=True)
+
+    total = 0
+    for command in commands:
+        for name, kind in kinds.items():
+            if options.only not in f"{command.name}: {name}":
+                continue
+            with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+                points = sum(pool.map(
+                    lambda worker: sweep(options, command, kind, worker, options.workers,
+                                         lambda text: report(f"{name}: {text}")),
+                    range(options.workers)))
+            total += points
+            print(f"{command.name}: {name}: {points} points", flush=True)
+    shutil.rmtree(options.work, ignore_errors=True)
+    print(f"{total} points, {len(failures)} not as promised")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
