@@ -23,8 +23,8 @@ install_tools() {
     # libFuzzer, the plots of reports and a browser; unlike tools, libraries are not to be found by a
     # command.
     local libraries=(libclang-rt-dev python3-matplotlib chromium-driver python3-selenium)
-    # A second OpenCL runtime comes from PyPI, a third with Mesa.
-    libraries+=(python3-venv mesa-opencl-icd)
+    # A second OpenCL runtime comes from PyPI, a third with Mesa; and engines that run farms.
+    libraries+=(python3-venv mesa-opencl-icd slurm-wlm munge parallel)
     for tool in "${wanted[@]}"; do
         command -v "$tool" >/dev/null || missing+=("$tool")
     done
@@ -42,6 +42,13 @@ install_tools() {
                 apt-get -q install -y --no-install-recommends "$package"
         fi
     done
+}
+
+# Snakemake and Dask, in build/farm.
+install_farm_engines() {
+    [[ -x build/farm/bin/snakemake ]] && return 0
+    python3 -m venv build/farm
+    build/farm/bin/pip install --quiet --no-input snakemake dask distributed
 }
 
 # build PRESET [CMAKE_OPTION...]: everything, the tests included.

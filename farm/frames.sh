@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Renders some frames of an animation, so that they fit to those that other machines render.
+#
+#   frames.sh FIRST END SCENE FOLDER [OPTION...]   frames FIRST to END - 1, to FOLDER/frame.NNNN.EXT
+#
+# What ais samples densely, and what records tic keeps, depends on the frames before: LEAD_IN of
+# them, by default 40, are rendered as well and dropped. With `path` and other algorithms whose
+# frames do not depend on earlier ones, LEAD_IN=0 saves that. EXT, by default png, chooses the
+# format; WEFT names the program. Frames that are there already are not rendered again.
+set -u
+
+(($# >= 4)) || {
+    echo "frames.sh: expected FIRST END SCENE FOLDER [OPTION...]" >&2
+    exit 1
+}
+first=$1 end=$2 scene=$3 folder=$4
+shift 4
+weft=${WEFT:-$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../weft}
+extension=${EXT:-png}
+lead_in=${LEAD_IN:-40}
+
+mkdir -p -- "$folder" || exit 5
+name() { printf 'frame.%04d.%s' "$1" "$extension"; }
+missing=''
+for ((i = first; i < end; ++i)); do
+    [[ -e $folder/$(name "$i") ]] || missing=yes
+done
+[[ -n $missing ]] || exit 0
+# Beside the images that are kept, so that moving them is a rename.
+work=$(mktemp -d -- "$folder/frames-$first-XXXXXX") || exit 5
+trap 'rm -rf -- "$work"' EXIT
+from=$((first > lead_in ? first - lead_in : 0))
+"$weft" render "$scene" "$@" --frames "$from:$end" --progress none -o "$work/frame.$extension" ||
+    exit $?
+for ((i = first; i < end; ++i)); do
+    mv -- "$work/$(name "$i")" "$folder/" || exit 5
+done

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Renders a reference in parts with GNU parallel, which runs again what fails, and joins them.
+#
+#   PARTS=32 SPP=4096 SCENE=scene.gltf FOLDER=parts OUTPUT=reference.exr parallel.sh [OPTION...]
+#
+# OPTIONs are those of `weft render`. PARALLEL_ARGS are those of parallel, such as
+# "--sshloginfile hosts", for machines that share the folders; by default one part runs at a time.
+set -u
+
+: "${PARTS:?}" "${SPP:?}" "${SCENE:?}" "${FOLDER:?}" "${OUTPUT:?}"
+farm=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+SCENE=$(readlink -f -- "$SCENE") FOLDER=$(readlink -m -- "$FOLDER")
+# shellcheck disable=SC2086 # PARALLEL_ARGS holds several
+parallel --will-cite --jobs 1 --retries 3 ${PARALLEL_ARGS:-} \
+    bash "${farm@Q}/part.sh" {} "$PARTS" "$SPP" "${SCENE@Q}" "${FOLDER@Q}" "${@@Q}" \
+    ::: $(seq "$PARTS") ||
+    exit $?
+exec bash "$farm/merge.sh" "$PARTS" "$SPP" "$FOLDER" "$OUTPUT"

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Renders one part of a reference, and may be run again at any time: it goes on from its last
+# checkpoint, and does nothing where the part is there.
+#
+#   part.sh I N SPP SCENE FOLDER [OPTION...]   part I of N to FOLDER/part-I.exr
+#
+# OPTIONs are those of `weft render`. WEFT names the program, by default the script beside this
+# folder. The exit code is the program's; SIGTERM saves a checkpoint, and then it is 130.
+set -u
+
+(($# >= 5)) || {
+    echo "part.sh: expected I N SPP SCENE FOLDER [OPTION...]" >&2
+    exit 1
+}
+part=$1 parts=$2 spp=$3 scene=$4 folder=$5
+shift 5
+weft=${WEFT:-$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../weft}
+sums=$folder/part-$part.sums.exr
+
+mkdir -p -- "$folder" || exit 5
+"$weft" render "$scene" --algorithm path "$@" --spp "$spp" --part "$part/$parts" --keep-complete \
+    --resume "$sums" --progress none -o "$folder/part-$part.exr" &
+program=$!
+trap 'kill -TERM "$program"' TERM INT
+# A signal ends the first wait, not the program.
+wait "$program"
+code=$?
+while kill -0 "$program" 2>/dev/null; do
+    wait "$program"
+    code=$?
+done
+((code == 0)) && rm -f -- "$sums"
+exit "$code"

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Copyright 2026 The Weft Authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Calls of the OpenCL driver and on files that fail end as promised: a sample of fault_sweep.py,
+# which fails every call with --stride 1. Exit code 0: passed, 1: failed, 77: skipped: there is no
+# PoCL.
+set -eu
+
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
+program=${WEFT_PROGRAM:-$(pwd)/../weft} # ctest runs this in the tests folder of the build
+libraries=$(dirname -- "$program")/tests
+if [ -n "${WEFT_SANITIZED:-}" ] || [ ! -f /etc/OpenCL/vendors/pocl.icd ] ||
+    [ ! -f "$libraries/libweft_faulty_driver.so" ]; then
+    echo "there is no PoCL whose calls could fail: skipped"
+    exit 77
+fi
+exec python3 -B "$root/tests/faults/fault_sweep.py" --weft "$program" --stride 37 \
+    --driver "$libraries/libweft_faulty_driver.so" --files "$libraries/libweft_faulty_files.so" \
+    --scene "$root/scenes/cornell-box.gltf"
