@@ -57,7 +57,7 @@ class ProgramDriversSlow : public ::testing::Test {
     /// Kernels need to be compiled only once for all tests.
     [[nodiscard]] static fs::path cache() { return shared_cache->path(); }
     /// What is remembered of drivers.
-    [[nodiscard]] static fs::path record() { return cache() / "driver-trials.json"; }
+    [[nodiscard]] static fs::path record() { return cache() / "drivers" / "trials.json"; }
     [[nodiscard]] std::string image() const { return folder_.path() / "image.exr"; }
 
     [[nodiscard]] RunningProgram::Settings settings(const std::string& fault) const {

@@ -86,8 +86,9 @@ fs::path folder_of(std::span<const DriverFile> drivers, const fs::path& folder) 
         try {
             ContentDigest digest;
             for (const DriverFile& driver : drivers) digest.add(driver.library);
-            fs::path made = fs::absolute(folder) / ("drivers-" + digest.text());
-            make_cache_folder(folder);
+            fs::path made = fs::absolute(folder) / digest.text();
+            make_cache_folder(made.parent_path().parent_path());
+            make_cache_folder(made.parent_path());
             fs::create_directories(made);
             return made;
         } catch (const std::exception&) {  // a temporary folder does as well

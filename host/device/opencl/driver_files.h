@@ -26,8 +26,8 @@ struct DriverFile {
 [[nodiscard]] std::vector<DriverFile> driver_files();
 
 /// Lets the loader open these drivers and no others, in this process and in those it starts. They
-/// are named by files in a new folder of `folder`, whose name depends on them, or in a temporary
-/// one where it cannot be made. Takes effect only before the first OpenCL call. Throws Error (exit
+/// are named by files in a folder of `folder`, whose name depends on them, or in a temporary one
+/// where it cannot be made. Takes effect only before the first OpenCL call. Throws Error (exit
 /// code 5).
 void open_only(std::span<const DriverFile> drivers, const std::filesystem::path& folder);
 

@@ -206,7 +206,11 @@ class Attempt {
         process_ = -1;
     }
 
-    static std::string end_of(int status) {
+    std::string end_of(int status) {
+        if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGTERM)) {
+            trial_.disturbed = true;
+            return "its trial was ended from outside";
+        }
         if (WIFSIGNALED(status))
             return fmt::format("its driver crashes ({})", ::strsignal(WTERMSIG(status)));
         if (WIFEXITED(status) && WEXITSTATUS(status) != 0)

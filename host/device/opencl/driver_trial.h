@@ -24,6 +24,7 @@ struct DriverTrial {
     DriverFile driver;
     std::string failure;  ///< of opening it and listing its devices; empty where that works
     std::vector<DeviceTrial> devices;
+    bool disturbed = false;  ///< somebody else has ended it, such as a system without memory
 };
 
 /// Opens every driver and tries its devices (try_device), each driver in a process of its own and

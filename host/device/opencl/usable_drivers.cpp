@@ -51,6 +51,12 @@ std::vector<DriverTrial>& admitted() {
     return trials;
 }
 
+/// Where what is known of drivers is kept; empty where there is no cache folder.
+fs::path record_folder() {
+    const fs::path cache = default_cache_folder();
+    return cache.empty() ? cache : fs::absolute(cache) / "drivers";
+}
+
 void add_file(ContentDigest& digest, const fs::path& file) {
     struct stat is {};
     if (::stat(file.c_str(), &is) != 0) return digest.add("missing");
@@ -111,7 +117,7 @@ class TrialRecord {
   public:
     explicit TrialRecord(const fs::path& folder) {
         if (folder.empty()) return;
-        file_ = folder / "driver-trials.json";
+        file_ = folder / "trials.json";
         try {
             for (const nlohmann::json& entry : read_json_file(file_, most_record_bytes))
                 entries_.push_back({entry.at("state").get<std::string>(), trial_of(entry)});
@@ -140,6 +146,7 @@ class TrialRecord {
         for (std::size_t i = 0; i < std::min(entries_.size(), most_remembered); ++i)
             list.push_back(json_of(entries_[i]));
         try {
+            make_cache_folder(file_.parent_path().parent_path());
             make_cache_folder(file_.parent_path());
             const std::string text =
                 list.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -187,7 +194,7 @@ class TrialRecord {
 void admit_drivers(TrialUse use) {
     const std::vector<DriverFile> drivers = driver_files();
     if (drivers.empty()) return;
-    const fs::path folder = default_cache_folder();
+    const fs::path folder = record_folder();
     TrialRecord record(folder);
     std::vector<DriverTrial>& trials = admitted();
     trials.clear();
@@ -195,10 +202,13 @@ void admit_drivers(TrialUse use) {
     for (const DriverFile& driver : drivers)
         if (use == TrialUse::fresh || !record.find(driver, state_of(driver)))
             untried.push_back(driver);
-    for (const DriverTrial& trial : try_drivers(untried, folder, trial_seconds()))
+    bool whole = true;
+    for (const DriverTrial& trial : try_drivers(untried, folder, trial_seconds())) {
         record.add(state_of(trial.driver), trial);
-    // With more memory the same drivers may pass.
-    if (!untried.empty() && !memory_is_limited()) record.store();
+        whole = whole && !trial.disturbed;
+    }
+    // With more memory, or undisturbed, the same drivers may pass.
+    if (!untried.empty() && whole && !memory_is_limited()) record.store();
     std::vector<DriverFile> usable;
     for (const DriverFile& driver : drivers) {
         trials.push_back(record.find(driver, state_of(driver)).value());
@@ -223,12 +233,12 @@ std::string known_failure(const std::string& name, const std::string& driver, st
 }
 
 fs::path crash_mark(const std::string& name, const std::string& driver) {
-    const fs::path folder = default_cache_folder();
+    const fs::path folder = record_folder();
     if (folder.empty()) return {};
     ContentDigest digest;
     digest.add(name);
     digest.add(driver);
-    return fs::absolute(folder) / ("crashed-" + digest.text());
+    return folder / ("crashed-" + digest.text());
 }
 
 std::string refused_drivers() {
