@@ -31,6 +31,7 @@ run_blocks() {
     mkdir "$blocks" "$work/run"
     ln -s "$program" "$work/run/weft"
     cp -R "$1/scenes" "$work/run/scenes"
+    [ ! -d "$1/farm" ] || ln -s "$1/farm" "$work/run/farm"
     (cd "$1" && awk -v mode=blocks -v out="$blocks" -f "$tools" README.md docs/*.md)
     for block in "$blocks"/*; do
         [ -e "$block" ] || continue

@@ -124,6 +124,7 @@ std::string trace_rays(Executor& executor) {
 }  // namespace
 
 std::string try_device(const OpenClDevice& device) {
+    if (is_simulator(device.info)) return {};
     try {
         if (std::string wrong = wrong_description(device.info); !wrong.empty()) return wrong;
         return trace_rays(*make_opencl_executor(device, 0));

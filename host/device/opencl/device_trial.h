@@ -11,7 +11,7 @@ namespace weft {
 
 /// Lets a device trace some rays whose hits are known and compile a large kernel, and looks at what
 /// it says of itself. Returns what is wrong, in few words, or nothing. A bad driver may end the
-/// process or never return.
+/// process or never return. Simulators, which take minutes, count as right.
 [[nodiscard]] std::string try_device(const OpenClDevice& device);
 
 }  // namespace weft
