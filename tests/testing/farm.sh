@@ -8,6 +8,8 @@
 set -u -o pipefail
 
 root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=tests/testing/check.sh
+source "$root/tests/testing/check.sh"
 program=${WEFT_PROGRAM:-$(pwd)/../weft} # ctest runs this in the tests folder of the build
 program=$(readlink -f -- "$program")
 work=$(mktemp -d)
@@ -19,17 +21,6 @@ PARTS=4 SPP=64 SCENE="$work/a scene.gltf" FOLDER="$work/the parts" OUTPUT="$work
 options=(--size 192x192)
 export PARTS SPP SCENE FOLDER OUTPUT
 cp -- "$root/scenes/cornell-box.gltf" "$SCENE"
-
-fail() {
-    echo "$1" >&2
-    [[ -z ${2:-} ]] || cat "$2" >&2
-    exit 1
-}
-
-skip() {
-    echo "$1: skipped"
-    exit 77
-}
 
 # Runs on native code, so that no kernel has to be compiled first.
 cat >"$work/weft" <<END

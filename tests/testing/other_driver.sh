@@ -7,20 +7,11 @@
 set -u -o pipefail
 
 root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=tests/testing/check.sh
+source "$root/tests/testing/check.sh"
 program=${WEFT_PROGRAM:-$(pwd)/../weft} # ctest runs this in the tests folder of the build
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-
-fail() {
-    echo "$1" >&2
-    [[ -z ${2:-} ]] || cat "$2" >&2
-    exit 1
-}
-
-skip() {
-    echo "$1: skipped"
-    exit 77
-}
 
 # selftest_passes DEVICE: every check on that OpenCL device.
 selftest_passes() {
