@@ -179,6 +179,7 @@ def parse(arguments):
 
 def main():
     options = parse(sys.argv[1:])
+    options.scene = os.path.abspath(options.scene)
     options.work = tempfile.mkdtemp(prefix="weft-faults-")
     options.vendors = pathlib.Path(options.work) / "vendors"
     options.vendors.mkdir()
