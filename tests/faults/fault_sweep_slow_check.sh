@@ -15,6 +15,6 @@ if [ -n "${WEFT_SANITIZED:-}" ] || [ ! -f /etc/OpenCL/vendors/pocl.icd ] ||
     echo "there is no PoCL whose calls could fail: skipped"
     exit 77
 fi
-exec python3 -B "$root/tests/faults/fault_sweep.py" --weft "$program" --stride 37 \
+exec python3 -B "$root/tests/faults/fault_sweep.py" --weft "$program" --stride 73 \
     --driver "$libraries/libweft_faulty_driver.so" --files "$libraries/libweft_faulty_files.so" \
     --scene "$root/scenes/cornell-box.gltf"
