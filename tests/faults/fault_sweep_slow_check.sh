@@ -2,9 +2,9 @@
 # Copyright 2026 The Weft Authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Calls of the OpenCL driver and on files that fail end as promised: a sample of fault_sweep.py,
-# which fails every call with --stride 1. Exit code 0: passed, 1: failed, 77: skipped: there is no
-# PoCL.
+# Calls of the OpenCL driver and on files that fail end as promised where `path` is resumed: a sample
+# of fault_sweep.py, which without --stride and --only fails every call, and those of other commands.
+# Exit code 0: passed, 1: failed, 77: skipped: there is no PoCL.
 set -eu
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
@@ -15,6 +15,6 @@ if [ -n "${WEFT_SANITIZED:-}" ] || [ ! -f /etc/OpenCL/vendors/pocl.icd ] ||
     echo "there is no PoCL whose calls could fail: skipped"
     exit 77
 fi
-exec python3 -B "$root/tests/faults/fault_sweep.py" --weft "$program" --stride 73 \
+exec python3 -B "$root/tests/faults/fault_sweep.py" --weft "$program" --stride 7 --only resume \
     --driver "$libraries/libweft_faulty_driver.so" --files "$libraries/libweft_faulty_files.so" \
     --scene "$root/scenes/cornell-box.gltf"
