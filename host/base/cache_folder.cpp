@@ -19,7 +19,9 @@ std::filesystem::path default_cache_folder() {
 }
 
 void make_cache_folder(const std::filesystem::path& folder) {
-    if (std::filesystem::create_directories(folder))
+    if (folder.empty() || std::filesystem::is_directory(folder)) return;
+    make_cache_folder(folder.parent_path());
+    if (std::filesystem::create_directory(folder))
         std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
 }
 

@@ -11,8 +11,8 @@ namespace weft {
 /// else ~/.cache/weft; empty where none is known.
 [[nodiscard]] std::filesystem::path default_cache_folder();
 
-/// Makes the folder where it is missing, for this user alone: drivers execute files in it. Throws
-/// std::filesystem::filesystem_error.
+/// Makes the folder, and those above it, where they are missing, for this user alone: drivers
+/// execute files in it. Throws std::filesystem::filesystem_error.
 void make_cache_folder(const std::filesystem::path& folder);
 
 }  // namespace weft

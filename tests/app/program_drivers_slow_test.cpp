@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/expect_line.h"
 #include "tests/testing/program_backends.h"
 #include "tests/testing/run_program.h"
 
@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::expect_line;
 using test::ProgramResult;
 using test::run_program;
 using test::RunningProgram;
@@ -87,13 +88,6 @@ class ProgramDriversSlow : public ::testing::Test {
     static inline std::unique_ptr<TemporaryFolder> shared_cache;
     TemporaryFolder folder_;
 };
-
-/// Exactly one line, with all of these in it.
-void expect_line(const std::string& text, const std::vector<std::string>& parts) {
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-    for (const std::string& part : parts)
-        EXPECT_NE(text.find(part), std::string::npos) << part << " is missing: " << text;
-}
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -165,23 +159,31 @@ TEST_F(ProgramDriversSlow, DevicesThatFailAreNeverChosen) {
     }
 }
 
-TEST_F(ProgramDriversSlow, CrashesLaterOnEndInOneLine) {
+TEST_F(ProgramDriversSlow, FaultsLaterOnEndInOneLine) {
     add_faulty_driver();
-    RunningProgram::Settings with_fault = settings("crash-gbuffer");
-    const ProgramResult result =
-        run_program({"render", shipped_scene("cornell-box.gltf"), "--size", "16x16", "--spp", "1",
-                     "--device", "pthread", "--progress", "none", "-o", image()},
-                    with_fault);
-    EXPECT_EQ(result.exit_code, 3);
-    expect_line(result.err, {"its driver crashed (segmentation fault)", "--backend embree"});
-    EXPECT_FALSE(fs::exists(image()));
-    const ProgramResult again = render(with_fault, "pthread");
-    EXPECT_EQ(again.exit_code, 3);
-    expect_line(again.err, {"pthread", "is not usable: its driver crashed in an earlier run"});
-    EXPECT_EQ(render(with_fault).exit_code, 0);
-    // A check that it passes makes it usable again.
-    EXPECT_EQ(run_program({"devices", "--check"}, with_fault).exit_code, 0);
-    EXPECT_EQ(render(with_fault, "pthread").exit_code, 0);
+    for (const auto& [fault, said] :
+         {Fault{"crash-gbuffer", "its driver crashed (segmentation fault)"},
+          {"exit-gbuffer", "its driver ended the program, expected"}}) {
+        SCOPED_TRACE(fault);
+        RunningProgram::Settings with_fault = settings(fault);
+        const ProgramResult result =
+            run_program({"render", shipped_scene("cornell-box.gltf"), "--size", "16x16", "--spp",
+                         "1", "--device", "pthread", "--progress", "none", "-o", image()},
+                        with_fault);
+        EXPECT_EQ(result.exit_code, 3);
+        expect_line(result.err, {said, "--backend embree"});
+        EXPECT_FALSE(fs::exists(image()));
+        const ProgramResult again = render(with_fault, "pthread");
+        EXPECT_EQ(again.exit_code, 3);
+        expect_line(
+            again.err,
+            {"pthread", "is not usable: its driver has ended the program in an earlier run"});
+        EXPECT_EQ(render(with_fault).exit_code, 0);
+        // A check that it passes makes it usable again.
+        EXPECT_EQ(run_program({"devices", "--check"}, with_fault).exit_code, 0);
+        EXPECT_EQ(render(with_fault, "pthread").exit_code, 0);
+        fs::remove(image());
+    }
 }
 
 TEST_F(ProgramDriversSlow, TrialsAreRepeatedWhereDriversChange) {

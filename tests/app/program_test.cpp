@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/exr.h"
+#include "tests/testing/expect_line.h"
 #include "tests/testing/run_program.h"
 #include "tests/testing/vol_bytes.h"
 
@@ -25,11 +26,9 @@ using test::text_of_file;
 
 const std::string empty_scene = "<scene version=\"3.0.0\"></scene>\n";
 
-/// Exactly one line, which begins with the program's name.
+/// One line of errors, and nothing else.
 void expect_one_message(const ProgramResult& result) {
-    EXPECT_TRUE(result.err.starts_with("weft: ")) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_TRUE(result.err.ends_with('\n')) << result.err;
+    test::expect_line(result.err);
     EXPECT_EQ(result.out, "");
 }
 

@@ -4,6 +4,8 @@
 """Runs small commands again and again, each time with another call that fails, and checks that every
 run ends as promised: with exit code 0 and the right result, or with the code of its kind of failure
 and one line that says what is wrong; with nothing half written, and caches that later runs can use.
+Rendering that is resumed is also killed and terminated at each call, and has to end in the same bits
+when it goes on.
 
 The calls are those of the OpenCL driver (tests/device/opencl/faulty_driver.cpp) and those on files
 (faulty_files.cpp). Exit code 0: all runs end as promised, 1: some do not."""
@@ -23,7 +25,7 @@ import tempfile
 import threading
 
 OUT_OF_RESOURCES, ALLOCATION_FAILURE = -5, -4
-DEVICE, OUT_OF_MEMORY, BAD_INPUT, OUTPUT = 3, 4, 2, 5
+DEVICE, OUT_OF_MEMORY, BAD_INPUT, OUTPUT, INTERRUPTED = 3, 4, 2, 5, 130
 LONGEST = 120  # seconds of a run
 
 
@@ -67,17 +69,21 @@ class Sweep:
             shutil.copytree(options.caches, self.cache)
         self.environment = {**os.environ, "WEFT_CACHE_DIR": str(self.cache),
                             "OCL_ICD_VENDORS": str(options.vendors),
+                            # Without a fault, too: drivers are tried anew where this changes.
+                            "LD_PRELOAD": options.files,
                             "WEFT_FAULT_LOG": str(self.log)}
-        for name in ("WEFT_FAULT", "WEFT_FAULTY_DEVICE", "WEFT_FILE_FAULT"):
+        for name in ("WEFT_FAULT", "WEFT_FAULTY_DEVICE", "WEFT_FILE_FAULT", "WEFT_FAULT_SIGNAL"):
             self.environment.pop(name, None)
 
-    def run(self, **variables):
-        """One run: its exit code, standard error, the failed calls, and what it has left."""
-        shutil.rmtree(self.out, ignore_errors=True)
-        self.out.mkdir()
+    def run(self, goes_on=False, **variables):
+        """One run, with what an earlier one has left where it goes on: its exit code, standard
+        error, the failed calls, and what was and is there."""
         self.log.unlink(missing_ok=True)
-        if self.command.prepare:
-            self.command.prepare(self)
+        if not goes_on:
+            shutil.rmtree(self.out, ignore_errors=True)
+            self.out.mkdir()
+            if self.command.prepare:
+                self.command.prepare(self)
         before = contents(self.out)
         arguments = [text.replace("{out}", str(self.out)) for text in self.command.arguments]
         process = subprocess.Popen([self.options.weft, *arguments], stdout=subprocess.PIPE,
@@ -93,7 +99,22 @@ class Sweep:
         failed = self.log.read_text().split() if self.log.exists() else []
         return code, err.decode(errors="replace"), failed, before, contents(self.out)
 
-    def judge(self, result, good, codes):
+    def judge_ended(self, result, good, kind):
+        """What is not as promised in a run that a signal has ended, and in one that goes on from
+        there."""
+        if result[0] == 0:
+            return self.judge(result, good, kind)
+        if result[0] not in kind.codes:
+            return f"exit code {result[0]}: {result[1].strip()[-300:]}"
+        code, err, _, _, after = self.run(goes_on=True)
+        if code != 0 or err:
+            return f"going on ends with {code}: {err.strip()[-300:]}"
+        for name in self.command.results:
+            if after.get(name) != good.get(name):
+                return f"{name} is another one after going on"
+        return None
+
+    def judge(self, result, good, kind):
         """What is not as promised in a run; None where all is."""
         code, err, failed, before, after = result
         lines = err.splitlines()
@@ -109,7 +130,7 @@ class Sweep:
             return None
         if "crashed" in err:  # a call that fails is no crash
             return f"exit code {code}: {err.strip()[-300:]}"
-        if code not in codes:
+        if code not in kind.codes:
             return f"exit code {code}: {err.strip()[-300:]}"
         if len(errors) != 1 or not errors[0].startswith("weft: "):
             return f"exit code {code} with {len(errors)} lines: {err.strip()[-300:]}"
@@ -136,12 +157,12 @@ def sweep(options, command, kind, worker, workers, report):
     points = 0
     number = 1 + worker * options.stride
     while True:
-        variables, codes = kind(number, run)
-        result = run.run(**variables)
+        result = run.run(**kind.variables(number, run))
         if not result[2]:
             break  # there are no more calls
         points += 1
-        wrong = run.judge(result, good, codes)
+        judge = run.judge_ended if kind.ends else run.judge
+        wrong = judge(result, good, kind)
         if wrong:
             report(f"{command.name}, call {number} ({', '.join(result[2][:3])}): {wrong}")
         if result[0] != 0 and points % 50 == 0:
@@ -156,19 +177,44 @@ def sweep(options, command, kind, worker, workers, report):
     return points
 
 
-def driver_kind(code):
-    def kind(number, _):
-        return ({"WEFT_FAULT": f"fail={number}", "WEFT_FAULT_CODE": str(code)},
-                (DEVICE, OUT_OF_MEMORY))
-    return kind
+class Kind:
+    """A kind of fault: `variables` of the environment make call `number` of a run fail, which then
+    ends with one of `codes`. Where `ends`, a signal ends it."""
+
+    def __init__(self, variables, codes, ends=False):
+        self.variables = variables
+        self.codes = codes
+        self.ends = ends
 
 
-def file_kind(error, for_good):
-    def kind(number, run):
-        return ({"WEFT_FILE_FAULT": f"{number}{'+' if for_good else ''}",
-                 "WEFT_FAULT_ERROR": str(error), "WEFT_FAULT_FOLDER": str(run.folder),
-                 "LD_PRELOAD": run.options.files}, (BAD_INPUT, DEVICE, OUTPUT, OUT_OF_MEMORY))
-    return kind
+def driver_call(**given):
+    return lambda number, _: {"WEFT_FAULT": f"fail={number}", **given}
+
+
+def file_call(for_good=False, **given):
+    return lambda number, run: {"WEFT_FILE_FAULT": f"{number}{'+' if for_good else ''}",
+                                "WEFT_FAULT_FOLDER": str(run.folder), **given}
+
+
+def kinds_of_faults():
+    """Those of every command, and those of commands that are resumed, by name."""
+    driver_codes = (DEVICE, OUT_OF_MEMORY)
+    file_codes = (BAD_INPUT, DEVICE, OUTPUT, OUT_OF_MEMORY)
+    full, broken = ({"WEFT_FAULT_ERROR": str(code)} for code in (errno.ENOSPC, errno.EIO))
+    all_kinds = {
+        "driver": Kind(driver_call(WEFT_FAULT_CODE=str(OUT_OF_RESOURCES)), driver_codes),
+        "driver memory": Kind(driver_call(WEFT_FAULT_CODE=str(ALLOCATION_FAILURE)), driver_codes),
+        "files, disk full": Kind(file_call(**full), file_codes),
+        "files, disk full for good": Kind(file_call(for_good=True, **full), file_codes),
+        "files, broken disk": Kind(file_call(**broken), file_codes)}
+    ends = {}
+    # Before there is anything to keep, the signal itself ends the program.
+    for name, number, codes in (("killed", signal.SIGKILL, (-signal.SIGKILL,)),
+                                ("terminated", signal.SIGTERM, (INTERRUPTED, -signal.SIGTERM))):
+        given = {"WEFT_FAULT_SIGNAL": str(int(number))}
+        ends[f"driver, {name}"] = Kind(driver_call(**given), codes, ends=True)
+        ends[f"files, {name}"] = Kind(file_call(**given), codes, ends=True)
+    return all_kinds, ends
 
 
 def parse(arguments):
@@ -185,7 +231,8 @@ def parse(arguments):
 
 def main():
     options = parse(sys.argv[1:])
-    options.scene = os.path.abspath(options.scene)
+    for name in ("weft", "driver", "files", "scene"):
+        setattr(options, name, os.path.abspath(getattr(options, name)))
     options.work = tempfile.mkdtemp(prefix="weft-faults-")
     options.vendors = pathlib.Path(options.work) / "vendors"
     options.vendors.mkdir()
@@ -210,11 +257,7 @@ def main():
                              "path", "--repetitions", "2", "--reference-spp", "2", "--references",
                              "{out}/references", "-o", "{out}/tradeoff"]),
     ]
-    kinds = {"driver": driver_kind(OUT_OF_RESOURCES),
-             "driver memory": driver_kind(ALLOCATION_FAILURE),
-             "files, disk full": file_kind(errno.ENOSPC, False),
-             "files, disk full for good": file_kind(errno.ENOSPC, True),
-             "files, broken disk": file_kind(errno.EIO, False)}
+    kinds, ends = kinds_of_faults()
     failures = []
     lock = threading.Lock()
 
@@ -232,7 +275,7 @@ def main():
             return 1
         shutil.rmtree(options.caches, ignore_errors=True)
         shutil.copytree(first_run.cache, options.caches)
-        for name, kind in kinds.items():
+        for name, kind in {**kinds, **(ends if command.prepare else {})}.items():
             if options.only not in f"{command.name}: {name}":
                 continue
             with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:

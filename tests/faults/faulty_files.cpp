@@ -4,7 +4,8 @@
 // Preloaded (LD_PRELOAD), it makes the N-th call on files of a folder fail, for tests of what a
 // program does then. WEFT_FILE_FAULT is N, from 1, or N+ for that call and all that follow;
 // WEFT_FAULT_FOLDER is the folder; WEFT_FAULT_ERROR is the error number, by default that of a full
-// disk; and the name of the call is added to the file WEFT_FAULT_LOG.
+// disk, or with WEFT_FAULT_SIGNAL the process gets that signal and the call is made; and the name
+// of the call is added to the file WEFT_FAULT_LOG.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -14,6 +15,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -66,6 +68,10 @@ bool fails(const char* call) {
         const std::string line = std::string(call) + "\n";
         static_cast<void>(NEXT(write)(file, line.data(), line.size()) < 0);
         NEXT(close)(file);
+    }
+    if (const char* const signal = std::getenv("WEFT_FAULT_SIGNAL")) {
+        ::kill(::getpid(), static_cast<int>(std::strtol(signal, nullptr, 10)));
+        return false;
     }
     static const char* const given = std::getenv("WEFT_FAULT_ERROR");
     errno = given != nullptr ? static_cast<int>(std::strtol(given, nullptr, 10)) : ENOSPC;

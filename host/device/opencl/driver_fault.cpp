@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/opencl/driver_fault.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <link.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <ucontext.h>
@@ -13,11 +15,14 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
 #include "base/quote.h"
+#include "device/opencl/driver_folder.h"
 
 // Bounds of the program's own code, by the linker.
 extern "C" {
@@ -38,18 +43,49 @@ constexpr std::array<Fault, 5> faults{{{SIGSEGV, "segmentation fault"},
                                        {SIGFPE, "arithmetic fault"},
                                        {SIGABRT, "abort"}}};
 
-/// What there is to say: the line in two parts, between which the name of the fault stands, and a
-/// file to leave. Never freed: a driver's thread may fault while the program ends.
+/// What there is to say: the line in two parts, between which stands what the driver did, or
+/// another one where its folder is full; and a file to leave. Never freed: a driver's thread may
+/// fault while the program ends.
 struct FaultReport {
     std::string before, after;
+    std::string full;
     std::string mark;
 };
 std::atomic<const FaultReport*> report{nullptr};
 std::atomic<bool> told{false};
+std::atomic<bool> watches_exits{false};
+/// Standard error as it was at first: it may lead nowhere while a driver compiles.
+int errors = STDERR_FILENO;
 std::array<struct sigaction, faults.size()> earlier{};
 
-void write_text(const char* text, std::size_t length) {
-    static_cast<void>(::write(STDERR_FILENO, text, length) < 0);
+void write_text(std::string_view text) {
+    static_cast<void>(::write(errors, text.data(), text.size()) < 0);
+}
+
+/// Ends the program with the line about its driver: what that did, and more about it, which may be
+/// empty. Signal handlers may call it.
+[[noreturn]] void end_with_report(std::string_view what, std::string_view more) {
+    // Several threads may fault at once; the first one tells.
+    if (told.exchange(true))
+        for (;;) ::pause();
+    // There may be a progress bar.
+    termios terminal{};
+    if (::tcgetattr(errors, &terminal) == 0) write_text("\n");
+    const FaultReport& text = *report;
+    if (driver_folder_is_full()) {
+        write_text(text.full);
+        ::_exit(static_cast<int>(ExitCode::device));
+    }
+    if (!text.mark.empty()) ::open(text.mark.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, S_IRUSR);
+    write_text(text.before);
+    write_text(what);
+    if (!more.empty()) {
+        write_text(" (");
+        write_text(more);
+        write_text(")");
+    }
+    write_text(text.after);
+    ::_exit(static_cast<int>(ExitCode::device));
 }
 
 /// Whether the fault is at an instruction of this program; not known on every processor.
@@ -78,19 +114,32 @@ extern "C" void weft_handle_fault(int signal, siginfo_t* info, void* context) {
         if (sent) ::raise(signal);
         return;  // the same instruction faults again
     }
-    // Several threads may fault at once; the first one tells.
-    if (told.exchange(true))
-        for (;;) ::pause();
-    // There may be a progress bar.
-    termios terminal{};
-    if (::tcgetattr(STDERR_FILENO, &terminal) == 0) write_text("\n", 1);
-    const FaultReport& text = *report;
-    if (!text.mark.empty()) ::open(text.mark.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, S_IRUSR);
-    write_text(text.before.data(), text.before.size());
-    const std::string_view name = faults[which].name;
-    write_text(name.data(), name.size());
-    write_text(text.after.data(), text.after.size());
-    ::_exit(static_cast<int>(ExitCode::device));
+    end_with_report("crashed", faults[which].name);
+}
+
+extern "C" void weft_handle_exit() {
+    if (watches_exits) end_with_report("ended the program", {});
+}
+
+extern "C" void weft_handle_llvm_error(const char* reason) {
+    end_with_report("ended the program", one_line(reason));
+}
+
+extern "C" int weft_handle_llvm_library(dl_phdr_info* library, std::size_t, void*) {
+    using Handler = void (*)(const char*);
+    if (std::strstr(library->dlpi_name, "/libLLVM") == nullptr) return 0;
+    void* const opened = ::dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD);
+    if (opened == nullptr) return 0;
+    if (void* const install = ::dlsym(opened, "LLVMInstallFatalErrorHandler"))
+        reinterpret_cast<void (*)(Handler)>(install)(weft_handle_llvm_error);
+    ::dlclose(opened);
+    return 0;
+}
+
+/// Has the LLVM libraries of drivers tell their errors here: they would print lines of their own
+/// before they exit.
+void hear_llvm() {
+    ::dl_iterate_phdr(weft_handle_llvm_library, nullptr);
 }
 
 /// Memory for handlers of the calling thread, so that one that has run out of stack can run them.
@@ -106,17 +155,30 @@ void use_own_stack() {
 
 void report_driver_faults(const DeviceInfo& device, const std::filesystem::path& mark) {
     const bool first = report.load() == nullptr;
-    report = new FaultReport{fmt::format("weft: OpenCL device {} \"{}\": its driver crashed (",
-                                         device.index, one_line(device.name)),
-                             "), expected one that works (try --backend embree)\n", mark.string()};
+    report = new FaultReport{fmt::format("weft: OpenCL device {} \"{}\": its driver ", device.index,
+                                         one_line(device.name)),
+                             ", expected one that works (try --backend embree)\n",
+                             "weft: " + full_driver_folder() + "\n", mark.string()};
     if (!first) return;
+    if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
+        errors = copy;
     use_own_stack();
+    hear_llvm();
+    std::atexit(weft_handle_exit);
     struct sigaction action {};
     action.sa_sigaction = weft_handle_fault;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
     ::sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < faults.size(); ++i)
         ::sigaction(faults[i].signal, &action, &earlier[i]);
+}
+
+ExitWatch::ExitWatch() noexcept {
+    watches_exits = true;
+}
+
+ExitWatch::~ExitWatch() {
+    watches_exits = false;
 }
 
 }  // namespace weft

@@ -87,9 +87,7 @@ fs::path folder_of(std::span<const DriverFile> drivers, const fs::path& folder) 
             ContentDigest digest;
             for (const DriverFile& driver : drivers) digest.add(driver.library);
             fs::path made = fs::absolute(folder) / digest.text();
-            make_cache_folder(made.parent_path().parent_path());
-            make_cache_folder(made.parent_path());
-            fs::create_directories(made);
+            make_cache_folder(made);
             return made;
         } catch (const std::exception&) {  // a temporary folder does as well
         }

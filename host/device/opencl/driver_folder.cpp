@@ -5,8 +5,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -14,6 +16,7 @@
 #include <system_error>
 
 #include "base/cache_folder.h"
+#include "base/quote.h"
 
 namespace weft {
 namespace {
@@ -26,6 +29,9 @@ constexpr const char* lock_name = "in-use";
 constexpr std::uintmax_t least_space = std::uintmax_t{16} << 20;
 /// A younger folder without a locked file may be that of a process which has just begun.
 constexpr std::chrono::minutes beginning{10};
+
+/// A file in the folder for driver_folder_is_full, with a name that signal handlers can read.
+std::string probe;
 
 /// Whether no process uses such a folder: its file is not locked.
 bool is_left_over(const fs::path& folder) {
@@ -91,12 +97,33 @@ DriverFolder::DriverFolder(const fs::path& cache) : owner_(::getpid()) {
     }
     lock_ = lock_of(path_);
     ::setenv("POCL_CACHE_DIR", path_.c_str(), 1);
+    probe = (path_ / "probe").string();
 }
 
 DriverFolder::~DriverFolder() {
     if (lock_ >= 0) ::close(lock_);
     std::error_code ignored;
     if (!path_.empty() && ::getpid() == owner_) fs::remove_all(path_, ignored);
+    probe.clear();
+}
+
+bool driver_folder_is_full() noexcept {
+    if (probe.empty()) return false;
+    static constexpr std::array<char, 65536> block{};
+    const int file = ::open(probe.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (file < 0) return true;
+    const bool full =
+        ::write(file, block.data(), block.size()) < static_cast<ssize_t>(block.size());
+    ::close(file);
+    ::unlink(probe.c_str());
+    return full;
+}
+
+std::string full_driver_folder() {
+    return fmt::format(
+        "{}: nothing can be written there, which the OpenCL driver needs, expected space for its "
+        "files (WEFT_CACHE_DIR names another folder)",
+        one_line(fs::path(probe).parent_path().parent_path().string()));
 }
 
 }  // namespace weft

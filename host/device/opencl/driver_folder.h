@@ -36,6 +36,13 @@ class DriverFolder {
     pid_t owner_;    ///< processes that are forked leave the folder alone
 };
 
+/// Whether files in the folder of this process's DriverFolder cannot grow, as on a disk that has
+/// become full; false where it has none. Signal handlers may ask.
+[[nodiscard]] bool driver_folder_is_full() noexcept;
+
+/// What to say then: `place: what is wrong, what was expected`.
+[[nodiscard]] std::string full_driver_folder();
+
 }  // namespace weft
 
 #endif

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <sched.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/quote.h"
+#include "base/require_memory.h"
 #include "device/opencl/usable_drivers.h"
 
 namespace weft {
@@ -62,7 +62,7 @@ std::vector<std::string> shortcomings_of(const cl::Device& device) {
     return found;
 }
 
-DeviceInfo describe(const cl::Platform& platform, const cl::Device& device) {
+DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, bool as_gpu) {
     DeviceInfo info;
     info.backend = "opencl";
     info.name = one_line(device.getInfo<CL_DEVICE_NAME>());
@@ -77,7 +77,7 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device) {
     info.is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     info.compiles_alone = info.is_cpu;
     info.maps_memory = info.is_cpu || device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() == CL_TRUE;
-    if (simulates_gpu()) limit_as_gpu(info);
+    if (as_gpu) limit_as_gpu(info);
     return info;
 }
 
@@ -119,10 +119,9 @@ std::string list_of(const std::vector<OpenClDevice>& devices) {
 /// Drivers that could not be opened, and the memory that they may use where that is limited.
 std::string refused_in_brackets() {
     std::string text = refused_drivers();
-    rlimit limit{};
-    if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    if (const auto limit = memory_limit())
         text += fmt::format("{}drivers may fail under this process's limit of {} MiB of memory",
-                            text.empty() ? "" : "; ", limit.rlim_cur >> 20);
+                            text.empty() ? "" : "; ", *limit >> 20);
     return text.empty() ? text : " (" + text + ")";
 }
 
@@ -148,6 +147,7 @@ void compile_once() {
 std::vector<OpenClDevice> opencl_devices() {
     bind_driver_threads();
     compile_once();
+    const bool as_gpu = simulates_gpu();
     std::vector<OpenClDevice> found;
     std::vector<cl::Platform> platforms;
     try {
@@ -160,7 +160,7 @@ std::vector<OpenClDevice> opencl_devices() {
         try {
             platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
             for (const cl::Device& device : devices) {
-                found.push_back({device, describe(platform, device)});
+                found.push_back({device, describe(platform, device, as_gpu)});
                 found.back().info.index = static_cast<int>(found.size()) - 1;
             }
         } catch (const cl::Error&) {

@@ -2,11 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/opencl/opencl_program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "base/quote.h"
 #include "base/stopwatch.h"
 #include "device/kernel_signature.h"
+#include "device/opencl/driver_folder.h"
 
 namespace weft {
 namespace {
@@ -23,6 +35,49 @@ void check_argument_count(const cl::Kernel& kernel, KernelId id) {
                                 kernel_name(id), count, expected));
 }
 
+/// Throws away what the process writes to standard error, while one lives.
+class SilencedErrors {
+  public:
+    SilencedErrors() noexcept : kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (kept_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0) ::close(nowhere);
+    }
+    ~SilencedErrors() {
+        if (kept_ < 0) return;
+        ::dup2(kept_, STDERR_FILENO);
+        ::close(kept_);
+    }
+    SilencedErrors(const SilencedErrors&) = delete;
+    SilencedErrors& operator=(const SilencedErrors&) = delete;
+
+  private:
+    int kept_;
+};
+
+/// The first line of a build log that has an error, or else the first line.
+std::string_view first_error(std::string_view log) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t error = log.find("error");
+    const std::size_t before = error != log.npos ? log.find_last_of('\n', error) : log.npos;
+    log.remove_prefix(std::min(log.find_first_not_of(blanks, before + 1), log.size()));
+    return log.substr(0, log.find('\n'));
+}
+
+/// Leaves a build log in the cache; returns where, or an empty path where that fails.
+std::filesystem::path keep_log(const ProgramCache& cache, const std::string& name,
+                               std::string_view log) {
+    if (cache.folder().empty()) return {};
+    std::filesystem::path file = cache.folder() / (name + ".log");
+    try {
+        make_cache_folder(cache.folder());
+        write_file_atomically(file, std::as_bytes(std::span(log)), WriteMode::unflushed);
+    } catch (const std::exception&) {
+        return {};
+    }
+    return file;
+}
+
 }  // namespace
 
 OpenClProgram::OpenClProgram(const cl::Context& context, const cl::Device& device,
@@ -35,7 +90,7 @@ OpenClProgram::OpenClProgram(const cl::Context& context, const cl::Device& devic
     build_.use = use;
     cached_ = load(context, device, cache);
     build_.from_cache = cached_ && !compiled_ms;
-    if (!cached_) compile(context, device, recipe.source);
+    if (!cached_) compile(context, device, cache, recipe.source);
     kernel_ = cl::Kernel(program_, build_.name.c_str());
     check_argument_count(kernel_, use.kernel);
     build_.build_ms = watch.total() + compiled_ms.value_or(0.0);
@@ -58,19 +113,30 @@ bool OpenClProgram::load(const cl::Context& context, const cl::Device& device,
 }
 
 void OpenClProgram::compile(const cl::Context& context, const cl::Device& device,
-                            const std::string& source) {
+                            const ProgramCache& cache, const std::string& source) {
     program_ = cl::Program(context, source);
     try {
+        // Compilers print lines of their own where they cannot write.
+        std::optional<SilencedErrors> silenced;
+        if (driver_folder_is_full()) silenced.emplace();
         program_.build({device}, build_.flags.c_str());
     } catch (const cl::Error& error) {
         if (error.err() == CL_OUT_OF_HOST_MEMORY)
             throw Error(ExitCode::out_of_memory, "no memory to compile kernel " + build_.name);
-        throw Error(
-            ExitCode::device,
-            fmt::format("kernel {} does not build on {} ({}, options {}):\n{}", build_.name,
-                        device.getInfo<CL_DEVICE_NAME>(), device.getInfo<CL_DRIVER_VERSION>(),
-                        build_.flags, program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
+        throw Error(ExitCode::device,
+                    driver_folder_is_full() ? full_driver_folder() : build_failure(device, cache));
     }
+}
+
+std::string OpenClProgram::build_failure(const cl::Device& device,
+                                         const ProgramCache& cache) const {
+    const std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
+    const std::filesystem::path file = keep_log(cache, build_.name, log);
+    return fmt::format("kernel {} does not build on {} ({}, options {}): {}{}", build_.name,
+                       one_line(device.getInfo<CL_DEVICE_NAME>()),
+                       one_line(device.getInfo<CL_DRIVER_VERSION>()), build_.flags,
+                       one_line(first_error(log)),
+                       file.empty() ? "" : fmt::format(" (log: {})", one_line(file.string())));
 }
 
 void OpenClProgram::keep(const ProgramCache& cache, double launch_ms) {

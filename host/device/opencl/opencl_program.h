@@ -17,7 +17,8 @@ namespace weft {
 class OpenClProgram {
   public:
     /// Loads the kernel from `cache` or compiles it. `compiled_ms`: time for which it was just
-    /// compiled into the cache, if it was. Throws Error (exit code 3) with the build log.
+    /// compiled into the cache, if it was. Throws Error (exit code 3) with the first error of the
+    /// build log, all of which it leaves in the cache folder.
     OpenClProgram(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
                   const KernelUse& use, const ProgramRecipe& recipe,
                   std::optional<double> compiled_ms);
@@ -32,7 +33,11 @@ class OpenClProgram {
 
   private:
     bool load(const cl::Context& context, const cl::Device& device, const ProgramCache& cache);
-    void compile(const cl::Context& context, const cl::Device& device, const std::string& source);
+    void compile(const cl::Context& context, const cl::Device& device, const ProgramCache& cache,
+                 const std::string& source);
+    /// Why the program does not build, in one line.
+    [[nodiscard]] std::string build_failure(const cl::Device& device,
+                                            const ProgramCache& cache) const;
 
     cl::Program program_;
     cl::Kernel kernel_;

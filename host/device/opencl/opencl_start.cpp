@@ -11,6 +11,7 @@ namespace weft {
 OpenClStart::OpenClStart(TrialUse use, Diagnostics& diagnostics) : folder_(default_cache_folder()) {
     admit_drivers(use);
     server_.emplace();
+    exits_.emplace();
     if (!folder_.trouble().empty())
         diagnostics.warn(default_cache_folder().string(),
                          fmt::format("cannot be used ({}), so that every run compiles its kernels",

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "device/opencl/compile_server.h"
+#include "device/opencl/driver_fault.h"
 #include "device/opencl/driver_folder.h"
 #include "device/opencl/usable_drivers.h"
 
@@ -22,6 +23,7 @@ class OpenClStart {
   private:
     DriverFolder folder_;
     std::optional<CompileServer> server_;  ///< after the trials: it opens what they admit
+    std::optional<ExitWatch> exits_;
 };
 
 }  // namespace weft

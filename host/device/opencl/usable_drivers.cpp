@@ -3,7 +3,6 @@
 #include "device/opencl/usable_drivers.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,6 +22,7 @@
 #include "base/content_digest.h"
 #include "base/file.h"
 #include "base/json_file.h"
+#include "base/require_memory.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX declares it nowhere
 
@@ -95,11 +95,6 @@ std::string state_of(const DriverFile& driver) {
     return digest.text();
 }
 
-bool memory_is_limited() {
-    rlimit limit{};
-    return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-}
-
 /// Fails a device whose driver has crashed after its trial, or forgets that.
 void heed_mark(DeviceTrial& device, TrialUse use) {
     const fs::path mark = crash_mark(device.name, device.driver);
@@ -108,7 +103,7 @@ void heed_mark(DeviceTrial& device, TrialUse use) {
     if (use == TrialUse::fresh)
         fs::remove(mark, error);
     else if (device.failure.empty())
-        device.failure = "its driver crashed in an earlier run";
+        device.failure = "its driver has ended the program in an earlier run";
 }
 
 /// Trials of earlier runs, newest first, in a file of the cache folder. What cannot be read or
@@ -146,7 +141,6 @@ class TrialRecord {
         for (std::size_t i = 0; i < std::min(entries_.size(), most_remembered); ++i)
             list.push_back(json_of(entries_[i]));
         try {
-            make_cache_folder(file_.parent_path().parent_path());
             make_cache_folder(file_.parent_path());
             const std::string text =
                 list.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -208,7 +202,7 @@ void admit_drivers(TrialUse use) {
         whole = whole && !trial.disturbed;
     }
     // With more memory, or undisturbed, the same drivers may pass.
-    if (!untried.empty() && whole && !memory_is_limited()) record.store();
+    if (!untried.empty() && whole && !memory_limit()) record.store();
     std::vector<DriverFile> usable;
     for (const DriverFile& driver : drivers) {
         trials.push_back(record.find(driver, state_of(driver)).value());

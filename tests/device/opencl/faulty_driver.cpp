@@ -8,12 +8,13 @@
 //     crash-build, hang-build              when a program is built
 //     crash-launch, hang-launch            when a kernel is launched
 //     idle-launch                          kernels are never run, and nobody is told
-//     crash-gbuffer                        when the kernel gbuffer is launched
+//     crash-gbuffer, exit-gbuffer          when the kernel gbuffer is launched
 //     long-name                            a name of 2^62 bytes
 //     no-units, many-units                 0 or 2^32 - 1 compute units
 //     no-memory                            buffers of at most 0 bytes
 //     fail=N                               the N-th call of a process fails, from 1, with the error
-//                                          WEFT_FAULT_CODE; its name is added to WEFT_FAULT_LOG
+//                                          WEFT_FAULT_CODE, or the process gets the signal
+//                                          WEFT_FAULT_SIGNAL; its name is added to WEFT_FAULT_LOG
 //
 // Only the device whose name contains WEFT_FAULTY_DEVICE does so, or all of them without it.
 #include <CL/cl_icd.h>
@@ -22,6 +23,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -111,9 +113,10 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
     if (wrong == "hang-launch") hang();
     if (wrong == "idle-launch")
         return behind.clEnqueueMarkerWithWaitList(queue, waits, events, event);
-    if (wrong == "crash-gbuffer") {
+    if (wrong == "crash-gbuffer" || wrong == "exit-gbuffer") {
         char name[64] = {};
         behind.clGetKernelInfo(kernel, CL_KERNEL_FUNCTION_NAME, sizeof(name) - 1, name, nullptr);
+        if (std::string(name) == "gbuffer" && wrong == "exit-gbuffer") std::exit(7);
         if (std::string(name) == "gbuffer") crash();
     }
     return behind.clEnqueueNDRangeKernel(queue, kernel, dimensions, offset, global, local, waits,
@@ -127,6 +130,10 @@ bool fails(const char* name) {
     if (++calls != wanted) return false;
     if (const char* const log = std::getenv("WEFT_FAULT_LOG"))
         std::ofstream(log, std::ios::app) << name << std::endl;
+    if (const char* const signal = std::getenv("WEFT_FAULT_SIGNAL")) {
+        ::kill(::getpid(), static_cast<int>(std::strtol(signal, nullptr, 10)));
+        return false;
+    }
     return true;
 }
 
