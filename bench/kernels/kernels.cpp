@@ -18,6 +18,7 @@
 #include "bench/common/bench_main.h"
 #include "bench/common/machine.h"
 #include "bench/common/own_queries.h"
+#include "bench/kernels/copy_speed.h"
 #include "bench/kernels/kernel_report.h"
 #include "device/native/native_executor.h"
 #include "render/camera_params.h"
@@ -171,7 +172,10 @@ void run(const Settings& settings) {
         print(kernel_tables(json["scenes"].back()));
     }
     for (const MeteredBackend& backend : backends.metered) {
+        const double speed = copy_speed(backend.executor.device());
+        print(fmt::format("{}: copies move {:.1f} GB/s\n", backend.name, speed * 1e-9));
         nlohmann::json device = device_json(backend.executor);
+        device["copy_bytes_per_second"] = speed;
         device["label"] = backend.name;
         device["builds"] = builds_json(backend.executor);
         json["devices"].push_back(device);

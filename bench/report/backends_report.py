@@ -21,8 +21,9 @@ def label(backend):
 
 def device_table(devices):
     return report_file.table(
-        ["backend", "device", "driver", "version", "packet width", "units"],
-        [[label(d["label"]), d["name"], d["driver"], d["version"], d["lanes"], d["compute_units"]]
+        ["backend", "device", "driver", "version", "packet width", "units", "copies, GB/s"],
+        [[label(d["label"]), d["name"], d["driver"], d["version"], d["lanes"], d["compute_units"],
+          number(d["copy_bytes_per_second"] * 1e-9, 1)]
          for d in devices])
 
 
@@ -103,9 +104,23 @@ def stage_table(method):
     return report_file.table(["stage", *time_headings(method), "Mrays"], rows)
 
 
+def on_all(method, kernel, text):
+    """What `text` makes of a kernel's entry of each backend, and of the backend's name."""
+    found = [(find(backend["kernels"], kernel, ("kernel",)), backend["backend"])
+             for backend in method["backends"]]
+    return " / ".join("–" if entry is None else text(entry, name) for entry, name in found)
+
+
 def shares(method, kernel):
-    found = [find(backend["kernels"], kernel, ("kernel",)) for backend in method["backends"]]
-    return " / ".join("–" if entry is None else f'{100.0 * entry["share"]:.1f}' for entry in found)
+    return on_all(method, kernel, lambda entry, _: f'{100.0 * entry["share"]:.1f}')
+
+
+def traffic(method, kernel, speeds):
+    """Bound bytes by time, over what a copy on the device moves in that time."""
+    def percent(entry, name):
+        speed = entry["ms"] * 1e-3 * speeds[name]
+        return f'{100.0 * entry["bound_bytes"] / speed:.1f}' if speed > 0.0 else "–"
+    return on_all(method, kernel, percent)
 
 
 def launches(method, kernel):
@@ -116,7 +131,7 @@ def launches(method, kernel):
     return " / ".join("–" if count is None else str(count) for count in counts)
 
 
-def kernel_table(method):
+def kernel_table(method, speeds):
     rows = []
     for kernel in all_entries(method, "kernels", ("kernel",)):
         rays = kernel["rays"]
@@ -125,9 +140,10 @@ def kernel_table(method):
                      shares(method, kernel), launches(method, kernel),
                      number(kernel["items"], 0),
                      number(rays and rays * 1e-6, 3), number(rate, 2),
-                     number(kernel["bound_bytes"] * 1e-6, 2)])
+                     number(kernel["bound_bytes"] * 1e-6, 2),
+                     traffic(method, kernel, speeds)])
     return report_file.table(["kernel", *time_headings(method), "share, %", "launches", "items",
-                              "Mrays", "Mrays/s", "bound, MB"], rows)
+                              "Mrays", "Mrays/s", "bound, MB", "of copies, %"], rows)
 
 
 def build_part(devices):
@@ -150,17 +166,18 @@ def build_part(devices):
     return "\n".join(parts)
 
 
-def scene_part(scene):
+def scene_part(scene, speeds):
     parts = [f'## {scene["scene"]}', ""]
     for method in scene["methods"]:
         parts += [f'### {scene["scene"]}, {method["method"]}', "", stage_table(method),
-                  kernel_table(method)]
+                  kernel_table(method, speeds)]
     return "\n".join(parts)
 
 
 def make(report, output):
     """Writes the page."""
     scenes = report["scenes"]
+    speeds = {d["label"]: d["copy_bytes_per_second"] for d in report["devices"]}
     base = label(scenes[0]["methods"][0]["backends"][0]["backend"])
     text = "\n".join([
         "# Backends, kernel by kernel", "",
@@ -172,7 +189,7 @@ def make(report, output):
         f"of {base}: below 1 is faster.", "", device_table(report["devices"]),
         "## Whole frames", "", overview(scenes), "## Acceleration structures", "",
         structure_table(scenes), "## Building kernels", "", build_part(report["devices"]),
-        *(scene_part(scene) for scene in scenes)])
+        *(scene_part(scene, speeds) for scene in scenes)])
     report_file.write_whole(output, text.rstrip("\n") + "\n")
     return [output]
 
