@@ -1,6 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -83,6 +84,7 @@ void warn_about_other_backends(const FilmSums& whole, const FilmSums& part,
 }  // namespace
 
 void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
+    use_exr_threads(tbb::this_task_arena::max_concurrency());
     if (options.missing) {
         print_missing(options);
         return;

@@ -3,6 +3,7 @@
 #include "base/cache_folder.h"
 
 #include <cstdlib>
+#include <system_error>
 
 namespace weft {
 
@@ -19,10 +20,13 @@ std::filesystem::path default_cache_folder() {
 }
 
 void make_cache_folder(const std::filesystem::path& folder) {
-    if (folder.empty() || std::filesystem::is_directory(folder)) return;
+    namespace fs = std::filesystem;
+    if (folder.empty() || fs::is_directory(folder)) return;
+    if (fs::exists(folder))
+        throw fs::filesystem_error("cannot make a folder", folder,
+                                   std::make_error_code(std::errc::not_a_directory));
     make_cache_folder(folder.parent_path());
-    if (std::filesystem::create_directory(folder))
-        std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+    if (fs::create_directory(folder)) fs::permissions(folder, fs::perms::owner_all);
 }
 
 }  // namespace weft

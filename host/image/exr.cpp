@@ -12,6 +12,7 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <half.h>
 
 #include <algorithm>
@@ -325,6 +326,10 @@ Image read_exr(const fs::path& path) {
     } catch (const std::exception& error) {
         throw input_error(place, "is damaged: " + reason(error));
     }
+}
+
+void use_exr_threads(int threads) {
+    Imf::setGlobalThreadCount(threads);
 }
 
 }  // namespace weft

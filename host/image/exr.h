@@ -23,6 +23,10 @@ void write_exr(const std::filesystem::path& path, const Image& image,
 /// full name with the channel `Y`. Throws Error (exit code 2) for anything damaged or too large.
 [[nodiscard]] Image read_exr(const std::filesystem::path& path);
 
+/// From now on that many threads read and write one file together: for commands that do little
+/// else. Throws std::system_error where no thread can be started.
+void use_exr_threads(int threads);
+
 }  // namespace weft
 
 #endif

@@ -66,7 +66,7 @@ class ProgramDriversSlow : public ::testing::Test {
         settings.environment = {{"OCL_ICD_VENDORS", vendors()},
                                 {"WEFT_CACHE_DIR", cache()},
                                 {"WEFT_FAULT", fault},
-                                {"WEFT_DRIVER_SECONDS", "8"},
+                                {"WEFT_DRIVER_SECONDS", "12"},
                                 // Two devices, of which the driver can make one a faulty one.
                                 {"POCL_DEVICES", "pthread basic"},
                                 {"WEFT_FAULTY_DEVICE", "pthread"}};
@@ -101,7 +101,7 @@ struct Fault {
 TEST_F(ProgramDriversSlow, DriversThatCannotBeOpenedAreLeftOut) {
     for (const auto& [fault, said] :
          {Fault{"crash-open", "its driver crashes (Segmentation fault)"},
-          {"hang-open", "its driver does not answer within 8 s"},
+          {"hang-open", "its driver does not answer within 12 s"},
           {"exit-open", "its driver ends the program (exit code 7)"},
           {"long-name", "memory"}}) {
         SCOPED_TRACE(fault);
@@ -136,9 +136,9 @@ TEST_F(ProgramDriversSlow, DevicesThatFailAreNeverChosen) {
     add_faulty_driver();
     for (const auto& [fault, said] :
          {Fault{"crash-build", "its driver crashes (Segmentation fault)"},
-          {"hang-build", "its driver does not answer within 8 s"},
+          {"hang-build", "its driver does not answer within 12 s"},
           {"crash-launch", "its driver crashes (Segmentation fault)"},
-          {"hang-launch", "its driver does not answer within 8 s"},
+          {"hang-launch", "its driver does not answer within 12 s"},
           {"idle-launch", "rays hit what they should not"},
           {"no-units", "its driver says that it has 0 compute units"},
           {"many-units", "compute units"},

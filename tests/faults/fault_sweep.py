@@ -51,8 +51,8 @@ def contents(folder):
 
 
 def shapes(names):
-    """Names without their numbers, which may depend on times that were measured."""
-    return {re.sub(r"[0-9]+(\.[0-9]+)?", "#", name) for name in names}
+    """Names without what depends on times that were measured: their numbers, and which presets."""
+    return {re.sub(r"[0-9]+(\.[0-9]+)?", "#", name) for name in names if "/preset-" not in name}
 
 
 class Sweep:
