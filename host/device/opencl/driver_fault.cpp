@@ -19,6 +19,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "base/quote.h"
@@ -125,21 +126,26 @@ extern "C" void weft_handle_llvm_error(const char* reason) {
     end_with_report("ended the program", one_line(reason));
 }
 
-extern "C" int weft_handle_llvm_library(dl_phdr_info* library, std::size_t, void*) {
-    using Handler = void (*)(const char*);
-    if (std::strstr(library->dlpi_name, "/libLLVM") == nullptr) return 0;
-    void* const opened = ::dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD);
-    if (opened == nullptr) return 0;
-    if (void* const install = ::dlsym(opened, "LLVMInstallFatalErrorHandler"))
-        reinterpret_cast<void (*)(Handler)>(install)(weft_handle_llvm_error);
-    ::dlclose(opened);
+/// Adds the file of a loaded library to the list, where it is of LLVM.
+extern "C" int weft_add_llvm_library(dl_phdr_info* library, std::size_t, void* list) {
+    if (std::strstr(library->dlpi_name, "/libLLVM") != nullptr)
+        static_cast<std::vector<std::string>*>(list)->emplace_back(library->dlpi_name);
     return 0;
 }
 
 /// Has the LLVM libraries of drivers tell their errors here: they would print lines of their own
 /// before they exit.
 void hear_llvm() {
-    ::dl_iterate_phdr(weft_handle_llvm_library, nullptr);
+    using Handler = void (*)(const char*);
+    std::vector<std::string> files;
+    ::dl_iterate_phdr(weft_add_llvm_library, &files);
+    for (const std::string& file : files) {
+        void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+        if (library == nullptr) continue;
+        if (void* const install = ::dlsym(library, "LLVMInstallFatalErrorHandler"))
+            reinterpret_cast<void (*)(Handler)>(install)(weft_handle_llvm_error);
+        ::dlclose(library);
+    }
 }
 
 /// Memory for handlers of the calling thread, so that one that has run out of stack can run them.
