@@ -186,6 +186,22 @@ TEST_F(ProgramDriversSlow, FaultsLaterOnEndInOneLine) {
     }
 }
 
+TEST_F(ProgramDriversSlow, AKernelThatDoesNotBuildIsOneLine) {
+    add_pocl();
+    const fs::path kernels = folder_.path() / "kernels";
+    fs::copy(fs::path(WEFT_SOURCE_DIR) / "kernels", kernels, fs::copy_options::recursive);
+    std::ofstream(kernels / "core" / "maths.h", std::ios::app) << "\n#error broken on purpose\n";
+    RunningProgram::Settings broken = settings("none");
+    broken.environment["WEFT_KERNELS"] = kernels;
+    const ProgramResult result = render(broken, "pthread");
+    EXPECT_EQ(result.exit_code, 3);
+    expect_line(result.err, {"does not build on pthread", "error: broken on purpose (log: "});
+    const std::size_t begin = result.err.find("(log: ") + 6;
+    const std::string log = result.err.substr(begin, result.err.rfind(')') - begin);
+    EXPECT_NE(text_of_file(log).find("#error broken on purpose"), std::string::npos) << log;
+    EXPECT_FALSE(fs::exists(image()));
+}
+
 TEST_F(ProgramDriversSlow, TrialsAreRepeatedWhereDriversChange) {
     add_faulty_driver();
     const auto failure = [&](const std::string& fault, bool check) {

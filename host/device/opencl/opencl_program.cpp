@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -116,9 +115,8 @@ void OpenClProgram::compile(const cl::Context& context, const cl::Device& device
                             const ProgramCache& cache, const std::string& source) {
     program_ = cl::Program(context, source);
     try {
-        // Compilers print lines of their own where they cannot write.
-        std::optional<SilencedErrors> silenced;
-        if (driver_folder_is_full()) silenced.emplace();
+        // Compilers print lines of their own beside their log.
+        const SilencedErrors silenced;
         program_.build({device}, build_.flags.c_str());
     } catch (const cl::Error& error) {
         if (error.err() == CL_OUT_OF_HOST_MEMORY)
