@@ -49,14 +49,14 @@ void add_verbose(CLI::App& command) {
 }
 
 std::optional<std::string> value_of(const CLI::App& command, const std::string& name) {
-    const std::vector<std::string>& results = values_of(command, name);
+    const std::vector<std::string>& results = values_of(command, name.c_str());
     if (results.empty()) return std::nullopt;
     if (results.size() > 1) throw usage_error(name + ": is given more than once");
     if (results[0].empty()) throw usage_error(name + ": is empty, expected a value");
     return results[0];
 }
 
-const std::vector<std::string>& values_of(const CLI::App& command, const std::string& name) {
+const std::vector<std::string>& values_of(const CLI::App& command, const char* name) {
     return command.get_option(name)->results();
 }
 

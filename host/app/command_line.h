@@ -48,8 +48,7 @@ void add_verbose(CLI::App& command);
 [[nodiscard]] std::optional<std::string> value_of(const CLI::App& command, const std::string& name);
 
 /// All values given for an option, in their order.
-[[nodiscard]] const std::vector<std::string>& values_of(const CLI::App& command,
-                                                        const std::string& name);
+[[nodiscard]] const std::vector<std::string>& values_of(const CLI::App& command, const char* name);
 
 /// Whether an option is given.
 [[nodiscard]] bool is_given(const CLI::App& command, const std::string& name);

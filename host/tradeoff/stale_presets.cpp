@@ -41,7 +41,7 @@ std::vector<WrittenPreset> presets_in(const Json& report, const std::string& pla
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const JsonValue advice = answers.element(i);
         if (report.at("advice")[i].at("preset").is_null()) continue;
-        const std::string& name = advice.at("preset").as_string();
+        const std::string name = advice.at("preset").as_string();
         const Json* const settings = settings_of(report, advice.at("point").as_string());
         if (settings != nullptr && is_its_name(advice, name)) found.push_back({name, *settings});
     }
