@@ -4,8 +4,8 @@
 """Runs small commands again and again, each time with another call that fails, and checks that every
 run ends as promised: with exit code 0 and the right result, or with the code of its kind of failure
 and one line that says what is wrong; with nothing half written, and caches that later runs can use.
-Rendering that is resumed is also killed and terminated at each call, and has to end in the same bits
-when it goes on.
+Rendering that is resumed is also killed and terminated at each call; however it ended, it has to end
+in the same bits when it goes on.
 
 The calls are those of the OpenCL driver (tests/device/opencl/faulty_driver.cpp) and those on files
 (faulty_files.cpp). Exit code 0: all runs end as promised, 1: some do not."""
@@ -99,13 +99,8 @@ class Sweep:
         failed = self.log.read_text().split() if self.log.exists() else []
         return code, err.decode(errors="replace"), failed, before, contents(self.out)
 
-    def judge_ended(self, result, good, kind):
-        """What is not as promised in a run that a signal has ended, and in one that goes on from
-        there."""
-        if result[0] == 0:
-            return self.judge(result, good, kind)
-        if result[0] not in kind.codes:
-            return f"exit code {result[0]}: {result[1].strip()[-300:]}"
+    def judge_rest(self, good):
+        """What is not as promised where rendering goes on from what an ended run has left."""
         code, err, _, _, after = self.run(goes_on=True)
         if code != 0 or err:
             return f"going on ends with {code}: {err.strip()[-300:]}"
@@ -128,10 +123,11 @@ class Sweep:
             if errors:
                 return f"exit code 0, but it says: {errors[0]}"
             return None
-        if "crashed" in err:  # a call that fails is no crash
+        # A call that fails is no crash.
+        if code not in kind.codes or "crashed" in err:
             return f"exit code {code}: {err.strip()[-300:]}"
-        if code not in kind.codes:
-            return f"exit code {code}: {err.strip()[-300:]}"
+        if kind.ends:
+            return None
         if len(errors) != 1 or not errors[0].startswith("weft: "):
             return f"exit code {code} with {len(errors)} lines: {err.strip()[-300:]}"
         for name, content in after.items():
@@ -161,8 +157,9 @@ def sweep(options, command, kind, worker, workers, report):
         if not result[2]:
             break  # there are no more calls
         points += 1
-        judge = run.judge_ended if kind.ends else run.judge
-        wrong = judge(result, good, kind)
+        wrong = run.judge(result, good, kind)
+        if not wrong and result[0] != 0 and command.prepare:
+            wrong = run.judge_rest(good)
         if wrong:
             report(f"{command.name}, call {number} ({', '.join(result[2][:3])}): {wrong}")
         if result[0] != 0 and points % 50 == 0:
