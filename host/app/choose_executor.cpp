@@ -22,19 +22,11 @@ std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>& devi
     return make_opencl_executor(chosen, threads);
 }
 
-/// Why no OpenCL device can be used; empty where one can.
-std::string why_no_opencl(int threads) {
-    if (threads > 0) limit_opencl_threads(threads);
-    return no_opencl_device(opencl_devices());
-}
 #else
 std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>&, int) {
     throw Error(ExitCode::device, "this weft was built without OpenCL, expected --backend embree");
 }
 
-std::string why_no_opencl(int) {
-    return "this weft was built without OpenCL";
-}
 #endif
 
 std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::string>& device,
@@ -45,6 +37,16 @@ std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::
 }
 
 }  // namespace
+
+std::string why_no_opencl(int threads) {
+#if WEFT_HAS_OPENCL
+    if (threads > 0) limit_opencl_threads(threads);
+    return no_opencl_device(opencl_devices());
+#else
+    static_cast<void>(threads);
+    return "this weft was built without OpenCL";
+#endif
+}
 
 std::unique_ptr<Executor> choose_executor(const RenderOptions& options, Diagnostics& diagnostics) {
     const int threads = options.threads ? static_cast<int>(usable_threads(*options.threads)) : 0;

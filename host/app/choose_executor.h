@@ -4,6 +4,7 @@
 #define WEFT_APP_CHOOSE_EXECUTOR_H
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/options.h"
@@ -16,6 +17,10 @@ namespace weft {
 /// is any device, else Embree, and a warning says so. Throws Error (exit code 3).
 [[nodiscard]] std::unique_ptr<Executor> choose_executor(const RenderOptions& options,
                                                         Diagnostics& diagnostics);
+
+/// Why no OpenCL device can be used, on that many threads of a processor (0: all); empty where one
+/// can.
+[[nodiscard]] std::string why_no_opencl(int threads);
 
 /// The executors that `weft selftest` runs on: the backend that the options name, or else the
 /// OpenCL device that they name or `weft render` would choose, if there is any, and both native

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 
 #include "app/choose_executor.h"
 #include "app/commands.h"
@@ -39,8 +40,10 @@ void print_devices(const std::vector<Executor*>& executors) {
                             executor->device().driver);
     if (std::all_of(executors.begin(), executors.end(), [](const Executor* executor) {
             return executor->device().backend != "opencl";
-        }))
-        text += "no OpenCL device is tested: native code alone\n";
+        })) {
+        const std::string why = why_no_opencl(0);
+        text += (why.empty() ? "no OpenCL device is tested" : why) + ": native code alone\n";
+    }
     print_result(text + "\n" + selftest::report_heading());
 }
 

@@ -88,6 +88,16 @@ TEST(Program, UnknownDevicesAreCodeThree) {
     EXPECT_EQ(folder.entry_count(), 0u);
 }
 
+TEST(Program, TheSelftestSaysWhyNoOpenClDeviceIsTested) {
+    const TemporaryFolder folder;
+    RunningProgram::Settings settings;
+    settings.environment["OCL_ICD_VENDORS"] = folder.path();
+    const ProgramResult result = run_program({"selftest", "--cases", "10"}, settings);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("no OpenCL device was found"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(": native code alone\n"), std::string::npos) << result.out;
+}
+
 TEST(Program, DevicesAsJson) {
     const ProgramResult result = run_program({"devices", "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;

@@ -10,7 +10,8 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../../testing/other_driver.sh"
 
 [[ -z ${WEFT_SANITIZED:-} ]] || skip "sanitizers cannot see into OpenCL drivers"
 [[ -f /etc/OpenCL/vendors/rusticl.icd ]] || skip "there is no rusticl (Debian: mesa-opencl-icd)"
-export RUSTICL_ENABLE=llvmpipe
+# Its compiler is slow.
+export RUSTICL_ENABLE=llvmpipe WEFT_DRIVER_SECONDS=120
 "$program" devices --check >"$work/devices"
 grep -q llvmpipe "$work/devices" || fail "rusticl has no device" "$work/devices"
 if ! grep -A 1 llvmpipe "$work/devices" | grep -q 'not usable'; then
