@@ -195,7 +195,8 @@ TEST_F(ProgramDriversSlow, AKernelThatDoesNotBuildIsOneLine) {
     broken.environment["WEFT_KERNELS"] = kernels;
     const ProgramResult result = render(broken, "pthread");
     EXPECT_EQ(result.exit_code, 3);
-    expect_line(result.err, {"does not build on pthread", "error: broken on purpose (log: "});
+    expect_line(result.err, {"weft: kernel ", "does not build on pthread",
+                             "error: ", "broken on purpose (log: "});
     const std::size_t begin = result.err.find("(log: ") + 6;
     const std::string log = result.err.substr(begin, result.err.rfind(')') - begin);
     EXPECT_NE(text_of_file(log).find("#error broken on purpose"), std::string::npos) << log;

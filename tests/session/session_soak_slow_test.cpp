@@ -19,8 +19,8 @@
 #include "tests/testing/session_fixture.h"
 
 // Many images in one process, of changing scenes, sizes and algorithms: nothing may be left of
-// those that are gone. Two rounds find leaks of more than 20 kB an image; WEFT_SOAK_RENDERS asks for
-// more images.
+// those that are gone. Two rounds find leaks of more than 20 kB an image; WEFT_SOAK_RENDERS asks
+// for more images.
 namespace weft::session_soak_slow_test {
 namespace {
 

@@ -18,6 +18,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <exception>
@@ -94,6 +95,7 @@ void set_apart(pid_t parent) {
             ::_exit(0);
         }
         open_only(std::span(&driver, 1), cache_folder);
+        ::unsetenv("WEFT_KERNELS");  // what users make of kernels is no fault of the driver
         const std::vector<OpenClDevice> devices = opencl_devices();
         for (const OpenClDevice& device : devices)
             teller.tell(device_tag, device.info.name, device.info.driver);
