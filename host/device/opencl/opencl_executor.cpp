@@ -23,6 +23,7 @@
 #include "device/opencl/group_spread.h"
 #include "device/opencl/opencl_buffer.h"
 #include "device/opencl/opencl_program.h"
+#include "device/opencl/silenced_errors.h"
 
 namespace weft {
 namespace {
@@ -397,6 +398,7 @@ bool OpenClExecutor::run(const Launch& launch, const std::function<bool(double)>
         bind(program.kernel(), launch);
         if (!program.kept()) {
             const Stopwatch watch;
+            const SilencedErrors silenced;
             enqueue(program.kernel(), launch.kernel, range).wait();
             program.keep(cache_, watch.total());
         }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/opencl/opencl_program.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -18,6 +16,7 @@
 #include "base/stopwatch.h"
 #include "device/kernel_signature.h"
 #include "device/opencl/driver_folder.h"
+#include "device/opencl/silenced_errors.h"
 
 namespace weft {
 namespace {
@@ -33,26 +32,6 @@ void check_argument_count(const cl::Kernel& kernel, KernelId id) {
                     fmt::format("kernel {} has {} arguments on the device, expected {}",
                                 kernel_name(id), count, expected));
 }
-
-/// Throws away what the process writes to standard error, while one lives.
-class SilencedErrors {
-  public:
-    SilencedErrors() noexcept : kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
-        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-        if (kept_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
-        if (nowhere >= 0) ::close(nowhere);
-    }
-    ~SilencedErrors() {
-        if (kept_ < 0) return;
-        ::dup2(kept_, STDERR_FILENO);
-        ::close(kept_);
-    }
-    SilencedErrors(const SilencedErrors&) = delete;
-    SilencedErrors& operator=(const SilencedErrors&) = delete;
-
-  private:
-    int kept_;
-};
 
 /// The first line of a build log that has an error, or else the first line.
 std::string_view first_error(std::string_view log) {
@@ -84,6 +63,7 @@ OpenClProgram::OpenClProgram(const cl::Context& context, const cl::Device& devic
                              const ProgramRecipe& recipe, std::optional<double> compiled_ms)
     : key_(recipe.key) {
     const Stopwatch watch;
+    const SilencedErrors silenced;
     build_.name = recipe.name;
     build_.flags = recipe.options;
     build_.use = use;
@@ -115,8 +95,6 @@ void OpenClProgram::compile(const cl::Context& context, const cl::Device& device
                             const ProgramCache& cache, const std::string& source) {
     program_ = cl::Program(context, source);
     try {
-        // Compilers print lines of their own beside their log.
-        const SilencedErrors silenced;
         program_.build({device}, build_.flags.c_str());
     } catch (const cl::Error& error) {
         if (error.err() == CL_OUT_OF_HOST_MEMORY)
