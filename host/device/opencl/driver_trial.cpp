@@ -28,6 +28,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/processor_wait.h"
 #include "base/quote.h"
 #include "base/stopwatch.h"
 #include "device/opencl/device_trial.h"
@@ -129,6 +130,8 @@ class Attempt {
 
     [[nodiscard]] bool done() const { return process_ < 0; }
     [[nodiscard]] int input() const { return input_; }
+    /// See processor_wait_ms.
+    [[nodiscard]] double waited_ms() const { return processor_wait_ms(process_); }
     [[nodiscard]] const DriverTrial& trial() const { return trial_; }
 
     /// Takes what the process has told, or its end.
@@ -271,9 +274,13 @@ class Attempt {
     std::optional<std::size_t> current_;  ///< the device that is being tried
 };
 
-/// Milliseconds as poll takes them.
-int left_of(double seconds, const Stopwatch& watch) {
-    return static_cast<int>(std::clamp(1000.0 * seconds - watch.total(), 0.0, 1e6));
+/// Milliseconds that are left to drivers that have `seconds`, as poll takes them. What they waited
+/// for a processor on a busy machine is added, up to twice as long again.
+int left_of(double seconds, const Stopwatch& watch, std::span<Attempt* const> running) {
+    double waited = 0.0;
+    for (const Attempt* const attempt : running) waited = std::max(waited, attempt->waited_ms());
+    const double all = 1000.0 * seconds + std::min(waited, 2000.0 * seconds);
+    return static_cast<int>(std::clamp(all - watch.total(), 0.0, 1e6));
 }
 
 }  // namespace
@@ -283,7 +290,7 @@ std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
     const Stopwatch watch;
     std::deque<Attempt> attempts;
     for (const DriverFile& driver : drivers) attempts.emplace_back(driver, cache_folder);
-    while (left_of(seconds, watch) > 0) {
+    for (;;) {
         std::vector<pollfd> ends;
         std::vector<Attempt*> running;
         for (Attempt& attempt : attempts)
@@ -291,8 +298,9 @@ std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
                 ends.push_back({attempt.input(), POLLIN, 0});
                 running.push_back(&attempt);
             }
-        if (running.empty()) break;
-        if (::poll(ends.data(), ends.size(), left_of(seconds, watch)) < 0) continue;
+        const int left = left_of(seconds, watch, running);
+        if (running.empty() || left == 0) break;
+        if (::poll(ends.data(), ends.size(), left) < 0) continue;
         for (std::size_t i = 0; i < running.size(); ++i)
             if (ends[i].revents != 0) running[i]->advance();
     }

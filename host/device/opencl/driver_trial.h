@@ -29,8 +29,9 @@ struct DriverTrial {
 
 /// Opens every driver and tries its devices (try_device), each driver in a process of its own and
 /// all at once, so that one that crashes, hangs or ends the process is only reported. Those that
-/// are not done after `seconds` are ended. Forks, so it must be called before the process has a
-/// thread or has called OpenCL. `cache_folder`: of open_only.
+/// are not done after `seconds` are ended; the time for which they waited for a processor does not
+/// count, up to twice as long. Forks, so it must be called before the process has a thread or has
+/// called OpenCL. `cache_folder`: of open_only.
 [[nodiscard]] std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
                                                    const std::filesystem::path& cache_folder,
                                                    double seconds);
