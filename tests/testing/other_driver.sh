@@ -22,25 +22,31 @@ selftest_passes() {
     echo "$1: selftest: $(tail -n 1 "$work/selftest")"
 }
 
-# images_agree DEVICE: previews by ais are equal to those of the native build, to the last bit, in
-# Cornell, OfficePM and, where the folder of shared scenes is there, Sibenik.
+# image_agrees DEVICE SCENE OPTION...: the image is equal to that of the native build, to the last bit.
+image_agrees() {
+    local device=$1 scene=$2 image place
+    shift 2
+    for image in native opencl; do
+        place=(--backend "$image")
+        [[ $image == opencl ]] && place+=(--device "$device")
+        "$program" render "$scene" "$@" "${place[@]}" --progress none -o "$work/$image.exr" \
+            >"$work/log" 2>&1 || fail "$scene does not render on $device" "$work/log"
+    done
+    "$program" compare "$work/native.exr" "$work/opencl.exr" --metric mape --json \
+        >"$work/difference" || fail "the images of $scene cannot be compared"
+    grep -qE '"mape": 0(\.0)?[,} ]*$' "$work/difference" ||
+        fail "$device and the native build disagree about $scene" "$work/difference"
+    echo "$device: $(basename -- "$scene"), $*: equal to the last bit"
+}
+
+# images_agree DEVICE: previews by ais agree in Cornell, OfficePM and, where the folder of shared
+# scenes is there, Sibenik.
 images_agree() {
-    local scene image options
+    local scene
     local scenes=("$root/scenes/cornell-box.gltf" "$root/scenes/office-pm.gltf")
     local sibenik=$root/../shared/data/scenes/sibenik/sibenik.xml
     [[ -f $sibenik ]] && scenes+=("$sibenik")
     for scene in "${scenes[@]}"; do
-        options=(--size 96x72 --spp 2 --algorithm ais --progress none)
-        for image in native opencl; do
-            local place=(--backend "$image")
-            [[ $image == opencl ]] && place+=(--device "$1")
-            "$program" render "$scene" "${options[@]}" "${place[@]}" -o "$work/$image.exr" \
-                >"$work/log" 2>&1 || fail "$scene does not render on $1" "$work/log"
-        done
-        "$program" compare "$work/native.exr" "$work/opencl.exr" --metric mape --json \
-            >"$work/difference" || fail "the images of $scene cannot be compared"
-        grep -qE '"mape": 0(\.0)?[,} ]*$' "$work/difference" ||
-            fail "$1 and the native build disagree about $scene" "$work/difference"
-        echo "$1: $(basename -- "$scene"): equal to the last bit"
+        image_agrees "$1" "$scene" --size 96x72 --spp 2 --algorithm ais
     done
 }
