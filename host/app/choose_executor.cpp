@@ -21,12 +21,10 @@ std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>& devi
     report_driver_faults(chosen.info, crash_mark(chosen.info.name, chosen.info.driver));
     return make_opencl_executor(chosen, threads);
 }
-
 #else
 std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>&, int) {
     throw Error(ExitCode::device, "this weft was built without OpenCL, expected --backend embree");
 }
-
 #endif
 
 std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::string>& device,

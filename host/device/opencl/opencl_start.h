@@ -23,7 +23,7 @@ class OpenClStart {
   private:
     DriverFolder folder_;
     std::optional<CompileServer> server_;  ///< after the trials: it opens what they admit
-    std::optional<ExitWatch> exits_;
+    std::optional<ExitWatch> exits_;       ///< trials and servers leave in their own way
 };
 
 }  // namespace weft

@@ -5,11 +5,23 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace weft {
+#include <mutex>
 
-SilencedErrors::SilencedErrors() noexcept
-    : kept_(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)) {
-    if (kept_ < 0) return;
+namespace weft {
+namespace {
+
+// There is one standard error: who comes first takes it away, and who goes last gives it back.
+std::mutex guard;
+int living = 0;
+int kept = -1;  ///< a copy of the descriptor; below zero where there is none
+
+}  // namespace
+
+SilencedErrors::SilencedErrors() {
+    const std::lock_guard lock(guard);
+    if (living++ > 0) return;
+    kept = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (kept < 0) return;
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere < 0) return;
     ::dup2(nowhere, STDERR_FILENO);
@@ -17,9 +29,10 @@ SilencedErrors::SilencedErrors() noexcept
 }
 
 SilencedErrors::~SilencedErrors() {
-    if (kept_ < 0) return;
-    ::dup2(kept_, STDERR_FILENO);
-    ::close(kept_);
+    const std::lock_guard lock(guard);
+    if (--living > 0 || kept < 0) return;
+    ::dup2(kept, STDERR_FILENO);
+    ::close(kept);
 }
 
 }  // namespace weft

@@ -5,17 +5,15 @@
 
 namespace weft {
 
-/// Throws away what the process writes to standard error while one lives. For calls in which a
-/// driver compiles: compilers print lines of their own there beside what the call returns.
+/// Throws away what the process writes to standard error while any lives, in whatever thread. For
+/// calls in which a driver compiles: compilers print lines of their own there beside what the call
+/// returns.
 class SilencedErrors {
   public:
-    SilencedErrors() noexcept;
+    SilencedErrors();
     ~SilencedErrors();
     SilencedErrors(const SilencedErrors&) = delete;
     SilencedErrors& operator=(const SilencedErrors&) = delete;
-
-  private:
-    int kept_;  ///< a copy of the descriptor; below zero where there is none
 };
 
 }  // namespace weft
