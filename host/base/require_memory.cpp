@@ -3,7 +3,6 @@
 #include "base/require_memory.h"
 
 #include <sys/mman.h>
-#include <sys/resource.h>
 
 #include <new>
 
@@ -16,12 +15,6 @@ void require_memory(std::size_t bytes) {
         mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (probe == MAP_FAILED) throw std::bad_alloc();
     munmap(probe, bytes);
-}
-
-std::optional<std::uint64_t> memory_limit() noexcept {
-    rlimit limit{};
-    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return {};
-    return limit.rlim_cur;
 }
 
 }  // namespace weft

@@ -4,8 +4,6 @@
 #define WEFT_BASE_REQUIRE_MEMORY_H
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 
 namespace weft {
 
@@ -16,9 +14,6 @@ constexpr std::size_t arena_memory = std::size_t{4} << 20;
 /// Throws std::bad_alloc unless `bytes` more are to be had at this moment. For use before calls of
 /// libraries that do not survive running out of memory.
 void require_memory(std::size_t bytes);
-
-/// The bytes of address space that this process may have; empty where they are not limited.
-[[nodiscard]] std::optional<std::uint64_t> memory_limit() noexcept;
 
 }  // namespace weft
 

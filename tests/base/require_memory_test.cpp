@@ -3,11 +3,9 @@
 #include "base/require_memory.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <cstdint>
 #include <new>
-#include <optional>
 
 namespace weft::require_memory_test {
 namespace {
@@ -21,20 +19,6 @@ TEST(RequireMemory, PassesWhereThereIsMemory) {
 TEST(RequireMemory, ThrowsWhereThereIsNone) {
     EXPECT_THROW(require_memory(SIZE_MAX / 2), std::bad_alloc);
     EXPECT_THROW(require_memory(SIZE_MAX), std::bad_alloc);
-}
-
-TEST(RequireMemory, TellsTheLimitOfTheProcess) {
-    rlimit before{};
-    ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
-    constexpr rlim_t terabyte = rlim_t{1} << 40;
-    const rlimit given{terabyte, before.rlim_max};
-    if (::setrlimit(RLIMIT_AS, &given) != 0) GTEST_SKIP() << "less is allowed here";
-    const std::optional<std::uint64_t> limit = memory_limit();
-    ::setrlimit(RLIMIT_AS, &before);
-    EXPECT_EQ(limit, terabyte);
-    if (before.rlim_cur == RLIM_INFINITY) {
-        EXPECT_FALSE(memory_limit().has_value());
-    }
 }
 
 }  // namespace

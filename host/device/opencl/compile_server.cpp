@@ -13,6 +13,7 @@
 #include <csignal>
 #include <utility>
 
+#include "base/null_device.h"
 #include "device/opencl/compile_workers.h"
 #include "device/opencl/message_socket.h"
 
@@ -27,12 +28,7 @@ bool detach() {
     ::setsid();
     std::signal(SIGINT, SIG_IGN);
     std::signal(SIGCHLD, SIG_DFL);  // the server waits for its workers
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    if (nowhere < 0) return false;
-    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::dup2(nowhere, standard) < 0) return false;
-    if (nowhere > STDERR_FILENO) ::close(nowhere);
-    return true;
+    return lead_to_null_device({STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO});
 }
 
 /// Waits a moment for an answer, or the end of the server; returns whether there is either.

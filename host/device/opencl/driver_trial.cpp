@@ -28,6 +28,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/null_device.h"
 #include "base/processor_wait.h"
 #include "base/quote.h"
 #include "base/stopwatch.h"
@@ -77,9 +78,7 @@ void set_apart(pid_t parent) {
     if (::getppid() != parent) ::_exit(0);  // the parent ended before prctl
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        ::dup2(nowhere, standard);
+    lead_to_null_device({STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO});
 }
 
 /// The process of a trial, from its `first` device on.

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/memory_limit.h"
 #include "base/quote.h"
-#include "base/require_memory.h"
 #include "device/opencl/usable_drivers.h"
 
 namespace weft {

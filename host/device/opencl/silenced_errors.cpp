@@ -7,6 +7,8 @@
 
 #include <mutex>
 
+#include "base/null_device.h"
+
 namespace weft {
 namespace {
 
@@ -22,10 +24,7 @@ SilencedErrors::SilencedErrors() {
     if (living++ > 0) return;
     kept = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     if (kept < 0) return;
-    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (nowhere < 0) return;
-    ::dup2(nowhere, STDERR_FILENO);
-    ::close(nowhere);
+    lead_to_null_device({STDERR_FILENO});
 }
 
 SilencedErrors::~SilencedErrors() {

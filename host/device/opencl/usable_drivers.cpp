@@ -22,7 +22,7 @@
 #include "base/content_digest.h"
 #include "base/file.h"
 #include "base/json_file.h"
-#include "base/require_memory.h"
+#include "base/memory_limit.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX declares it nowhere
 
