@@ -11,7 +11,9 @@ Without --scheduler it starts a worker with one thread on this machine."""
 
 import argparse
 import contextlib
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -20,11 +22,13 @@ from dask.distributed import Client, LocalCluster
 FARM = pathlib.Path(__file__).resolve().parent
 
 
-def render(part, parts, spp, scene, folder, options):
+def render(part, parts, spp, scene, folder, options, weft):
     """Part `part`, on a worker. A failure is an error, which Dask answers by another try."""
+    environment = dict(os.environ, **({"WEFT": weft} if weft else {}))
     command = ["bash", str(FARM / "part.sh"), *map(str, (part, parts, spp, scene, folder)),
                *options]
-    done = subprocess.run(command, check=False, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run(command, check=False, stderr=subprocess.PIPE, text=True,
+                          env=environment)
     if done.returncode != 0:
         raise RuntimeError(f"part {part} ended with {done.returncode}: {done.stderr.strip()}")
     return part
@@ -42,13 +46,16 @@ def main():
     given, options = parser.parse_known_args()
     options = [option for option in options if option != "--"]
     scene, folder = given.scene.resolve(), given.folder.resolve()
+    # Workers on other machines have an environment of their own.
+    weft = os.environ.get("WEFT")
+    weft = weft and str(pathlib.Path(shutil.which(weft) or weft).resolve())
     with contextlib.ExitStack() as open_until_done:
         cluster = given.scheduler or open_until_done.enter_context(
             LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None))
         client = open_until_done.enter_context(Client(cluster))
         parts = client.map(render, range(1, given.parts + 1), parts=given.parts, spp=given.spp,
-                           scene=scene, folder=folder, options=options, retries=3,
-                           pure=False)
+                           scene=scene, folder=folder, options=options, weft=weft,
+                           retries=3, pure=False)
         client.gather(parts)
     return subprocess.run(["bash", str(FARM / "merge.sh"), str(given.parts), str(given.spp),
                            str(folder), str(given.output)], check=False).returncode

@@ -9,7 +9,8 @@
 # What ais samples densely, and what records tic keeps, depends on the frames before: LEAD_IN of
 # them, by default 40, are rendered as well and dropped. With `path` and other algorithms whose
 # frames do not depend on earlier ones, LEAD_IN=0 saves that. EXT, by default png, chooses the
-# format; WEFT names the program. Frames that are there already are not rendered again.
+# format; WEFT names the program. Frames that are there stay as they are: what was interrupted goes
+# on with the first that is not. Only SIGKILL loses those that were made since.
 set -u
 
 (($# >= 4)) || {
@@ -24,17 +25,27 @@ lead_in=${LEAD_IN:-40}
 
 mkdir -p -- "$folder" || exit 5
 name() { printf 'frame.%04d.%s' "$1" "$extension"; }
-missing=''
-for ((i = first; i < end; ++i)); do
-    [[ -e $folder/$(name "$i") ]] || missing=yes
-done
-[[ -n $missing ]] || exit 0
+while ((first < end)) && [[ -e $folder/$(name "$first") ]]; do ((++first)); done
+((first < end)) || exit 0
 # Beside the images that are kept, so that moving them is a rename.
 work=$(mktemp -d -- "$folder/frames-$first-XXXXXX") || exit 5
 trap 'rm -rf -- "$work"' EXIT
 from=$((first > lead_in ? first - lead_in : 0))
-"$weft" render "$scene" "$@" --frames "$from:$end" --progress none -o "$work/frame.$extension" ||
-    exit $?
-for ((i = first; i < end; ++i)); do
-    mv -- "$work/$(name "$i")" "$folder/" || exit 5
+"$weft" render "$scene" "$@" --frames "$from:$end" --progress none -o "$work/frame.$extension" &
+program=$!
+trap 'kill -TERM "$program"' TERM INT
+# A signal ends the first wait, not the program.
+wait "$program"
+code=$?
+while kill -0 "$program" 2>/dev/null; do
+    wait "$program"
+    code=$?
 done
+made=$first
+while ((made < end)) && [[ -e $work/$(name "$made") ]]; do ((++made)); done
+# The last frame of a run that was interrupted may hold a part of its samples.
+((code == 0)) || ((--made))
+for ((i = first; i < made; ++i)); do
+    [[ -e $folder/$(name "$i") ]] || mv -- "$work/$(name "$i")" "$folder/" || exit 5
+done
+exit "$code"

@@ -6,16 +6,18 @@
 #
 #   PARTS=32 SPP=4096 SCENE=scene.gltf FOLDER=parts OUTPUT=reference.exr parallel.sh [OPTION...]
 #
-# OPTIONs are those of `weft render`. PARALLEL_ARGS are those of parallel, such as
+# OPTIONs are those that part.sh takes. PARALLEL_ARGS are those of parallel, such as
 # "--sshloginfile hosts", for machines that share the folders; by default one part runs at a time.
 set -u
 
 : "${PARTS:?}" "${SPP:?}" "${SCENE:?}" "${FOLDER:?}" "${OUTPUT:?}"
 farm=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 SCENE=$(readlink -f -- "$SCENE") FOLDER=$(readlink -m -- "$FOLDER")
+# Other machines have an environment of their own.
+[[ -z ${WEFT:-} ]] || WEFT=$(readlink -f -- "$(command -v -- "$WEFT")")
 # shellcheck disable=SC2086 # PARALLEL_ARGS holds several
 parallel --will-cite --jobs 1 --retries 3 ${PARALLEL_ARGS:-} \
-    bash "${farm@Q}/part.sh" {} "$PARTS" "$SPP" "${SCENE@Q}" "${FOLDER@Q}" "${@@Q}" \
+    ${WEFT:+env WEFT="${WEFT@Q}"} bash "${farm@Q}/part.sh" {} "$PARTS" "$SPP" "${SCENE@Q}" "${FOLDER@Q}" "${@@Q}" \
     ::: $(seq "$PARTS") ||
     exit $?
 exec bash "$farm/merge.sh" "$PARTS" "$SPP" "$FOLDER" "$OUTPUT"

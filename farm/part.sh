@@ -7,8 +7,9 @@
 #
 #   part.sh I N SPP SCENE FOLDER [OPTION...]   part I of N to FOLDER/part-I.exr
 #
-# OPTIONs are those of `weft render`. WEFT names the program, by default the script beside this
-# folder. The exit code is the program's; SIGTERM saves a checkpoint, and then it is 130.
+# OPTIONs are those of `weft render`, without those that this script gives below; the algorithm is
+# `path` unless one is given. WEFT names the program, by default the script beside this folder. The
+# exit code is the program's; SIGTERM saves a checkpoint, and then it is 130.
 set -u
 
 (($# >= 5)) || {
@@ -19,10 +20,14 @@ part=$1 parts=$2 spp=$3 scene=$4 folder=$5
 shift 5
 weft=${WEFT:-$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../weft}
 sums=$folder/part-$part.sums.exr
+algorithm=(--algorithm path)
+for option in "$@"; do
+    [[ $option == --algorithm || $option == --algorithm=* ]] && algorithm=()
+done
 
 mkdir -p -- "$folder" || exit 5
-"$weft" render "$scene" --algorithm path "$@" --spp "$spp" --part "$part/$parts" --keep-complete \
-    --resume "$sums" --progress none -o "$folder/part-$part.exr" &
+"$weft" render "$scene" "${algorithm[@]}" "$@" --spp "$spp" --part "$part/$parts" \
+    --keep-complete --resume "$sums" --progress none -o "$folder/part-$part.exr" &
 program=$!
 trap 'kill -TERM "$program"' TERM INT
 # A signal ends the first wait, not the program.

@@ -146,6 +146,14 @@ def kernel_table(method, speeds):
                               "Mrays", "Mrays/s", "bound, MB", "of copies, %"], rows)
 
 
+def answer(summary, base):
+    """What portability costs: the geometric means of whole frames."""
+    times = " and ".join(f'{label(name)} {number(means["frame"], 2)}'
+                         for name, means in summary.items())
+    return (f"Over all scenes and algorithms a frame takes, in times that of {base}: {times} "
+            "(geometric means of the ratios of whole frames).")
+
+
 def build_part(devices):
     """Programs of each kernel, by backend that builds any."""
     parts = []
@@ -154,13 +162,16 @@ def build_part(devices):
         for build in device["builds"]:
             kernels.setdefault(build["kernel"], []).append(build)
         if kernels:
-            rows = [[f"`{name}`", len(builds),
-                     number(sum(b["ms"] for b in builds), 1),
-                     sum(1 for b in builds if b["from_cache"])]
-                    for name, builds in sorted(kernels.items())]
+            rows = []
+            for name, builds in sorted(kernels.items()):
+                row = [f"`{name}`"]
+                for from_cache in (False, True):
+                    ms = [b["ms"] for b in builds if b["from_cache"] == from_cache]
+                    row += [len(ms), number(sum(ms), 1) if ms else ""]
+                rows.append(row)
             parts += [f'{label(device["label"])}:', "",
-                      report_file.table(["kernel", "programs", "ms", "of these from the cache"],
-                                        rows)]
+                      report_file.table(["kernel", "compiled", "ms", "loaded from the cache",
+                                         "ms"], rows)]
         else:
             parts += [f'{label(device["label"])}: kernels are compiled into Weft.', ""]
     return "\n".join(parts)
@@ -174,6 +185,12 @@ def scene_part(scene, speeds):
     return "\n".join(parts)
 
 
+def path_note(report):
+    if not any(m["method"] == "path" for scene in report["scenes"] for m in scene["methods"]):
+        return ""
+    return f'`path` makes {report["path_samples"]} samples per pixel. '
+
+
 def make(report, output):
     """Writes the page."""
     scenes = report["scenes"]
@@ -185,9 +202,14 @@ def make(report, output):
         "[benchmarks](../benchmarks.md#kernels) says how, and what each column means.", "",
         f'{report_file.about(report)} Images of {report["size"]} × {report["size"]} pixels, '
         f'medians of {report["repetitions"]} frames; the backends take turns, frame by frame. '
-        f'`path` makes {report["path_samples"]} samples per pixel. A ratio is the time over that '
-        f"of {base}: below 1 is faster.", "", device_table(report["devices"]),
+        f"{path_note(report)}A ratio is the time over that of "
+        f"{base}: below 1 is faster. It is the median of the ratios within each round, which may "
+        f"differ from the quotient of the medians beside it. Several numbers in one cell are those "
+        f"of the backends, in the order of the table below.", "", answer(report["summary"], base),
+        "", device_table(report["devices"]),
         "## Whole frames", "", overview(scenes), "## Acceleration structures", "",
+        "The backends that trace Weft's own BVH take turns: what the first has built, the next "
+        "loads from the cache where that saves time.", "",
         structure_table(scenes), "## Building kernels", "", build_part(report["devices"]),
         *(scene_part(scene, speeds) for scene in scenes)])
     report_file.write_whole(output, text.rstrip("\n") + "\n")

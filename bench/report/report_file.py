@@ -59,7 +59,7 @@ def about(report):
     return (f'Measured on {machine["processor"]} with {threads} of '
             f'{machine["hardware_threads"]} hardware threads and '
             f'{machine["memory"] / 2 ** 30:.0f} GiB of memory; Weft {versions["weft"]}, '
-            f'{versions["compiler"]} compiler, Embree {versions["embree"]}.')
+            f'compiler {versions["compiler"]}, Embree {versions["embree"]}.')
 
 
 def run(name, benchmark, make, key=None):
