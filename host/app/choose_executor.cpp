@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/choose_executor.h"
 
+#include <filesystem>
+
 #include "app/thread_limit.h"
 #include "base/error.h"
+#include "base/memory_limit.h"
 #include "device/native/native_executor.h"
 #if WEFT_HAS_OPENCL
 #include "device/opencl/driver_fault.h"
@@ -18,7 +21,11 @@ namespace {
 std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>& device, int threads) {
     if (threads > 0) limit_opencl_threads(threads);
     const OpenClDevice chosen = choose_opencl_device(device.value_or(""));
-    report_driver_faults(chosen.info, crash_mark(chosen.info.name, chosen.info.driver));
+    // Where memory is limited, that may be why a driver fails.
+    report_driver_faults(chosen.info,
+                         memory_limit()
+                             ? std::filesystem::path()
+                             : crash_mark(chosen.info.name, chosen.info.driver, chosen.twins));
     return make_opencl_executor(chosen, threads);
 }
 #else

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/interrupt.h"
 
+#include <fcntl.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -33,8 +34,11 @@ std::int64_t milliseconds() {
     return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1000000;
 }
 
+/// Standard error as it was when the guard was made: it may lead nowhere while a driver compiles.
+std::atomic<int> errors{STDERR_FILENO};
+
 void write_text(const char* text) {
-    static_cast<void>(::write(STDERR_FILENO, text, std::strlen(text)) < 0);
+    static_cast<void>(::write(errors, text, std::strlen(text)) < 0);
 }
 
 extern "C" void weft_handle_interrupt(int signal) {
@@ -42,7 +46,7 @@ extern "C" void weft_handle_interrupt(int signal) {
     if (const char* const message = farewell) {
         // There may be a progress bar, and the terminal shows ^C.
         termios terminal{};
-        if (::tcgetattr(STDERR_FILENO, &terminal) == 0) write_text("\n");
+        if (::tcgetattr(errors, &terminal) == 0) write_text("\n");
         write_text(message);
         write_text("\n");
         ::_exit(static_cast<int>(ExitCode::interrupted));
@@ -63,6 +67,8 @@ const std::atomic<bool>& interrupt_flag() noexcept {
 }
 
 InterruptGuard::InterruptGuard(const char* message) {
+    const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    errors = copy >= 0 ? copy : STDERR_FILENO;
     farewell = message;
     requested = false;
     requested_at = 0;
@@ -78,6 +84,7 @@ InterruptGuard::~InterruptGuard() {
     ::sigaction(SIGINT, &old_interrupt_, nullptr);
     ::sigaction(SIGTERM, &old_terminate_, nullptr);
     farewell = nullptr;
+    if (const int copy = errors.exchange(STDERR_FILENO); copy != STDERR_FILENO) ::close(copy);
 }
 
 void InterruptGuard::keep_work() noexcept {

@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/require_memory.h"
 #if WEFT_HAS_OPENCL
+#include "device/opencl/driver_fault.h"
 #include "device/opencl/opencl_start.h"
 #endif
 
@@ -54,7 +55,11 @@ void start_threads() {
     tbb::parallel_for(0, 1, [](int) {});
 }
 
+/// What main returns, whatever drivers do while they are unloaded.
 int exit_status(weft::ExitCode code) {
+#if WEFT_HAS_OPENCL
+    weft::ignore_driver_faults(code);
+#endif
     return static_cast<int>(code);
 }
 
@@ -87,8 +92,12 @@ weft::ExitCode run(const weft::ParsedCommand& command, weft::Diagnostics& diagno
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Writing to a pipe whose reader has gone must fail as an error and not end the program.
+    // Writing to a pipe whose reader has gone, or beyond the size that files may have, must fail as
+    // an error and not end the program.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    // Whoever started the program may not wait for processes; this one does.
+    std::signal(SIGCHLD, SIG_DFL);
     weft::Diagnostics diagnostics;
     bool verbose = false;
     try {

@@ -8,11 +8,13 @@
 #include <iterator>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "app/background_options.h"
 #include "app/commands.h"
+#include "app/print.h"
 #include "base/file.h"
 #include "base/quote.h"
 #include "film/cryptomatte.h"
@@ -59,15 +61,17 @@ void print_missing(const MergeOptions& options) {
     std::vector<SampleRange> ranges;
     std::string identity;
     for (const std::filesystem::path& part : options.parts) {
-        if (!std::filesystem::exists(part)) continue;
+        std::error_code unknown;
+        // Where it cannot be looked for, reading it says why.
+        if (!std::filesystem::exists(part, unknown) && !unknown) continue;
         const FilmSums sums = sums_of(read_exr(part), part.string());
         if (!identity.empty() && sums.identity != identity)
             throw input_error(part.string(), "is of another image than the parts before it");
         identity = sums.identity;
         ranges.insert(ranges.end(), sums.ranges.begin(), sums.ranges.end());
     }
-    fmt::print("{}\n",
-               numbers_text(missing_parts(joined(ranges), *options.expect, *options.missing)));
+    print_result(numbers_text(missing_parts(joined(ranges), *options.expect, *options.missing)) +
+                 "\n");
 }
 
 /// Warns where parts come from backends that are not those of the parts before.
@@ -89,6 +93,7 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
         print_missing(options);
         return;
     }
+    check_output(options.output);
     FilmSums whole;
     std::map<std::string, std::string> metadata;
     std::vector<Layer> mattes;
@@ -117,6 +122,9 @@ void merge_command(const MergeOptions& options, Diagnostics& diagnostics) {
             throw input_error(part.string(),
                               "has another --background than the first part, expected the same");
     }
+    if (whole.ranges.empty())
+        throw input_error(options.parts.front().string(),
+                          "has no samples, as the other parts, expected parts with some");
     if (options.expect) check_expected(whole.ranges, *options.expect, options.output.string());
     const SampleRange all{whole.ranges.front().first, whole.ranges.back().end};
     for (const SampleRange& gap : missing_of(whole.ranges, all))

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -229,7 +230,9 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
         return {std::move(executor), std::move(moving), camera, settings, kept_frames};
     FilmSums sums;
     PathSettings left = path_settings(options, settings);
-    if (options.resume && std::filesystem::exists(*options.resume)) {
+    // Where the file cannot be looked for, reading it says why.
+    std::error_code unknown;
+    if (options.resume && (std::filesystem::exists(*options.resume, unknown) || unknown)) {
         sums = sums_of(read_exr(*options.resume), options.resume->string());
         left.samples = missing(left.samples, sums, options.resume->string());
         warn_about_backends(sums, executor->device().backend, left.samples,
@@ -241,7 +244,9 @@ RenderSession make_session(std::unique_ptr<Executor> executor, MovingScene movin
 /// Whether the output has just the samples that are asked for, of this image. A file that cannot be
 /// read has not.
 bool has_part(RenderSession& session, const RenderOptions& options) {
-    if (!options.keep_complete || !options.samples || !std::filesystem::exists(options.output))
+    std::error_code unknown;
+    if (!options.keep_complete || !options.samples ||
+        !std::filesystem::exists(options.output, unknown))
         return false;
     FilmSums kept;
     try {

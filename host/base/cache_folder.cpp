@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/cache_folder.h"
 
+#include <sys/stat.h>
+
+#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
@@ -26,7 +29,9 @@ void make_cache_folder(const std::filesystem::path& folder) {
         throw fs::filesystem_error("cannot make a folder", folder,
                                    std::make_error_code(std::errc::not_a_directory));
     make_cache_folder(folder.parent_path());
-    if (fs::create_directory(folder)) fs::permissions(folder, fs::perms::owner_all);
+    if (::mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST)
+        throw fs::filesystem_error("cannot make a folder", folder,
+                                   std::error_code(errno, std::generic_category()));
 }
 
 }  // namespace weft

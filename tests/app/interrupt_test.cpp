@@ -3,11 +3,14 @@
 #include "app/interrupt.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
+
+#include "base/null_device.h"
 
 namespace weft::interrupt_test {
 namespace {
@@ -38,6 +41,15 @@ TEST(InterruptDeathTest, SignalsEndAtOnceWhereThereIsNoWorkToKeep) {
         };
         EXPECT_EXIT(interrupt(), testing::ExitedWithCode(130), "^nothing was done yet\n$");
     }
+}
+
+TEST(InterruptDeathTest, TheMessageIsReadWhateverStandardErrorIsNow) {
+    const auto interrupt = [] {
+        const InterruptGuard guard("nothing was done yet");
+        lead_to_null_device({STDERR_FILENO});
+        std::raise(SIGINT);
+    };
+    EXPECT_EXIT(interrupt(), testing::ExitedWithCode(130), "^nothing was done yet\n$");
 }
 
 TEST(InterruptDeathTest, SecondCtrlCEndsAtOnce) {

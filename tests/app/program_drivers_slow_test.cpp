@@ -1,6 +1,7 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "tests/testing/expect_line.h"
@@ -37,7 +39,7 @@ class ProgramDriversSlow : public ::testing::Test {
     static void SetUpTestSuite() { shared_cache = std::make_unique<TemporaryFolder>(); }
     static void TearDownTestSuite() { shared_cache.reset(); }
     void SetUp() override {
-        fs::remove(record());
+        forget_trials();
         if (test::program_backends().back() != "opencl" || !fs::exists(pocl_icd))
             GTEST_SKIP() << "there is no PoCL";
     }
@@ -57,8 +59,18 @@ class ProgramDriversSlow : public ::testing::Test {
     [[nodiscard]] fs::path vendors() const { return folder_.path() / "vendors"; }
     /// Kernels need to be compiled only once for all tests.
     [[nodiscard]] static fs::path cache() { return shared_cache->path(); }
-    /// What is remembered of drivers.
-    [[nodiscard]] static fs::path record() { return cache() / "drivers" / "trials.json"; }
+    /// What is remembered of drivers, a file each.
+    [[nodiscard]] static std::vector<fs::path> records() {
+        std::vector<fs::path> files;
+        std::error_code none;
+        for (const auto& entry : fs::directory_iterator(cache() / "drivers", none))
+            if (entry.path().filename().string().starts_with("trial-"))
+                files.push_back(entry.path());
+        return files;
+    }
+    static void forget_trials() {
+        for (const fs::path& file : records()) fs::remove(file);
+    }
     [[nodiscard]] std::string image() const { return folder_.path() / "image.exr"; }
 
     [[nodiscard]] RunningProgram::Settings settings(const std::string& fault) const {
@@ -103,6 +115,7 @@ TEST_F(ProgramDriversSlow, DriversThatCannotBeOpenedAreLeftOut) {
          {Fault{"crash-open", "its driver crashes (Segmentation fault)"},
           {"hang-open", "its driver does not answer within 12 s"},
           {"exit-open", "its driver ends the program (exit code 7)"},
+          {"quit-open", "its driver ends the program (exit code 0)"},
           {"long-name", "memory"}}) {
         SCOPED_TRACE(fault);
         fs::remove_all(vendors());
@@ -144,7 +157,7 @@ TEST_F(ProgramDriversSlow, DevicesThatFailAreNeverChosen) {
           {"many-units", "compute units"},
           {"no-memory", "a buffer may have 0 bytes"}}) {
         SCOPED_TRACE(fault);
-        fs::remove(record());
+        forget_trials();
         const auto begin = std::chrono::steady_clock::now();
         const ProgramResult named = render(settings(fault), "pthread");
         EXPECT_LT(seconds_since(begin), longest);
@@ -223,8 +236,8 @@ TEST_F(ProgramDriversSlow, TrialsAreRepeatedWhereDriversChange) {
     std::ofstream(vendors() / "faulty.icd") << WEFT_FAULTY_DRIVER << "\n\n";
     EXPECT_NE(failure("no-units", false).find("0 compute units"), std::string::npos);
     // A damaged record counts as none.
-    for (const std::string text : {"", "[", "{}", "[1]", "[{\"state\": 3}]"}) {
-        std::ofstream(record()) << text;
+    for (const std::string text : {"", "[", "{}", "[1]", "{\"failure\": 3}"}) {
+        for (const fs::path& file : records()) std::ofstream(file) << text;
         EXPECT_EQ(failure("none", false), "") << text;
     }
 }
@@ -245,6 +258,10 @@ TEST_F(ProgramDriversSlow, DamagedFilesOfDriversHarmNothing) {
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_EQ(again.err, "");
     EXPECT_EQ(text_of_file(image()), before);
+    // A trial that finds no device is none, as with a damaged list of drivers.
+    ASSERT_FALSE(records().empty());
+    for (const fs::path& file : records())
+        EXPECT_FALSE(json::parse(text_of_file(file)).at("devices").empty()) << file;
     for (const auto& entry : fs::directory_iterator(cache()))
         EXPECT_FALSE(entry.path().filename().string().starts_with("compiling-")) << entry.path();
 }
@@ -254,18 +271,89 @@ TEST_F(ProgramDriversSlow, ACacheThatIsAFileIsReported) {
     const std::string file = folder_.write("cache", "no folder");
     RunningProgram::Settings given = settings("none");
     given.environment["WEFT_CACHE_DIR"] = file;
+    const fs::path temporary = folder_.path() / "temporary";
+    fs::create_directory(temporary);
+    given.environment["TMPDIR"] = temporary;
     const ProgramResult result = render(given);
     EXPECT_EQ(result.exit_code, 0);
     expect_line(result.err, {file, "cannot be used", "Not a directory"});
+    EXPECT_TRUE(fs::is_empty(temporary)) << fs::directory_iterator(temporary)->path();
 }
 
 TEST_F(ProgramDriversSlow, FoldersOfKilledProgramsAreRemoved) {
     add_pocl();
     const fs::path left = cache() / "compiling-abc123";
     fs::create_directories(left);
-    std::ofstream(left / "in-use") << "";
+    char host[256] = {};
+    ASSERT_EQ(::gethostname(host, sizeof(host) - 1), 0);
+    std::ofstream(left / "in-use") << host;
     ASSERT_EQ(run_program({"devices"}, settings("none")).exit_code, 0);
     EXPECT_FALSE(fs::exists(left));
+}
+
+TEST_F(ProgramDriversSlow, AnotherTimeADriverMayPass) {
+    add_pocl();
+    // Where memory is limited, nothing is remembered of a driver that does without.
+    RunningProgram::Settings limited = settings("none");
+    limited.address_bytes = std::size_t{400} << 20;
+    static_cast<void>(run_program({"devices"}, limited));
+    EXPECT_TRUE(records().empty());
+    EXPECT_EQ(render(settings("none"), "pthread").exit_code, 0);
+    EXPECT_EQ(records().size(), 1U);
+}
+
+TEST_F(ProgramDriversSlow, WhoeverStartsItMayIgnoreItsChildren) {
+    add_pocl();
+    RunningProgram::Settings given = settings("none");
+    given.ignores_children = true;
+    const ProgramResult result = render(given, "pthread");
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(ProgramDriversSlow, AFaultWhileOpeningAfterTheTrialIsOneLine) {
+    add_faulty_driver();
+    ASSERT_EQ(render(settings("none"), "pthread").exit_code, 0);
+    for (const auto& [fault, said] :
+         {Fault{"crash-open", "an OpenCL driver crashed (segmentation fault)"},
+          {"exit-open", "an OpenCL driver ended the program"}}) {
+        // Nothing that can be seen has changed, so that it is not tried again.
+        const ProgramResult result = render(settings(fault), "pthread");
+        EXPECT_EQ(result.exit_code, 3);
+        expect_line(result.err, {said, "--backend embree"});
+        const ProgramResult list = run_program({"devices"}, settings(fault));
+        EXPECT_EQ(list.exit_code, 3);
+        expect_line(list.err, {said});
+    }
+}
+
+TEST_F(ProgramDriversSlow, ACrashAtTheVeryEndIsNone) {
+    add_faulty_driver();
+    const ProgramResult result = render(settings("crash-unload"), "pthread");
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_TRUE(fs::exists(image()));
+    EXPECT_EQ(render(settings("crash-unload"), "pthread").exit_code, 0);
+}
+
+TEST_F(ProgramDriversSlow, EqualDevicesAreToldApart) {
+    add_faulty_driver();
+    const auto given = [&](const std::string& fault) {
+        RunningProgram::Settings two = settings(fault);
+        two.environment["POCL_DEVICES"] = "pthread pthread";
+        return two;
+    };
+    const ProgramResult crashed =
+        run_program({"render", shipped_scene("cornell-box.gltf"), "--size", "16x16", "--spp", "1",
+                     "--device", "0", "--progress", "none", "-o", image()},
+                    given("crash-gbuffer"));
+    ASSERT_EQ(crashed.exit_code, 3) << crashed.err;
+    EXPECT_EQ(render(given("none"), "0").exit_code, 3);
+    EXPECT_EQ(render(given("none"), "1").exit_code, 0);
+    // The name is that of both, and one can be used.
+    EXPECT_EQ(render(given("none"), "pthread").exit_code, 0);
+    EXPECT_EQ(run_program({"devices", "--check"}, given("none")).exit_code, 0);
+    EXPECT_EQ(render(given("none"), "0").exit_code, 0);
 }
 
 }  // namespace

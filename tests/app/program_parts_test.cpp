@@ -12,6 +12,7 @@
 
 #include "film/film_sums_file.h"
 #include "image/exr.h"
+#include "tests/testing/expect_line.h"
 #include "tests/testing/run_program.h"
 #include "tests/testing/temporary_folder.h"
 
@@ -20,8 +21,10 @@ namespace weft::program_parts_test {
 namespace {
 
 namespace fs = std::filesystem;
+using test::expect_line;
 using test::ProgramResult;
 using test::run_program;
+using test::RunningProgram;
 
 class ProgramParts : public testing::Test {
   protected:
@@ -101,6 +104,52 @@ TEST_F(ProgramParts, MissingPartsAreToldAsJobArraysTakeThem) {
     // A part of another image is none of this one.
     ASSERT_EQ(render("1.exr", {"--spp", "8", "--part", "1/4", "--seed", "1"}).exit_code, 0);
     EXPECT_EQ(merge(parts, {"--expect", "0:8", "--missing", "4"}).exit_code, 2);
+}
+
+TEST_F(ProgramParts, WhatCannotBeMergedSaysWhy) {
+    ASSERT_EQ(render("1.exr", {"--samples", "0:1"}).exit_code, 0);
+    // The folder is looked for before parts are read.
+    const ProgramResult no_folder = merge({"1.exr"}, {"-o", at("gone/m.exr")});
+    EXPECT_EQ(no_folder.exit_code, 5);
+    expect_line(no_folder.err, {at("gone"), "to be a folder"});
+    const std::string long_name = std::string(300, 'x') + ".exr";
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"--expect", "0:1", "--missing", "1"}, {"-o", at("m.exr")}}) {
+        const ProgramResult result = merge({long_name}, more);
+        EXPECT_EQ(result.exit_code, 2);
+        expect_line(result.err, {long_name, "cannot be opened"});
+    }
+    const ProgramResult resumed = render("2.exr", {"--spp", "1", "--resume", at(long_name)});
+    EXPECT_EQ(resumed.exit_code, 2);
+    expect_line(resumed.err, {long_name, "cannot be opened"});
+    Image image = read_exr(at("1.exr"));
+    FilmSums sums = sums_of(image, "1.exr");
+    sums.ranges.clear();
+    attach_sums(sums, image);
+    write_exr(at("none.exr"), image);
+    const ProgramResult none = merge({"none.exr"}, {"-o", at("m.exr")});
+    EXPECT_EQ(none.exit_code, 2);
+    expect_line(none.err, {at("none.exr"), "has no samples"});
+    EXPECT_FALSE(fs::exists(at("m.exr")));
+}
+
+TEST_F(ProgramParts, MissingPartsThatCannotBeToldAreCodeFive) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    RunningProgram::Settings settings;
+    settings.standard_output = "/dev/full";
+    const ProgramResult result =
+        run_program({"merge", at("1.exr"), "--expect", "0:1", "--missing", "1"}, settings);
+    EXPECT_EQ(result.exit_code, 5);
+    expect_line(result.err, {"weft: "});
+}
+
+TEST_F(ProgramParts, AFileThatMayNotGrowIsCodeFive) {
+    RunningProgram::Settings settings;
+    settings.file_bytes = 1024;
+    const ProgramResult result = run_program(render_arguments("1.exr", {"--spp", "1"}), settings);
+    EXPECT_EQ(result.exit_code, 5);
+    expect_line(result.err, {at("1.exr"), "cannot be written"});
+    EXPECT_TRUE(fs::is_empty(at(""))) << fs::directory_iterator(at(""))->path();
 }
 
 TEST_F(ProgramParts, WhatIsCompleteIsKept) {

@@ -281,8 +281,12 @@ def main():
                                          lambda text: report(f"{name}: {text}")),
                     range(options.workers)))
             total += points
+            if points == 0:
+                report(f"{command.name}: {name}: no call has been failed, so nothing was tested")
             print(f"{command.name}: {name}: {points} points", flush=True)
     shutil.rmtree(options.work, ignore_errors=True)
+    if total == 0:
+        report(f"there is no kind of fault that contains {options.only!r}")
     print(f"{total} points, {len(failures)} not as promised")
     return 1 if failures else 0
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -40,6 +41,8 @@ class RunningProgram {
         std::string standard_output{};  ///< where it goes instead of a file for `out()`
         int output_descriptor = -1;     ///< or an open descriptor
         std::size_t address_bytes = 0;  ///< all that it may have; 0 sets no limit
+        std::size_t file_bytes = 0;     ///< that a file may have; 0 sets no limit
+        bool ignores_children = false;  ///< starts with SIGCHLD ignored
         unsigned seconds = 0;           ///< after which SIGALRM ends it; 0: never
     };
 
@@ -66,6 +69,11 @@ class RunningProgram {
             const rlimit limit{settings.address_bytes, settings.address_bytes};
             static_cast<void>(::setrlimit(RLIMIT_AS, &limit));
         }
+        if (settings.file_bytes > 0) {
+            const rlimit limit{settings.file_bytes, settings.file_bytes};
+            static_cast<void>(::setrlimit(RLIMIT_FSIZE, &limit));
+        }
+        if (settings.ignores_children) std::signal(SIGCHLD, SIG_IGN);
         ::alarm(settings.seconds);  // outlives the call of execv
         for (const auto& [name, value] : settings.environment)
             ::setenv(name.c_str(), value.c_str(), 1);

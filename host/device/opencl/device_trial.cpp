@@ -11,11 +11,16 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <new>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "base/quote.h"
 #include "device/kernel_signature.h"
 #include "device/launch.h"
+#include "device/opencl/driver_folder.h"
 #include "device/opencl/opencl_executor.h"
 
 namespace weft {
@@ -123,16 +128,23 @@ std::string trace_rays(Executor& executor) {
 
 }  // namespace
 
-std::string try_device(const OpenClDevice& device) {
+DeviceVerdict try_device(const OpenClDevice& device) {
     if (is_simulator(device.info)) return {};
-    try {
-        if (std::string wrong = wrong_description(device.info); !wrong.empty()) return wrong;
-        return trace_rays(*make_opencl_executor(device, 0));
-    } catch (const std::bad_alloc&) {
-        return "no memory is left for it";
-    } catch (const std::exception& error) {
+    const auto first_line = [](const std::exception& error) {
         const std::string text = error.what();
         return one_line(text.substr(0, text.find('\n')));
+    };
+    try {
+        if (std::string wrong = wrong_description(device.info); !wrong.empty())
+            return {std::move(wrong), false};
+        return {trace_rays(*make_opencl_executor(device, 0)), false};
+    } catch (const std::bad_alloc&) {
+        return {"no memory is left for it", true};
+    } catch (const Error& error) {
+        return {first_line(error),
+                error.code() == ExitCode::out_of_memory || driver_folder_is_full()};
+    } catch (const std::exception& error) {
+        return {first_line(error), driver_folder_is_full()};
     }
 }
 

@@ -9,10 +9,16 @@
 
 namespace weft {
 
+/// What came of trying a device.
+struct DeviceVerdict {
+    std::string failure;     ///< what is wrong, in few words; empty where nothing is
+    bool momentary = false;  ///< there was no memory or no space on the disk, which may change
+};
+
 /// Lets a device trace some rays whose hits are known and compile a large kernel, and looks at what
-/// it says of itself. Returns what is wrong, in few words, or nothing. A bad driver may end the
-/// process or never return. Simulators, which take minutes, count as right.
-[[nodiscard]] std::string try_device(const OpenClDevice& device);
+/// it says of itself. A bad driver may end the process or never return. Simulators, which take
+/// minutes, count as right.
+[[nodiscard]] DeviceVerdict try_device(const OpenClDevice& device);
 
 }  // namespace weft
 

@@ -17,11 +17,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
 #include "base/quote.h"
 #include "device/opencl/driver_folder.h"
 
@@ -55,9 +55,11 @@ struct FaultReport {
 std::atomic<const FaultReport*> report{nullptr};
 std::atomic<bool> told{false};
 std::atomic<bool> watches_exits{false};
+std::atomic<int> exit_code{-1};  ///< of the command, once it is done
 /// Standard error as it was at first: it may lead nowhere while a driver compiles.
 int errors = STDERR_FILENO;
 std::array<struct sigaction, faults.size()> earlier{};
+std::terminate_handler usual_terminate = nullptr;
 
 void write_text(std::string_view text) {
     static_cast<void>(::write(errors, text.data(), text.size()) < 0);
@@ -66,6 +68,7 @@ void write_text(std::string_view text) {
 /// Ends the program with the line about its driver: what that did, and more about it, which may be
 /// empty. Signal handlers may call it.
 [[noreturn]] void end_with_report(std::string_view what, std::string_view more) {
+    if (const int code = exit_code; code >= 0) ::_exit(code);
     // Several threads may fault at once; the first one tells.
     if (told.exchange(true))
         for (;;) ::pause();
@@ -157,26 +160,48 @@ void use_own_stack() {
     ::sigaltstack(&stack, nullptr);
 }
 
-}  // namespace
+/// An exception that nobody catches is a fault of this program, although it ends in an abort.
+[[noreturn]] void abort_as_ever() {
+    std::signal(SIGABRT, SIG_DFL);
+    if (usual_terminate != nullptr) usual_terminate();
+    std::abort();
+}
 
-void report_driver_faults(const DeviceInfo& device, const std::filesystem::path& mark) {
+/// Has faults end with these words; the first call installs what notices them.
+void install(const std::string& who, const std::filesystem::path& mark) {
     const bool first = report.load() == nullptr;
-    report = new FaultReport{fmt::format("weft: OpenCL device {} \"{}\": its driver ", device.index,
-                                         one_line(device.name)),
+    report = new FaultReport{fmt::format("weft: {} ", who),
                              ", expected one that works (try --backend embree)\n",
                              "weft: " + full_driver_folder() + "\n", mark.string()};
+    // Drivers that have been opened since the last call have brought these, and handlers of exits.
+    hear_llvm();
+    std::atexit(weft_handle_exit);
     if (!first) return;
     if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
         errors = copy;
     use_own_stack();
-    hear_llvm();
-    std::atexit(weft_handle_exit);
+    usual_terminate = std::set_terminate(abort_as_ever);
     struct sigaction action {};
     action.sa_sigaction = weft_handle_fault;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
     ::sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < faults.size(); ++i)
         ::sigaction(faults[i].signal, &action, &earlier[i]);
+}
+
+}  // namespace
+
+void report_driver_faults() {
+    install("an OpenCL driver", {});
+}
+
+void report_driver_faults(const DeviceInfo& device, const std::filesystem::path& mark) {
+    install(fmt::format("OpenCL device {} \"{}\": its driver", device.index, one_line(device.name)),
+            mark);
+}
+
+void ignore_driver_faults(ExitCode code) noexcept {
+    exit_code = static_cast<int>(code);
 }
 
 ExitWatch::ExitWatch() noexcept {

@@ -5,16 +5,25 @@
 
 #include <filesystem>
 
+#include "base/error.h"
 #include "device/executor.h"
 
 namespace weft {
 
 /// From now on a fault outside of this program's own code (a wild pointer, an abort) counts as one
-/// of the driver of that device: the program then ends with exit code 3 and one line that says so,
-/// in place of a signal, and leaves the empty file `mark`, where that is not empty. Faults of the
-/// program itself end it as ever. May be called again, for another device. Where the folder that
-/// drivers use is full, the line says that, and there is no mark: the driver could not help it.
+/// of an OpenCL driver: the program then ends with exit code 3 and one line that says so, in place
+/// of a signal. Faults of the program itself, exceptions that nobody catches among them, end it as
+/// ever. Where the folder that drivers use is full, the line says that instead.
+void report_driver_faults();
+
+/// The same, now that a device has been chosen, whose driver the line names; and the empty file
+/// `mark` is left, where that is not empty, unless the folder is full. May be called again, for
+/// another device.
 void report_driver_faults(const DeviceInfo& device, const std::filesystem::path& mark);
+
+/// The command is done and the program ends with that code, whatever drivers do from now on while
+/// they are unloaded.
+void ignore_driver_faults(ExitCode code) noexcept;
 
 /// While one lives, an exit of the process is a fault of the driver as well: compilers of drivers
 /// exit when they fail, and nothing else of the program does.

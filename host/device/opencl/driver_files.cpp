@@ -80,20 +80,24 @@ class TemporaryFolder {
     fs::path path_;
 };
 
-/// A folder whose name depends on the drivers, below `folder`; a temporary one if that fails.
-fs::path folder_of(std::span<const DriverFile> drivers, const fs::path& folder) {
-    if (!folder.empty()) {
-        try {
-            ContentDigest digest;
-            for (const DriverFile& driver : drivers) digest.add(driver.library);
-            fs::path made = fs::absolute(folder) / digest.text();
-            make_cache_folder(made);
-            return made;
-        } catch (const std::exception&) {  // a temporary folder does as well
-        }
+/// Whether a file has that text. A machine that lost power may have left an empty one.
+bool has_text(const fs::path& file, std::string_view text) {
+    try {
+        const std::vector<std::byte> bytes = read_file(file, text.size());
+        return std::ranges::equal(bytes, std::as_bytes(std::span(text)));
+    } catch (const std::exception&) {
+        return false;
     }
-    static const TemporaryFolder temporary;
-    return temporary.path();
+}
+
+void write_list(std::span<const DriverFile> drivers, const fs::path& folder) {
+    make_cache_folder(folder);
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        const std::string& library = drivers[i].library;
+        const fs::path file = folder / fmt::format("{:03}{}", i, icd_extension);
+        if (!has_text(file, library))
+            write_file_atomically(file, std::as_bytes(std::span(library)), WriteMode::unflushed);
+    }
 }
 
 }  // namespace
@@ -109,16 +113,25 @@ std::vector<DriverFile> driver_files() {
     return drivers;
 }
 
-void open_only(std::span<const DriverFile> drivers, const fs::path& folder) {
-    const fs::path made = folder_of(drivers, folder);
-    for (std::size_t i = 0; i < drivers.size(); ++i) {
-        const std::string& library = drivers[i].library;
-        const fs::path file = made / fmt::format("{:03}{}", i, icd_extension);
-        std::error_code error;
-        if (!fs::exists(file, error))
-            write_file_atomically(file, std::as_bytes(std::span(library)), WriteMode::unflushed);
+fs::path list_drivers(std::span<const DriverFile> drivers, const fs::path& folder) {
+    ContentDigest digest;
+    for (const DriverFile& driver : drivers) digest.add(driver.library);
+    if (!folder.empty()) {
+        try {
+            fs::path list = fs::absolute(folder) / digest.text();
+            write_list(drivers, list);
+            return list;
+        } catch (const std::exception&) {  // a temporary folder does as well
+        }
     }
-    ::setenv("OCL_ICD_VENDORS", made.c_str(), 1);
+    static const TemporaryFolder temporary;
+    fs::path list = temporary.path() / digest.text();
+    write_list(drivers, list);
+    return list;
+}
+
+void open_only(const fs::path& list) {
+    ::setenv("OCL_ICD_VENDORS", list.c_str(), 1);
     ::unsetenv("OCL_ICD_FILENAMES");
 }
 

@@ -25,11 +25,15 @@ struct DriverFile {
 /// OCL_ICD_FILENAMES.
 [[nodiscard]] std::vector<DriverFile> driver_files();
 
-/// Lets the loader open these drivers and no others, in this process and in those it starts. They
-/// are named by files in a folder of `folder`, whose name depends on them, or in a temporary one
-/// where it cannot be made. Takes effect only before the first OpenCL call. Throws Error (exit
-/// code 5).
-void open_only(std::span<const DriverFile> drivers, const std::filesystem::path& folder);
+/// Names drivers to the loader, by files in a folder of `folder` whose name depends on them, or in
+/// a temporary one where it cannot be made, which goes with this process. Returns the folder that
+/// holds the files. Throws Error (exit code 5).
+[[nodiscard]] std::filesystem::path list_drivers(std::span<const DriverFile> drivers,
+                                                 const std::filesystem::path& folder);
+
+/// Lets the loader open the drivers of such a list and no others, in this process and in those it
+/// starts. Takes effect only before the first OpenCL call.
+void open_only(const std::filesystem::path& list);
 
 }  // namespace weft
 

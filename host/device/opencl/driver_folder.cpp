@@ -8,11 +8,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include "base/cache_folder.h"
@@ -23,81 +26,143 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* prefix = "compiling-";
+/// What the names of folders begin with: in the cache, and among the temporary files of everybody.
+constexpr std::string_view cache_prefix = "compiling-";
+constexpr std::string_view temporary_prefix = "weft-compiling-";
+/// What follows: letters and digits of mkdtemp.
+constexpr std::string_view unique_part = "XXXXXX";
+/// A file that is locked, and what it is called until it is.
 constexpr const char* lock_name = "in-use";
+constexpr const char* starting_name = "starting";
 /// The kernels of an image take about 2 MiB.
 constexpr std::uintmax_t least_space = std::uintmax_t{16} << 20;
-/// A younger folder without a locked file may be that of a process which has just begun.
+/// A younger folder without a lock may be that of a process which has just begun.
 constexpr std::chrono::minutes beginning{10};
+/// Of a folder of another machine, whose locks this one may not see, nobody knows more than its
+/// age.
+constexpr std::chrono::days abandoned{30};
 
 /// A file in the folder for driver_folder_is_full, with a name that signal handlers can read.
 std::string probe;
 
+std::string host_name() {
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// Whether a folder is one of this program's, for this user.
+bool is_own(const fs::path& folder, std::string_view prefix) {
+    const std::string name = folder.filename().string();
+    const bool has_name = name.starts_with(prefix) &&
+                          name.size() == prefix.size() + unique_part.size() &&
+                          std::ranges::all_of(name.substr(prefix.size()),
+                                              [](unsigned char c) { return std::isalnum(c) != 0; });
+    struct stat is {};
+    return has_name && ::lstat(folder.c_str(), &is) == 0 && S_ISDIR(is.st_mode) &&
+           is.st_uid == ::geteuid();
+}
+
+bool is_older(const fs::path& file, std::chrono::minutes age) {
+    std::error_code error;
+    const auto changed = fs::last_write_time(file, error);
+    return !error && fs::file_time_type::clock::now() - changed > age;
+}
+
+/// Whether there is nothing in a folder but what a process makes there first.
+bool has_only_begun(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (at->path().filename() != starting_name) return false;
+    return !error;
+}
+
 /// Whether no process uses such a folder: its file is not locked.
 bool is_left_over(const fs::path& folder) {
-    const int lock = ::open((folder / lock_name).c_str(), O_RDWR | O_CLOEXEC);
-    if (lock < 0) {
-        const bool missing = errno == ENOENT;
-        std::error_code error;
-        const auto changed = fs::last_write_time(folder, error);
-        return missing && !error && fs::file_time_type::clock::now() - changed > beginning;
-    }
-    const bool free = ::flock(lock, LOCK_EX | LOCK_NB) == 0;
+    const int lock = ::open((folder / lock_name).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (lock < 0) return errno == ENOENT && is_older(folder, beginning) && has_only_begun(folder);
+    std::array<char, 256> host{};
+    const ssize_t size = ::read(lock, host.data(), host.size());
+    const bool is_here = size > 0 && host_name() == std::string_view(host.data(), size);
+    const bool free =
+        is_here ? ::flock(lock, LOCK_EX | LOCK_NB) == 0 : is_older(folder / lock_name, abandoned);
     ::close(lock);
     return free;
 }
 
-void remove_left_over(const fs::path& parent) {
+void remove_left_over(const fs::path& parent, std::string_view prefix) {
     std::error_code error;
     for (fs::directory_iterator at(parent, error), end; !error && at != end; at.increment(error))
-        if (at->path().filename().string().starts_with(prefix) && is_left_over(at->path())) {
+        if (is_own(at->path(), prefix) && is_left_over(at->path())) {
             std::error_code ignored;
             fs::remove_all(at->path(), ignored);
         }
 }
 
-/// Makes an empty folder that has a name of its own; throws std::system_error.
-fs::path make_folder(const fs::path& parent) {
+[[noreturn]] void fail_with_errno() {
+    throw std::system_error(errno, std::generic_category());
+}
+
+/// Makes a folder that has a name of its own; throws std::system_error.
+fs::path make_folder(const fs::path& parent, std::string_view prefix) {
     const auto space = fs::space(parent);
     if (space.available < least_space)
         throw std::system_error(std::make_error_code(std::errc::no_space_on_device));
-    std::string name = (parent / (std::string(prefix) + "XXXXXX")).string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category());
+    std::string name = (parent / fmt::format("{}{}", prefix, unique_part)).string();
+    if (::mkdtemp(name.data()) == nullptr) fail_with_errno();
     return name;
 }
 
+/// Locks a file in the folder until the process ends, however that happens; throws
+/// std::system_error. Nobody sees it by its name before it is locked.
 int lock_of(const fs::path& folder) {
+    const fs::path starting = folder / starting_name;
     const int lock =
-        ::open((folder / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
-    if (lock >= 0) static_cast<void>(::flock(lock, LOCK_EX | LOCK_NB));
+        ::open(starting.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (lock < 0) fail_with_errno();
+    // Where there are no locks, no machine may think that it knows.
+    const std::string host = ::flock(lock, LOCK_EX | LOCK_NB) == 0 ? host_name() : "-";
+    if (::write(lock, host.data(), host.size()) != static_cast<ssize_t>(host.size()) ||
+        ::rename(starting.c_str(), (folder / lock_name).c_str()) != 0) {
+        const int reason = errno;
+        ::close(lock);
+        throw std::system_error(reason, std::generic_category());
+    }
     return lock;
 }
 
 }  // namespace
 
 DriverFolder::DriverFolder(const fs::path& cache) : owner_(::getpid()) {
-    std::error_code error;
     if (!cache.empty()) {
         try {
-            const fs::path parent = fs::absolute(cache);
-            make_cache_folder(parent);
-            remove_left_over(parent);
-            path_ = make_folder(parent);
+            make_in(fs::absolute(cache), cache_prefix);
         } catch (const std::system_error& failure) {  // filesystem errors are such, too
             trouble_ = failure.code().message();
         }
     }
     if (path_.empty()) {
         try {
-            const fs::path parent = fs::temp_directory_path();
-            path_ = make_folder(parent);
+            make_in(fs::temp_directory_path(), temporary_prefix);
         } catch (const std::system_error&) {
             return;  // drivers that need none still work
         }
     }
-    lock_ = lock_of(path_);
     ::setenv("POCL_CACHE_DIR", path_.c_str(), 1);
     probe = (path_ / "probe").string();
+}
+
+void DriverFolder::make_in(const fs::path& parent, std::string_view prefix) {
+    make_cache_folder(parent);
+    remove_left_over(parent, prefix);
+    const fs::path made = make_folder(parent, prefix);
+    try {
+        lock_ = lock_of(made);
+    } catch (const std::system_error&) {
+        std::error_code ignored;
+        fs::remove_all(made, ignored);
+        throw;
+    }
+    path_ = made;
 }
 
 DriverFolder::~DriverFolder() {

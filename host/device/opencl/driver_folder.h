@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace weft {
 
@@ -17,7 +18,8 @@ namespace weft {
 class DriverFolder {
   public:
     /// Makes the folder in `cache`, or else among temporary files, and has PoCL use it, in this
-    /// process and in those that it starts. Removes what processes have left that were killed.
+    /// process and in those that it starts. Removes what processes of this user and machine have
+    /// left that were killed, and what those of other machines have left a month ago.
     /// Must come before the first OpenCL call.
     explicit DriverFolder(const std::filesystem::path& cache);
     ~DriverFolder();
@@ -30,6 +32,8 @@ class DriverFolder {
     [[nodiscard]] const std::string& trouble() const noexcept { return trouble_; }
 
   private:
+    void make_in(const std::filesystem::path& parent, std::string_view prefix);
+
     std::filesystem::path path_;
     std::string trouble_;
     int lock_ = -1;  ///< a locked file in the folder

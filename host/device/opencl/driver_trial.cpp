@@ -23,7 +23,6 @@
 #include <deque>
 #include <exception>
 #include <new>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -33,17 +32,18 @@
 #include "base/quote.h"
 #include "base/stopwatch.h"
 #include "device/opencl/device_trial.h"
+#include "device/opencl/driver_folder.h"
 #include "device/opencl/opencl_devices.h"
 
 namespace weft {
 namespace {
 
 // What a trial's process tells, a line each: a tag, then fields after tabs.
-constexpr char device_tag = 'D';  ///< a device: its name and its driver
-constexpr char listed_tag = 'L';  ///< all devices have been told
-constexpr char begins_tag = 'B';  ///< begins to try a device: its position
-constexpr char result_tag = 'R';  ///< what is wrong with that device, or nothing
-constexpr char failed_tag = 'F';  ///< the driver cannot be used: why
+constexpr char device_tag = 'D';     ///< a device: its name and its driver
+constexpr char listed_tag = 'L';     ///< all devices have been told
+constexpr char result_tag = 'R';     ///< what is wrong with the next device, or nothing
+constexpr char momentary_tag = 'M';  ///< the same, where another time it may pass
+constexpr char failed_tag = 'F';     ///< the driver cannot be used: why
 
 // Whoever lists more devices than that in one driver has made them up.
 constexpr std::size_t most_devices = 1000;
@@ -82,7 +82,7 @@ void set_apart(pid_t parent) {
 }
 
 /// The process of a trial, from its `first` device on.
-[[noreturn]] void run_trial(const DriverFile& driver, const std::filesystem::path& cache_folder,
+[[noreturn]] void run_trial(const DriverFile& driver, const std::filesystem::path& list,
                             std::size_t first, pid_t parent, int out) noexcept {
     set_apart(parent);
     const Teller teller(out);
@@ -94,15 +94,15 @@ void set_apart(pid_t parent) {
                                                 reason != nullptr ? reason : "no reason given"));
             ::_exit(0);
         }
-        open_only(std::span(&driver, 1), cache_folder);
+        open_only(list);
         ::unsetenv("WEFT_KERNELS");  // what users make of kernels is no fault of the driver
         const std::vector<OpenClDevice> devices = opencl_devices();
         for (const OpenClDevice& device : devices)
             teller.tell(device_tag, device.info.name, device.info.driver);
         teller.tell(listed_tag);
         for (std::size_t i = first; i < devices.size(); ++i) {
-            teller.tell(begins_tag, std::to_string(i));
-            teller.tell(result_tag, try_device(devices[i]));
+            const DeviceVerdict verdict = try_device(devices[i]);
+            teller.tell(verdict.momentary ? momentary_tag : result_tag, verdict.failure);
         }
     } catch (const std::bad_alloc&) {
         teller.tell(failed_tag, "it asks for more memory than there is to describe its devices");
@@ -118,10 +118,16 @@ void set_apart(pid_t parent) {
 /// A driver that is being tried, by one process after another.
 class Attempt {
   public:
-    Attempt(const DriverFile& driver, const std::filesystem::path& cache_folder)
-        : cache_folder_(cache_folder) {
+    Attempt(const DriverFile& driver, const std::filesystem::path& cache_folder) {
         trial_.driver = driver;
-        start(0);
+        try {
+            list_ = list_drivers(std::span(&driver, 1), cache_folder);
+        } catch (const std::exception& error) {
+            trial_.failure = error.what();
+            trial_.momentary = true;
+            return;
+        }
+        start();
     }
     ~Attempt() { stop(); }
     Attempt(const Attempt&) = delete;
@@ -129,8 +135,6 @@ class Attempt {
 
     [[nodiscard]] bool done() const { return process_ < 0; }
     [[nodiscard]] int input() const { return input_; }
-    /// See processor_wait_ms.
-    [[nodiscard]] double waited_ms() const { return processor_wait_ms(process_); }
     [[nodiscard]] const DriverTrial& trial() const { return trial_; }
 
     /// Takes what the process has told, or its end.
@@ -147,39 +151,69 @@ class Attempt {
             }
             return;
         }
-        blame(finish());
-        // The next device may work, in a process of its own.
-        if (listed_ && current_ && *current_ + 1 < trial_.devices.size()) start(*current_ + 1);
+        end();
     }
 
-    /// Ends the process, since its time is over.
-    void give_up(double seconds) {
+    /// Counts time; ends the process where it has had more than `seconds` for what it does now.
+    void spend(double ms, double seconds) {
+        spent_ms_ += ms;
+        const double waited = processor_wait_ms(process_) - waited_before_ms_;
+        if (hung_) seconds /= 4.0;
+        if (spent_ms_ < 1000.0 * seconds + std::clamp(waited, 0.0, 2000.0 * seconds)) return;
         stop();
-        blame(fmt::format("its driver does not answer within {:.0f} s", seconds));
-        for (std::size_t i = current_ ? *current_ + 1 : 0; i < trial_.devices.size(); ++i)
-            trial_.devices[i].failure = "there was no time to try it";
+        fail_next(fmt::format("its driver does not answer within {:.0f} s", seconds));
+        if (!hung_ && has_next()) return try_after_hang();
+        while (has_next()) fail_next("two devices before it have not answered");
     }
 
   private:
-    void start(std::size_t first) {
+    [[nodiscard]] bool has_next() const { return listed_ && next_ < trial_.devices.size(); }
+
+    /// Other devices may work; but a user is not to wait as long for each of them.
+    void try_after_hang() {
+        hung_ = true;
+        start();
+    }
+
+    /// Starts a process that tries the devices from the next on.
+    void start() {
         std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-            trial_.failure = "no process can be started to try it";
-            return;
-        }
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) return fail_to_start();
         told_ = 0;
-        current_.reset();
+        text_.clear();
+        told_failure_.clear();
         const pid_t parent = ::getpid();
         process_ = ::fork();
         if (process_ == 0) {
             ::close(ends[0]);
-            run_trial(trial_.driver, cache_folder_, first, parent, ends[1]);
+            run_trial(trial_.driver, list_, next_, parent, ends[1]);
         }
         ::close(ends[1]);
         input_ = ends[0];
+        restart_clock();
         if (process_ >= 0) return;
         ::close(input_);
-        trial_.failure = "no process can be started to try it";
+        fail_to_start();
+    }
+
+    void fail_to_start() {
+        trial_.momentary = true;
+        do fail_next("no process can be started to try it");
+        while (has_next());
+    }
+
+    /// Takes the end of the process, which has closed its pipe, and goes on with the next device.
+    void end() {
+        std::string how = finish();
+        if (!told_failure_.empty()) how = std::move(told_failure_);
+        if (listed_ && next_ == trial_.devices.size()) {
+            // All have been tried, the last one by this process.
+            if (next_ > 0 && trial_.devices.back().failure.empty())
+                trial_.devices.back().failure = std::move(how);
+            return;
+        }
+        fail_next(how.empty() ? "its driver ends the program (exit code 0)" : std::move(how));
+        if (has_next()) start();
     }
 
     /// Waits for the end of a process that has closed its pipe, and ends it where it does not;
@@ -188,10 +222,11 @@ class Attempt {
         constexpr int moments = 1000;  // of a millisecond
         int status = 0;
         for (int i = 0; i < moments; ++i) {
-            if (::waitpid(process_, &status, WNOHANG) == process_) {
+            const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+            if (ended == process_ || (ended < 0 && errno == ECHILD)) {
                 process_ = -1;
                 ::close(input_);
-                return end_of(status);
+                return ended < 0 ? std::string() : end_of(status);
             }
             ::usleep(1000);
         }
@@ -212,81 +247,85 @@ class Attempt {
 
     std::string end_of(int status) {
         if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGTERM)) {
-            trial_.disturbed = true;
+            trial_.momentary = true;
             return "its trial was ended from outside";
+        }
+        if (status == 0) return {};
+        if (driver_folder_is_full()) {
+            trial_.momentary = true;
+            return "nothing can be written to the folder that it needs";
         }
         if (WIFSIGNALED(status))
             return fmt::format("its driver crashes ({})", ::strsignal(WTERMSIG(status)));
-        if (WIFEXITED(status) && WEXITSTATUS(status) != 0)
-            return fmt::format("its driver ends the program (exit code {})", WEXITSTATUS(status));
-        return {};
+        return fmt::format("its driver ends the program (exit code {})", WEXITSTATUS(status));
     }
 
-    /// Takes note of what went wrong with what was being tried.
-    void blame(const std::string& failure) {
-        if (failure.empty()) return;
-        if (current_ && *current_ < trial_.devices.size())
-            trial_.devices[*current_].failure = failure;
-        else if (!listed_)
-            trial_.failure = failure;
+    /// Takes note of what is wrong with the device that is tried, or with the driver before it has
+    /// listed any.
+    void fail_next(std::string failure) {
+        if (!listed_)
+            trial_.failure = std::move(failure);
+        else if (next_ < trial_.devices.size())
+            trial_.devices[next_++].failure = std::move(failure);
+    }
+
+    void restart_clock() {
+        spent_ms_ = 0.0;
+        waited_before_ms_ = processor_wait_ms(process_);
     }
 
     void take(std::string_view line) {
         const std::size_t tab = std::min(line.find('\t'), line.size());
         const std::string_view rest = line.substr(std::min(tab + 1, line.size()));
         const std::size_t second = std::min(rest.find('\t'), rest.size());
-        const std::string first(rest.substr(0, second));
+        std::string first(rest.substr(0, second));
         switch (line.empty() ? '\0' : line.front()) {
             case device_tag:
                 // A process after the first lists them again.
-                if (told_++ == trial_.devices.size() && told_ <= most_devices)
+                if (told_++ == trial_.devices.size() && !listed_ && told_ <= most_devices)
                     trial_.devices.push_back(
                         {first, std::string(rest.substr(std::min(second + 1, rest.size()))), {}});
                 break;
             case listed_tag:
                 listed_ = true;
                 break;
-            case begins_tag: {
-                std::size_t position = 0;
-                std::from_chars(first.data(), first.data() + first.size(), position);
-                current_ = position;
-                break;
-            }
+            case momentary_tag:
+                trial_.momentary = true;
+                [[fallthrough]];
             case result_tag:
-                blame(first);
+                fail_next(std::move(first));
+                restart_clock();
                 break;
             case failed_tag:
-                trial_.failure = first;
+                told_failure_ = std::move(first);
                 break;
             default:
                 break;
         }
     }
 
-    const std::filesystem::path& cache_folder_;
     DriverTrial trial_;
+    std::filesystem::path list_;
     pid_t process_ = -1;
     int input_ = -1;
     std::string text_;  ///< told, of a line that is not whole
     bool listed_ = false;
-    std::size_t told_ = 0;                ///< devices, by this process
-    std::optional<std::size_t> current_;  ///< the device that is being tried
+    std::string told_failure_;       ///< why the process cannot use the driver
+    bool hung_ = false;              ///< a device has not answered
+    std::size_t told_ = 0;           ///< devices, by this process
+    std::size_t next_ = 0;           ///< the first device of which nothing is known yet
+    double spent_ms_ = 0.0;          ///< since the process began, or told of a device
+    double waited_before_ms_ = 0.0;  ///< processor_wait_ms at that time
 };
-
-/// Milliseconds that are left to drivers that have `seconds`, as poll takes them. What they waited
-/// for a processor on a busy machine is added, up to twice as long again.
-int left_of(double seconds, const Stopwatch& watch, std::span<Attempt* const> running) {
-    double waited = 0.0;
-    for (const Attempt* const attempt : running) waited = std::max(waited, attempt->waited_ms());
-    const double all = 1000.0 * seconds + std::min(waited, 2000.0 * seconds);
-    return static_cast<int>(std::clamp(all - watch.total(), 0.0, 1e6));
-}
 
 }  // namespace
 
 std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
                                      const std::filesystem::path& cache_folder, double seconds) {
-    const Stopwatch watch;
+    // Time is counted in steps, of which a long one counts as short: this process may have been
+    // stopped for a while, and has not looked then.
+    constexpr int step = 200;
+    constexpr double longest_step = 1000.0;
     std::deque<Attempt> attempts;
     for (const DriverFile& driver : drivers) attempts.emplace_back(driver, cache_folder);
     for (;;) {
@@ -297,17 +336,18 @@ std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
                 ends.push_back({attempt.input(), POLLIN, 0});
                 running.push_back(&attempt);
             }
-        const int left = left_of(seconds, watch, running);
-        if (running.empty() || left == 0) break;
-        if (::poll(ends.data(), ends.size(), left) < 0) continue;
+        if (running.empty()) break;
+        const Stopwatch watch;
+        const int ready = ::poll(ends.data(), ends.size(), step);
+        const double ms = std::min(watch.total(), longest_step);
         for (std::size_t i = 0; i < running.size(); ++i)
-            if (ends[i].revents != 0) running[i]->advance();
+            if (ready > 0 && ends[i].revents != 0)
+                running[i]->advance();
+            else
+                running[i]->spend(ms, seconds);
     }
     std::vector<DriverTrial> trials;
-    for (Attempt& attempt : attempts) {
-        if (!attempt.done()) attempt.give_up(seconds);
-        trials.push_back(attempt.trial());
-    }
+    for (const Attempt& attempt : attempts) trials.push_back(attempt.trial());
     return trials;
 }
 

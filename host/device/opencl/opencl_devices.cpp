@@ -102,10 +102,12 @@ const OpenClDevice* device_named(const std::string& wanted,
         const auto index = std::stoul(wanted);
         return index < devices.size() ? &devices[index] : nullptr;
     }
-    const auto found = std::ranges::find_if(devices, [&](const OpenClDevice& candidate) {
-        return lower(candidate.info.name).find(lower(wanted)) != std::string::npos;
-    });
-    return found != devices.end() ? &*found : nullptr;
+    const OpenClDevice* found = nullptr;
+    for (const OpenClDevice& candidate : devices)
+        if (lower(candidate.info.name).find(lower(wanted)) != std::string::npos &&
+            (found == nullptr || (!found->info.failure.empty() && candidate.info.failure.empty())))
+            found = &candidate;
+    return found;
 }
 
 std::string list_of(const std::vector<OpenClDevice>& devices) {
@@ -160,7 +162,7 @@ std::vector<OpenClDevice> opencl_devices() {
         try {
             platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
             for (const cl::Device& device : devices) {
-                found.push_back({device, describe(platform, device, as_gpu)});
+                found.push_back({device, describe(platform, device, as_gpu), 0});
                 found.back().info.index = static_cast<int>(found.size()) - 1;
             }
         } catch (const cl::Error&) {
@@ -168,8 +170,10 @@ std::vector<OpenClDevice> opencl_devices() {
         }
     }
     std::map<std::pair<std::string, std::string>, std::size_t> before;
-    for (auto& [device, info] : found)
-        info.failure = known_failure(info.name, info.driver, before[{info.name, info.driver}]++);
+    for (auto& [device, info, twins] : found) {
+        twins = before[{info.name, info.driver}]++;
+        info.failure = known_failure(info.name, info.driver, twins);
+    }
     return found;
 }
 

@@ -3,6 +3,7 @@
 #ifndef WEFT_DEVICE_OPENCL_OPENCL_DEVICES_H
 #define WEFT_DEVICE_OPENCL_OPENCL_DEVICES_H
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,17 @@ namespace weft {
 struct OpenClDevice {
     cl::Device device;
     DeviceInfo info;
+    std::size_t twins = 0;  ///< devices before it that have the same name and driver
 };
 
 /// Every device of every platform, in the loader's order; empty where there is no driver.
 [[nodiscard]] std::vector<OpenClDevice> opencl_devices();
 
-/// The device that `wanted` names: an index, or a part of the name in any case. Where it is empty,
-/// the first GPU, else the first accelerator, else the first processor; a simulator only if nothing
-/// else is there. Devices with a failure are never chosen. Throws Error (exit code 3) that says why
-/// there is none, and which there are.
+/// The device that `wanted` names: an index, or a part of the name in any case, of one that
+/// can be used where there are several. Where it is empty, the first GPU, else the first
+/// accelerator, else the first processor; a simulator only if nothing else is there. Devices with a
+/// failure are never chosen. Throws Error (exit code 3) that says why there is none, and which
+/// there are.
 [[nodiscard]] OpenClDevice choose_opencl_device(const std::string& wanted);
 
 /// Why no device can be chosen where none is named, and empty where one can.

@@ -8,15 +8,18 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/cache_folder.h"
 #include "base/content_digest.h"
@@ -42,9 +45,10 @@ double trial_seconds() {
 }
 
 /// Changes when other drivers would pass than before.
-constexpr std::string_view trial_version = "1";
+constexpr std::string_view trial_version = "2";
 constexpr std::size_t most_record_bytes = std::size_t{1} << 20;
-constexpr std::size_t most_remembered = 32;
+constexpr std::string_view record_prefix = "trial-";
+constexpr std::chrono::days kept_for{60};
 
 std::vector<DriverTrial>& admitted() {
     static std::vector<DriverTrial> trials;
@@ -95,93 +99,85 @@ std::string state_of(const DriverFile& driver) {
     return digest.text();
 }
 
-/// Fails a device whose driver has crashed after its trial, or forgets that.
-void heed_mark(DeviceTrial& device, TrialUse use) {
-    const fs::path mark = crash_mark(device.name, device.driver);
-    std::error_code error;
-    if (mark.empty() || !fs::exists(mark, error)) return;
-    if (use == TrialUse::fresh)
-        fs::remove(mark, error);
-    else if (device.failure.empty())
-        device.failure = "its driver has ended the program in an earlier run";
+/// The file that keeps the trial of a driver in the state that it is in; empty where there is no
+/// folder. Machines that share a folder are in different states, each booted at its own time.
+fs::path record_of(const DriverFile& driver, const fs::path& folder) {
+    if (folder.empty()) return {};
+    ContentDigest digest;
+    digest.add(driver.file.string());
+    digest.add(driver.library);
+    digest.add(state_of(driver));
+    return folder / (std::string(record_prefix) + digest.text() + ".json");
 }
 
-/// Trials of earlier runs, newest first, in a file of the cache folder. What cannot be read or
-/// written is as if it had never been.
-class TrialRecord {
-  public:
-    explicit TrialRecord(const fs::path& folder) {
-        if (folder.empty()) return;
-        file_ = folder / "trials.json";
-        try {
-            for (const nlohmann::json& entry : read_json_file(file_, most_record_bytes))
-                entries_.push_back({entry.at("state").get<std::string>(), trial_of(entry)});
-        } catch (const std::exception&) {
-            entries_.clear();
-        }
-    }
-
-    [[nodiscard]] std::optional<DriverTrial> find(const DriverFile& driver,
-                                                  const std::string& state) const {
-        for (const Entry& entry : entries_)
-            if (entry.state == state && entry.trial.driver == driver) return entry.trial;
-        return {};
-    }
-
-    void add(const std::string& state, const DriverTrial& trial) {
-        std::erase_if(entries_, [&](const Entry& entry) {
-            return entry.state == state && entry.trial.driver == trial.driver;
-        });
-        entries_.insert(entries_.begin(), {state, trial});
-    }
-
-    void store() {
-        if (file_.empty()) return;
-        nlohmann::json list = nlohmann::json::array();
-        for (std::size_t i = 0; i < std::min(entries_.size(), most_remembered); ++i)
-            list.push_back(json_of(entries_[i]));
-        try {
-            make_cache_folder(file_.parent_path());
-            const std::string text =
-                list.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-            write_file_atomically(file_, std::as_bytes(std::span(text)), WriteMode::unflushed);
-        } catch (const std::exception&) {
-            return;
-        }
-    }
-
-  private:
-    struct Entry {
-        std::string state;
+/// A trial of an earlier run. What cannot be read is as if it had never been.
+std::optional<DriverTrial> remembered(const DriverFile& driver, const fs::path& record) {
+    if (record.empty()) return {};
+    try {
+        const nlohmann::json json = read_json_file(record, most_record_bytes);
         DriverTrial trial;
-    };
-
-    static DriverTrial trial_of(const nlohmann::json& entry) {
-        DriverTrial trial;
-        trial.driver = {entry.at("file").get<std::string>(),
-                        entry.at("library").get<std::string>()};
-        trial.failure = entry.at("failure").get<std::string>();
-        for (const nlohmann::json& device : entry.at("devices"))
+        trial.driver = driver;
+        trial.failure = json.at("failure").get<std::string>();
+        for (const nlohmann::json& device : json.at("devices"))
             trial.devices.push_back({device.at("name").get<std::string>(),
                                      device.at("driver").get<std::string>(),
                                      device.at("failure").get<std::string>()});
         return trial;
+    } catch (const std::exception&) {
+        return {};
     }
-    static nlohmann::json json_of(const Entry& entry) {
-        nlohmann::json devices = nlohmann::json::array();
-        for (const DeviceTrial& device : entry.trial.devices)
-            devices.push_back(
-                {{"name", device.name}, {"driver", device.driver}, {"failure", device.failure}});
-        return {{"state", entry.state},
-                {"file", entry.trial.driver.file.string()},
-                {"library", entry.trial.driver.library},
-                {"failure", entry.trial.failure},
-                {"devices", devices}};
-    }
+}
 
-    fs::path file_;
-    std::vector<Entry> entries_;
-};
+/// Keeps a trial for later runs, where that can be done.
+void remember(const DriverTrial& trial, const fs::path& record) {
+    if (record.empty()) return;
+    nlohmann::json devices = nlohmann::json::array();
+    for (const DeviceTrial& device : trial.devices)
+        devices.push_back(
+            {{"name", device.name}, {"driver", device.driver}, {"failure", device.failure}});
+    const nlohmann::json json{{"file", trial.driver.file.string()},
+                              {"library", trial.driver.library},
+                              {"failure", trial.failure},
+                              {"devices", devices}};
+    try {
+        make_cache_folder(record.parent_path());
+        const std::string text =
+            json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+        write_file_atomically(record, std::as_bytes(std::span(text)), WriteMode::unflushed);
+    } catch (const std::exception&) {
+        return;
+    }
+}
+
+/// Removes records of states that have long not come back.
+void remove_old_records(const fs::path& folder) {
+    std::error_code error;
+    const auto now = fs::file_time_type::clock::now();
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        std::error_code ignored;
+        if (at->path().filename().string().starts_with(record_prefix) &&
+            now - at->last_write_time(ignored) > kept_for)
+            fs::remove(at->path(), ignored);
+    }
+}
+
+/// Fails devices whose driver has crashed after their trial, or forgets that.
+void heed_marks(std::vector<DriverTrial>& trials, TrialUse use) {
+    std::map<std::pair<std::string, std::string>, std::size_t> before;
+    for (DriverTrial& trial : trials) {
+        if (!trial.failure.empty()) continue;
+        for (DeviceTrial& device : trial.devices) {
+            const fs::path mark =
+                crash_mark(device.name, device.driver, before[{device.name, device.driver}]++);
+            std::error_code error;
+            if (mark.empty() || !fs::exists(mark, error)) continue;
+            if (use == TrialUse::fresh)
+                fs::remove(mark, error);
+            else if (device.failure.empty())
+                device.failure = "its driver has ended the program in an earlier run";
+        }
+    }
+}
 
 }  // namespace
 
@@ -189,27 +185,28 @@ void admit_drivers(TrialUse use) {
     const std::vector<DriverFile> drivers = driver_files();
     if (drivers.empty()) return;
     const fs::path folder = record_folder();
-    TrialRecord record(folder);
+    std::vector<std::optional<DriverTrial>> known;
+    std::vector<DriverFile> untried;
+    for (const DriverFile& driver : drivers) {
+        known.push_back(use == TrialUse::fresh ? std::optional<DriverTrial>()
+                                               : remembered(driver, record_of(driver, folder)));
+        if (!known.back()) untried.push_back(driver);
+    }
+    std::vector<DriverTrial> tried = try_drivers(untried, folder, trial_seconds());
+    for (const DriverTrial& trial : tried)
+        // With more memory, or undisturbed, the same driver may pass.
+        if (!trial.momentary && !memory_limit()) remember(trial, record_of(trial.driver, folder));
+    if (!tried.empty()) remove_old_records(folder);
     std::vector<DriverTrial>& trials = admitted();
     trials.clear();
-    std::vector<DriverFile> untried;
-    for (const DriverFile& driver : drivers)
-        if (use == TrialUse::fresh || !record.find(driver, state_of(driver)))
-            untried.push_back(driver);
-    bool whole = true;
-    for (const DriverTrial& trial : try_drivers(untried, folder, trial_seconds())) {
-        record.add(state_of(trial.driver), trial);
-        whole = whole && !trial.disturbed;
-    }
-    // With more memory, or undisturbed, the same drivers may pass.
-    if (!untried.empty() && whole && !memory_limit()) record.store();
     std::vector<DriverFile> usable;
-    for (const DriverFile& driver : drivers) {
-        trials.push_back(record.find(driver, state_of(driver)).value());
-        if (trials.back().failure.empty()) usable.push_back(driver);
-        for (DeviceTrial& device : trials.back().devices) heed_mark(device, use);
+    auto next = tried.begin();
+    for (std::optional<DriverTrial>& trial : known) {
+        trials.push_back(trial ? *std::move(trial) : *next++);
+        if (trials.back().failure.empty()) usable.push_back(trials.back().driver);
     }
-    if (usable.size() < trials.size()) open_only(usable, folder);
+    heed_marks(trials, use);
+    if (usable.size() < trials.size()) open_only(list_drivers(usable, folder));
 }
 
 const std::vector<DriverTrial>& driver_trials() noexcept {
@@ -226,12 +223,13 @@ std::string known_failure(const std::string& name, const std::string& driver, st
     return {};
 }
 
-fs::path crash_mark(const std::string& name, const std::string& driver) {
+fs::path crash_mark(const std::string& name, const std::string& driver, std::size_t before) {
     const fs::path folder = record_folder();
     if (folder.empty()) return {};
     ContentDigest digest;
     digest.add(name);
     digest.add(driver);
+    digest.add_value(before);
     return folder / ("crashed-" + digest.text());
 }
 

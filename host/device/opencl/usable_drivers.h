@@ -31,8 +31,10 @@ void admit_drivers(TrialUse use);
                                         std::size_t before);
 
 /// A file whose presence says that a device's driver has crashed (report_driver_faults). Trials
-/// that are fresh begin without it. Empty where there is no cache folder.
-[[nodiscard]] std::filesystem::path crash_mark(const std::string& name, const std::string& driver);
+/// that are fresh begin without it. Empty where there is no cache folder. Devices are told apart as
+/// by known_failure.
+[[nodiscard]] std::filesystem::path crash_mark(const std::string& name, const std::string& driver,
+                                               std::size_t before);
 
 /// What is wrong with drivers that could not be opened, for errors; empty where all could.
 [[nodiscard]] std::string refused_drivers();

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "tests/testing/temporary_folder.h"
@@ -68,6 +72,45 @@ TEST_F(DriverFolder, TellsWhenItsDiskIsFull) {
     }
     EXPECT_FALSE(driver_folder_is_full());
     EXPECT_EQ(full_driver_folder().find((folder_.path() / "cache").string()), 0U);
+}
+
+/// A folder as one of these, which holds a file of that host where it is given.
+fs::path made_folder(const fs::path& path, const std::string& host, int days = 0) {
+    fs::create_directories(path);
+    if (!host.empty()) {
+        std::ofstream(path / "in-use") << host;
+        fs::last_write_time(path / "in-use",
+                            fs::file_time_type::clock::now() - std::chrono::days(days));
+    }
+    fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::days(days));
+    return path;
+}
+
+TEST_F(DriverFolder, OthersGoOnlyWhereNobodyUsesThem) {
+    const fs::path cache = folder_.path() / "cache";
+    const weft::DriverFolder living(cache);
+    std::array<char, 256> host{};
+    ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
+    const fs::path killed = made_folder(cache / "compiling-aB3dEf", host.data());
+    const fs::path killed_early = made_folder(cache / "compiling-aB3dEg", "", 1);
+    const fs::path beginning = made_folder(cache / "compiling-aB3dEh", "");
+    const fs::path elsewhere = made_folder(cache / "compiling-aB3dEi", "another-host", 20);
+    const fs::path long_ago = made_folder(cache / "compiling-aB3dEj", "another-host", 40);
+    // What the user keeps, in names that look alike.
+    const fs::path guide = made_folder(cache / "compiling-guide", host.data(), 40);
+    const fs::path notes = made_folder(cache / "compiling-notes1", "", 40);
+    std::ofstream(notes / "text") << "mine";
+    fs::last_write_time(notes, fs::file_time_type::clock::now() - std::chrono::days(40));
+    const weft::DriverFolder next(cache);
+    EXPECT_TRUE(fs::exists(living.path()));
+    EXPECT_NE(living.path(), next.path());
+    EXPECT_FALSE(fs::exists(killed));
+    EXPECT_FALSE(fs::exists(killed_early));
+    EXPECT_TRUE(fs::exists(beginning));
+    EXPECT_TRUE(fs::exists(elsewhere));
+    EXPECT_FALSE(fs::exists(long_ago));
+    EXPECT_TRUE(fs::exists(guide));
+    EXPECT_TRUE(fs::exists(notes / "text"));
 }
 
 TEST_F(DriverFolder, IsGoneAfterwards) {

@@ -4,7 +4,9 @@
 // An OpenCL driver that does wrong on purpose, for tests: PoCL, behind calls that crash, hang, lie
 // or fail. WEFT_FAULT says what is wrong:
 //
-//     crash-open, hang-open, exit-open     when the driver is opened
+//     crash-open, hang-open                when the driver is opened
+//     exit-open, quit-open                 likewise, with exit codes 7 and 0
+//     crash-unload                         when the process ends
 //     crash-build, hang-build              when a program is built
 //     crash-launch, hang-launch            when a kernel is launched
 //     idle-launch                          kernels are never run, and nobody is told
@@ -68,6 +70,12 @@ bool is_faulty(cl_command_queue queue) {
     behind.clGetCommandQueueInfo(queue, CL_QUEUE_DEVICE, sizeof(device), &device, nullptr);
     return is_faulty(device);
 }
+
+struct AtTheEnd {
+    ~AtTheEnd() {
+        if (fault() == "crash-unload") crash();
+    }
+} at_the_end;
 
 /// Answers a question with the bytes of `value`.
 template <class T>
@@ -234,6 +242,7 @@ clIcdGetPlatformIDsKHR(cl_uint count, cl_platform_id* platforms, cl_uint* found)
     if (fault() == "crash-open") crash();
     if (fault() == "hang-open") hang();
     if (fault() == "exit-open") std::exit(7);
+    if (fault() == "quit-open") std::exit(0);
     static const cl_platform_id platform = pocl();
     if (platform == nullptr) return CL_PLATFORM_NOT_FOUND_KHR;
     if (table == nullptr) replace_calls(platform);
