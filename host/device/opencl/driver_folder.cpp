@@ -19,6 +19,7 @@
 #include <system_error>
 
 #include "base/cache_folder.h"
+#include "base/host_name.h"
 #include "base/quote.h"
 
 namespace weft {
@@ -44,11 +45,6 @@ constexpr std::chrono::days abandoned{30};
 
 /// A file in the folder for driver_folder_is_full, with a name that signal handlers can read.
 std::string probe;
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 /// Whether a folder is one of this program's, for this user.
 bool is_own(const fs::path& folder, std::string_view prefix) {

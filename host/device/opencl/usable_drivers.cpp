@@ -24,6 +24,7 @@
 #include "base/cache_folder.h"
 #include "base/content_digest.h"
 #include "base/file.h"
+#include "base/host_name.h"
 #include "base/json_file.h"
 #include "base/memory_limit.h"
 
@@ -227,6 +228,7 @@ fs::path crash_mark(const std::string& name, const std::string& driver, std::siz
     const fs::path folder = record_folder();
     if (folder.empty()) return {};
     ContentDigest digest;
+    digest.add(host_name());  // another machine's device may be a sound one
     digest.add(name);
     digest.add(driver);
     digest.add_value(before);
