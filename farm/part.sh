@@ -26,6 +26,8 @@ for option in "$@"; do
 done
 
 mkdir -p -- "$folder" || exit 5
+# What one left that was killed while it wrote.
+rm -f -- "$folder/.part-$part."*.tmp.exr
 "$weft" render "$scene" "${algorithm[@]}" "$@" --spp "$spp" --part "$part/$parts" \
     --keep-complete --resume "$sums" --progress none -o "$folder/part-$part.exr" &
 program=$!

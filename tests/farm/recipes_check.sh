@@ -50,7 +50,10 @@ last_call() { tail -n 1 "$CALLS"; }
 expect() { [[ $1 == "$2" ]] || fail "expected '$2', got '$1'"; }
 
 # A part is by path unless an algorithm is given.
+mkdir -- "$FOLDER"
+touch "$FOLDER/.part-1.sums.123.tmp.exr" "$FOLDER/.part-1.45.tmp.exr" "$FOLDER/.part-12.45.tmp.exr"
 bash "$root/farm/part.sh" 1 2 8 box.gltf "$FOLDER" --size 8x8 || fail "part.sh fails"
+expect "$(ls -A "$FOLDER")" .part-12.45.tmp.exr # what killed runs of this part have left is gone
 [[ $(last_call) == "render box.gltf --algorithm path --size 8x8 --spp 8 --part 1/2 "* ]] ||
     fail "a part is not by path" "$CALLS"
 for given in '--algorithm reference' --algorithm=reference; do
