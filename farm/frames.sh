@@ -43,8 +43,6 @@ while kill -0 "$program" 2>/dev/null; do
 done
 made=$first
 while ((made < end)) && [[ -e $work/$(name "$made") ]]; do ((++made)); done
-# The last frame of a run that was interrupted may hold a part of its samples.
-((code == 0)) || ((--made))
 for ((i = first; i < made; ++i)); do
     [[ -e $folder/$(name "$i") ]] || mv -- "$work/$(name "$i")" "$folder/" || exit 5
 done

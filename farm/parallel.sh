@@ -14,7 +14,13 @@ set -u
 farm=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 SCENE=$(readlink -f -- "$SCENE") FOLDER=$(readlink -m -- "$FOLDER")
 # Other machines have an environment of their own.
-[[ -z ${WEFT:-} ]] || WEFT=$(readlink -f -- "$(command -v -- "$WEFT")")
+if [[ -n ${WEFT:-} ]]; then
+    program=$(command -v -- "$WEFT") || {
+        echo "parallel.sh: there is no program $WEFT" >&2
+        exit 1
+    }
+    WEFT=$(readlink -f -- "$program")
+fi
 # shellcheck disable=SC2086 # PARALLEL_ARGS holds several
 parallel --will-cite --jobs 1 --retries 3 ${PARALLEL_ARGS:-} \
     ${WEFT:+env WEFT="${WEFT@Q}"} bash "${farm@Q}/part.sh" {} "$PARTS" "$SPP" "${SCENE@Q}" "${FOLDER@Q}" "${@@Q}" \

@@ -26,8 +26,8 @@ for option in "$@"; do
 done
 
 mkdir -p -- "$folder" || exit 5
-# What one left that was killed while it wrote.
-rm -f -- "$folder/.part-$part."*.tmp.exr
+# What one has left that was killed while it wrote; a younger one may still be at work elsewhere.
+find "$folder" -maxdepth 1 -name ".part-$part.*.tmp.exr" -mmin +60 -delete
 "$weft" render "$scene" "${algorithm[@]}" "$@" --spp "$spp" --part "$part/$parts" \
     --keep-complete --resume "$sums" --progress none -o "$folder/part-$part.exr" &
 program=$!

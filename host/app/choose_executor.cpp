@@ -18,14 +18,22 @@ namespace weft {
 namespace {
 
 #if WEFT_HAS_OPENCL
+/// Where memory is limited, that may be why a driver fails.
+std::filesystem::path unless_limited(const std::filesystem::path& mark) {
+    return memory_limit() ? std::filesystem::path() : mark;
+}
+
+/// Drivers that have passed their trial may still crash when they are opened.
+void expect_faults_of_opening() {
+    report_driver_faults(unless_limited(opening_mark()));
+}
+
 std::unique_ptr<Executor> opencl_executor(const std::optional<std::string>& device, int threads) {
     if (threads > 0) limit_opencl_threads(threads);
+    expect_faults_of_opening();
     const OpenClDevice chosen = choose_opencl_device(device.value_or(""));
-    // Where memory is limited, that may be why a driver fails.
-    report_driver_faults(chosen.info,
-                         memory_limit()
-                             ? std::filesystem::path()
-                             : crash_mark(chosen.info.name, chosen.info.driver, chosen.twins));
+    report_driver_faults(chosen.info, unless_limited(crash_mark(chosen.info.name,
+                                                                chosen.info.driver, chosen.twins)));
     return make_opencl_executor(chosen, threads);
 }
 #else
@@ -46,7 +54,10 @@ std::unique_ptr<Executor> executor_of(Backend backend, const std::optional<std::
 std::string why_no_opencl(int threads) {
 #if WEFT_HAS_OPENCL
     if (threads > 0) limit_opencl_threads(threads);
-    return no_opencl_device(opencl_devices());
+    expect_faults_of_opening();
+    std::string why = no_opencl_device(opencl_devices());
+    if (!why.empty()) forget_driver_faults();
+    return why;
 #else
     static_cast<void>(threads);
     return "this weft was built without OpenCL";
@@ -81,6 +92,7 @@ std::vector<std::unique_ptr<Executor>> selftest_executors(const SelftestOptions&
 std::vector<DeviceInfo> all_devices() {
     std::vector<DeviceInfo> devices;
 #if WEFT_HAS_OPENCL
+    expect_faults_of_opening();
     for (const OpenClDevice& device : opencl_devices()) devices.push_back(device.info);
     for (const DriverTrial& trial : driver_trials())
         if (!trial.failure.empty()) {

@@ -1,7 +1,6 @@
 // Copyright 2026 The Weft Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/boot_id.h"
 #include "tests/testing/expect_line.h"
 #include "tests/testing/program_backends.h"
 #include "tests/testing/run_program.h"
@@ -69,7 +69,8 @@ class ProgramDriversSlow : public ::testing::Test {
         return files;
     }
     static void forget_trials() {
-        for (const fs::path& file : records()) fs::remove(file);
+        std::error_code none;
+        fs::remove_all(cache() / "drivers", none);
     }
     [[nodiscard]] std::string image() const { return folder_.path() / "image.exr"; }
 
@@ -176,7 +177,8 @@ TEST_F(ProgramDriversSlow, FaultsLaterOnEndInOneLine) {
     add_faulty_driver();
     for (const auto& [fault, said] :
          {Fault{"crash-gbuffer", "its driver crashed (segmentation fault)"},
-          {"exit-gbuffer", "its driver ended the program, expected"}}) {
+          {"exit-gbuffer", "its driver ended the program, expected"},
+          {"throw-gbuffer", "its driver ended the program (an exception that it did not catch)"}}) {
         SCOPED_TRACE(fault);
         RunningProgram::Settings with_fault = settings(fault);
         const ProgramResult result =
@@ -284,19 +286,19 @@ TEST_F(ProgramDriversSlow, FoldersOfKilledProgramsAreRemoved) {
     add_pocl();
     const fs::path left = cache() / "compiling-abc123";
     fs::create_directories(left);
-    char host[256] = {};
-    ASSERT_EQ(::gethostname(host, sizeof(host) - 1), 0);
-    std::ofstream(left / "in-use") << host;
+    std::ofstream(left / "in-use") << boot_id();
     ASSERT_EQ(run_program({"devices"}, settings("none")).exit_code, 0);
     EXPECT_FALSE(fs::exists(left));
 }
 
 TEST_F(ProgramDriversSlow, AnotherTimeADriverMayPass) {
     add_pocl();
-    // Where memory is limited, nothing is remembered of a driver that does without.
+    // Where memory is limited, a driver may find no device, which is not remembered.
     RunningProgram::Settings limited = settings("none");
     limited.address_bytes = std::size_t{400} << 20;
-    static_cast<void>(run_program({"devices"}, limited));
+    const ProgramResult tried = run_program({"devices"}, limited);
+    EXPECT_EQ(tried.exit_code, 0) << tried.err;
+    EXPECT_EQ(tried.out.find("pthread"), std::string::npos) << tried.out;
     EXPECT_TRUE(records().empty());
     EXPECT_EQ(render(settings("none"), "pthread").exit_code, 0);
     EXPECT_EQ(records().size(), 1U);
@@ -321,19 +323,39 @@ TEST_F(ProgramDriversSlow, AFaultWhileOpeningAfterTheTrialIsOneLine) {
         const ProgramResult result = render(settings(fault), "pthread");
         EXPECT_EQ(result.exit_code, 3);
         expect_line(result.err, {said, "--backend embree"});
+        // From then on the driver is known for what it is.
+        const ProgramResult again = render(settings(fault));
+        EXPECT_EQ(again.exit_code, 0);
+        expect_line(again.err, {"faulty.icd", "its driver ", "rendering with --backend embree"});
+        EXPECT_EQ(run_program({"devices", "--check"}, settings("none")).exit_code, 0);
         const ProgramResult list = run_program({"devices"}, settings(fault));
         EXPECT_EQ(list.exit_code, 3);
         expect_line(list.err, {said});
+        EXPECT_EQ(run_program({"devices", "--check"}, settings("none")).exit_code, 0);
     }
 }
 
 TEST_F(ProgramDriversSlow, ACrashAtTheVeryEndIsNone) {
     add_faulty_driver();
-    const ProgramResult result = render(settings("crash-unload"), "pthread");
-    EXPECT_EQ(result.exit_code, 0);
-    EXPECT_EQ(result.err, "");
-    EXPECT_TRUE(fs::exists(image()));
-    EXPECT_EQ(render(settings("crash-unload"), "pthread").exit_code, 0);
+    for (const char* const fault : {"crash-unload", "terminate-unload"}) {
+        SCOPED_TRACE(fault);
+        fs::remove(image());
+        const ProgramResult result = render(settings(fault), "pthread");
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_EQ(result.err, "");
+        EXPECT_TRUE(fs::exists(image()));
+        EXPECT_EQ(render(settings(fault), "pthread").exit_code, 0);
+    }
+}
+
+TEST_F(ProgramDriversSlow, DevicesAfterOneThatHangsAreTried) {
+    add_faulty_driver();
+    RunningProgram::Settings given = settings("hang-build");
+    given.environment["WEFT_FAULTY_DEVICE"] = "basic";  // PoCL lists it first
+    EXPECT_EQ(render(given, "pthread").exit_code, 0);
+    const ProgramResult hung = render(given, "basic");
+    EXPECT_EQ(hung.exit_code, 3);
+    expect_line(hung.err, {"basic", "is not usable", "does not answer within 12 s"});
 }
 
 TEST_F(ProgramDriversSlow, EqualDevicesAreToldApart) {

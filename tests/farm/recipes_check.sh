@@ -39,8 +39,8 @@ if [[ $command == merge && -n $missing ]]; then
 fi
 [[ -n $frames ]] || exit "${PART_CODE:-0}"
 for ((i = ${frames%:*}; i < ${frames#*:}; ++i)); do
-    printf 'run %s' "$RUN" >"${output%.*}.$(printf '%04d' "$i").${output##*.}"
     [[ $i != "${INTERRUPT_AT:-}" ]] || exit 130
+    printf 'run %s' "$RUN" >"${output%.*}.$(printf '%04d' "$i").${output##*.}"
 done
 END
 printf '#!/usr/bin/env bash\nprintf "%%s\\n" "$*" >>"$CALLS"\necho 7\n' >"$work/sbatch"
@@ -51,9 +51,11 @@ expect() { [[ $1 == "$2" ]] || fail "expected '$2', got '$1'"; }
 
 # A part is by path unless an algorithm is given.
 mkdir -- "$FOLDER"
-touch "$FOLDER/.part-1.sums.123.tmp.exr" "$FOLDER/.part-1.45.tmp.exr" "$FOLDER/.part-12.45.tmp.exr"
+touch -d '2 hours ago' "$FOLDER/.part-1.sums.123.tmp.exr" "$FOLDER/.part-12.45.tmp.exr"
+touch "$FOLDER/.part-1.45.tmp.exr"
 bash "$root/farm/part.sh" 1 2 8 box.gltf "$FOLDER" --size 8x8 || fail "part.sh fails"
-expect "$(ls -A "$FOLDER")" .part-12.45.tmp.exr # what killed runs of this part have left is gone
+# What a killed run of this part has left is gone.
+expect "$(ls -A "$FOLDER")" $'.part-1.45.tmp.exr\n.part-12.45.tmp.exr'
 [[ $(last_call) == "render box.gltf --algorithm path --size 8x8 --spp 8 --part 1/2 "* ]] ||
     fail "a part is not by path" "$CALLS"
 for given in '--algorithm reference' --algorithm=reference; do
@@ -63,8 +65,7 @@ for given in '--algorithm reference' --algorithm=reference; do
         fail "a part ignores the algorithm" "$CALLS"
 done
 
-# Frames: with a lead-in, which is dropped; interrupted in frame 6, of which nobody knows whether it
-# is whole; and on from there.
+# Frames: with a lead-in, which is dropped; interrupted in frame 6, and on from there.
 frames() { LEAD_IN=2 bash "$root/farm/frames.sh" 4 8 box.gltf "$work/frames"; }
 INTERRUPT_AT=6 frames
 expect $? 130
@@ -72,7 +73,9 @@ expect "$(last_call | grep -o -e '--frames [0-9:]*')" '--frames 2:8'
 expect "$(ls "$work/frames")" $'frame.0004.png\nframe.0005.png'
 RUN=2 frames || fail "frames.sh fails"
 expect "$(last_call | grep -o -e '--frames [0-9:]*')" '--frames 4:8'
-expect "$(cat "$work"/frames/*)" 'run 1run 1run 2run 2' # and nothing is left of the folder of work
+expect "$(ls -A "$work/frames")" \
+    $'frame.0004.png\nframe.0005.png\nframe.0006.png\nframe.0007.png'
+expect "$(cat "$work"/frames/*)" 'run 1run 1run 2run 2'
 calls=$(wc -l <"$CALLS")
 frames || fail "frames.sh fails where all is there"
 expect "$(wc -l <"$CALLS")" "$calls"
@@ -90,6 +93,9 @@ grep -q -e "--array=2 .* --time=9 .*part.sbatch --size 8x8" "$CALLS" ||
     fail "the missing part was not submitted again" "$CALLS"
 grep -q -e '--dependency=afterany:7 .* --time=3 .*merge.sbatch --size 8x8' "$CALLS" ||
     fail "merging was not submitted again" "$CALLS"
+part_of_slurm 127
+expect $? 127
+expect "$(cat "$FOLDER/part-2.failed")" 127
 part_of_slurm 1
 expect $? 1
 calls=$(grep -c array "$CALLS")

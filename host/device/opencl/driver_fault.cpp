@@ -3,6 +3,7 @@
 #include "device/opencl/driver_fault.h"
 
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <link.h>
@@ -18,6 +19,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +63,8 @@ int errors = STDERR_FILENO;
 std::array<struct sigaction, faults.size()> earlier{};
 std::terminate_handler usual_terminate = nullptr;
 
+std::atomic<bool> reports{false};  ///< not where no driver is in use
+
 void write_text(std::string_view text) {
     static_cast<void>(::write(errors, text.data(), text.size()) < 0);
 }
@@ -92,6 +96,11 @@ void write_text(std::string_view text) {
     ::_exit(static_cast<int>(ExitCode::device));
 }
 
+bool is_own_code(std::uintptr_t at) {
+    return at >= reinterpret_cast<std::uintptr_t>(&__executable_start) &&
+           at < reinterpret_cast<std::uintptr_t>(&etext);
+}
+
 /// Whether the fault is at an instruction of this program; not known on every processor.
 bool is_own(const void* context) {
 #if defined(__x86_64__) && defined(__linux__)
@@ -104,8 +113,7 @@ bool is_own(const void* context) {
     static_cast<void>(context);
     const std::uintptr_t at = 0;
 #endif
-    return at >= reinterpret_cast<std::uintptr_t>(&__executable_start) &&
-           at < reinterpret_cast<std::uintptr_t>(&etext);
+    return is_own_code(at);
 }
 
 extern "C" void weft_handle_fault(int signal, siginfo_t* info, void* context) {
@@ -113,7 +121,7 @@ extern "C" void weft_handle_fault(int signal, siginfo_t* info, void* context) {
     while (which + 1 < faults.size() && faults[which].signal != signal) ++which;
     // Signals that another process sends are no faults.
     const bool sent = info->si_code == SI_USER && info->si_pid != ::getpid();
-    if (sent || is_own(context)) {
+    if (sent || !reports || is_own(context)) {
         ::sigaction(signal, &earlier[which], nullptr);
         if (sent) ::raise(signal);
         return;  // the same instruction faults again
@@ -122,7 +130,7 @@ extern "C" void weft_handle_fault(int signal, siginfo_t* info, void* context) {
 }
 
 extern "C" void weft_handle_exit() {
-    if (watches_exits) end_with_report("ended the program", {});
+    if (watches_exits && reports) end_with_report("ended the program", {});
 }
 
 extern "C" void weft_handle_llvm_error(const char* reason) {
@@ -160,8 +168,31 @@ void use_own_stack() {
     ::sigaltstack(&stack, nullptr);
 }
 
-/// An exception that nobody catches is a fault of this program, although it ends in an abort.
-[[noreturn]] void abort_as_ever() {
+/// Whether the code that has called the C++ runtime to end the program is a driver's, and not this
+/// program's.
+bool is_terminated_by_driver() {
+    std::array<void*, 64> frames{};
+    const int count = ::backtrace(frames.data(), static_cast<int>(frames.size()));
+    bool in_runtime = false;
+    for (const void* const frame : std::span(frames).first(static_cast<std::size_t>(count))) {
+        Dl_info library{};
+        const bool known = ::dladdr(frame, &library) != 0;
+        const std::string_view name(known ? library.dli_fname : "");
+        if (name.find("/libstdc++") != std::string_view::npos ||
+            name.find("/libgcc_s") != std::string_view::npos ||
+            name.find("/libc.") != std::string_view::npos)
+            in_runtime = true;
+        else if (in_runtime)  // before it is this handler
+            return !is_own_code(reinterpret_cast<std::uintptr_t>(frame));
+    }
+    return false;
+}
+
+/// What std::terminate does: an exception that nobody catches is a fault of who has thrown it.
+[[noreturn]] void handle_terminate() {
+    if (const int code = exit_code; code >= 0) ::_exit(code);
+    if (reports && is_terminated_by_driver())
+        end_with_report("ended the program", "an exception that it did not catch");
     std::signal(SIGABRT, SIG_DFL);
     if (usual_terminate != nullptr) usual_terminate();
     std::abort();
@@ -176,11 +207,12 @@ void install(const std::string& who, const std::filesystem::path& mark) {
     // Drivers that have been opened since the last call have brought these, and handlers of exits.
     hear_llvm();
     std::atexit(weft_handle_exit);
+    reports = true;
     if (!first) return;
     if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
         errors = copy;
     use_own_stack();
-    usual_terminate = std::set_terminate(abort_as_ever);
+    usual_terminate = std::set_terminate(handle_terminate);
     struct sigaction action {};
     action.sa_sigaction = weft_handle_fault;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
@@ -191,13 +223,17 @@ void install(const std::string& who, const std::filesystem::path& mark) {
 
 }  // namespace
 
-void report_driver_faults() {
-    install("an OpenCL driver", {});
+void report_driver_faults(const std::filesystem::path& mark) {
+    install("an OpenCL driver", mark);
 }
 
 void report_driver_faults(const DeviceInfo& device, const std::filesystem::path& mark) {
     install(fmt::format("OpenCL device {} \"{}\": its driver", device.index, one_line(device.name)),
             mark);
+}
+
+void forget_driver_faults() noexcept {
+    reports = false;
 }
 
 void ignore_driver_faults(ExitCode code) noexcept {

@@ -13,13 +13,16 @@ namespace weft {
 /// From now on a fault outside of this program's own code (a wild pointer, an abort) counts as one
 /// of an OpenCL driver: the program then ends with exit code 3 and one line that says so, in place
 /// of a signal. Faults of the program itself, exceptions that nobody catches among them, end it as
-/// ever. Where the folder that drivers use is full, the line says that instead.
-void report_driver_faults();
+/// ever. The empty file `mark` is left, where that is not empty. Where the folder that drivers use
+/// is full, the line says that instead, and there is no mark.
+void report_driver_faults(const std::filesystem::path& mark);
 
-/// The same, now that a device has been chosen, whose driver the line names; and the empty file
-/// `mark` is left, where that is not empty, unless the folder is full. May be called again, for
-/// another device.
+/// The same, now that a device has been chosen, whose driver the line names. May be called again,
+/// for another device.
 void report_driver_faults(const DeviceInfo& device, const std::filesystem::path& mark);
+
+/// No driver is in use after all: faults end the program as if none had ever been opened.
+void forget_driver_faults() noexcept;
 
 /// The command is done and the program ends with that code, whatever drivers do from now on while
 /// they are unloaded.

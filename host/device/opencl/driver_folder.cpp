@@ -18,8 +18,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/boot_id.h"
 #include "base/cache_folder.h"
-#include "base/host_name.h"
 #include "base/quote.h"
 
 namespace weft {
@@ -39,8 +39,8 @@ constexpr const char* starting_name = "starting";
 constexpr std::uintmax_t least_space = std::uintmax_t{16} << 20;
 /// A younger folder without a lock may be that of a process which has just begun.
 constexpr std::chrono::minutes beginning{10};
-/// Of a folder of another machine, whose locks this one may not see, nobody knows more than its
-/// age.
+/// Of a folder of another machine, whose locks this one may not see, or of this one before it was
+/// started again, nobody knows more than its age.
 constexpr std::chrono::days abandoned{30};
 
 /// A file in the folder for driver_folder_is_full, with a name that signal handlers can read.
@@ -76,22 +76,33 @@ bool has_only_begun(const fs::path& folder) {
 bool is_left_over(const fs::path& folder) {
     const int lock = ::open((folder / lock_name).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (lock < 0) return errno == ENOENT && is_older(folder, beginning) && has_only_begun(folder);
-    std::array<char, 256> host{};
-    const ssize_t size = ::read(lock, host.data(), host.size());
-    const bool is_here = size > 0 && host_name() == std::string_view(host.data(), size);
+    std::array<char, 256> system{};
+    const ssize_t size = ::read(lock, system.data(), system.size());
+    const bool is_here = size > 0 && boot_id() == std::string_view(system.data(), size);
     const bool free =
         is_here ? ::flock(lock, LOCK_EX | LOCK_NB) == 0 : is_older(folder / lock_name, abandoned);
     ::close(lock);
     return free;
 }
 
+/// Removes a folder, its lock last: where something stays, as on file systems that keep what is
+/// open, a later program still knows what it is.
+void remove_folder(const fs::path& folder) {
+    std::error_code error;
+    bool all = true;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (at->path().filename() == lock_name) continue;
+        std::error_code failed;
+        fs::remove_all(at->path(), failed);
+        all = all && !failed;
+    }
+    if (all && !error) fs::remove_all(folder, error);
+}
+
 void remove_left_over(const fs::path& parent, std::string_view prefix) {
     std::error_code error;
     for (fs::directory_iterator at(parent, error), end; !error && at != end; at.increment(error))
-        if (is_own(at->path(), prefix) && is_left_over(at->path())) {
-            std::error_code ignored;
-            fs::remove_all(at->path(), ignored);
-        }
+        if (is_own(at->path(), prefix) && is_left_over(at->path())) remove_folder(at->path());
 }
 
 [[noreturn]] void fail_with_errno() {
@@ -116,8 +127,8 @@ int lock_of(const fs::path& folder) {
         ::open(starting.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (lock < 0) fail_with_errno();
     // Where there are no locks, no machine may think that it knows.
-    const std::string host = ::flock(lock, LOCK_EX | LOCK_NB) == 0 ? host_name() : "-";
-    if (::write(lock, host.data(), host.size()) != static_cast<ssize_t>(host.size()) ||
+    const std::string system = ::flock(lock, LOCK_EX | LOCK_NB) == 0 ? boot_id() : "-";
+    if (::write(lock, system.data(), system.size()) != static_cast<ssize_t>(system.size()) ||
         ::rename(starting.c_str(), (folder / lock_name).c_str()) != 0) {
         const int reason = errno;
         ::close(lock);
@@ -162,9 +173,8 @@ void DriverFolder::make_in(const fs::path& parent, std::string_view prefix) {
 }
 
 DriverFolder::~DriverFolder() {
+    if (!path_.empty() && ::getpid() == owner_) remove_folder(path_);
     if (lock_ >= 0) ::close(lock_);
-    std::error_code ignored;
-    if (!path_.empty() && ::getpid() == owner_) fs::remove_all(path_, ignored);
     probe.clear();
 }
 

@@ -158,7 +158,7 @@ class Attempt {
     void spend(double ms, double seconds) {
         spent_ms_ += ms;
         const double waited = processor_wait_ms(process_) - waited_before_ms_;
-        if (hung_) seconds /= 4.0;
+        if (hung_) seconds *= 0.4;
         if (spent_ms_ < 1000.0 * seconds + std::clamp(waited, 0.0, 2000.0 * seconds)) return;
         stop();
         fail_next(fmt::format("its driver does not answer within {:.0f} s", seconds));

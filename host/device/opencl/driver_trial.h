@@ -33,9 +33,9 @@ struct DriverTrial {
 /// all at once, so that one that crashes, hangs or ends the process is only reported. A driver has
 /// `seconds` until it has listed its devices and tried the first, and again for each that follows;
 /// the time for which it waits for a processor does not count, up to twice as long. After a device
-/// that takes longer, the others have a quarter of it each, and after two no more are tried. Forks,
-/// so it must be called before the process has a thread or has called OpenCL. `cache_folder`: of
-/// list_drivers.
+/// that takes longer, the others have two fifths of it each, and after two no more are tried.
+/// Forks, so it must be called before the process has a thread or has called OpenCL.
+/// `cache_folder`: of list_drivers.
 [[nodiscard]] std::vector<DriverTrial> try_drivers(std::span<const DriverFile> drivers,
                                                    const std::filesystem::path& cache_folder,
                                                    double seconds);

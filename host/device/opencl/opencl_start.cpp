@@ -11,8 +11,6 @@ namespace weft {
 OpenClStart::OpenClStart(TrialUse use, Diagnostics& diagnostics) : folder_(default_cache_folder()) {
     admit_drivers(use);
     server_.emplace();
-    // Opening drivers is what they may crash at, too, although they have passed their trial.
-    report_driver_faults();
     exits_.emplace();
     if (!folder_.trouble().empty())
         diagnostics.warn(default_cache_folder().string(),

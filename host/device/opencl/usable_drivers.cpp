@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -21,10 +20,10 @@
 #include <system_error>
 #include <utility>
 
+#include "base/boot_id.h"
 #include "base/cache_folder.h"
 #include "base/content_digest.h"
 #include "base/file.h"
-#include "base/host_name.h"
 #include "base/json_file.h"
 #include "base/memory_limit.h"
 
@@ -49,6 +48,7 @@ double trial_seconds() {
 constexpr std::string_view trial_version = "2";
 constexpr std::size_t most_record_bytes = std::size_t{1} << 20;
 constexpr std::string_view record_prefix = "trial-";
+constexpr std::string_view mark_prefix = "crashed-";
 constexpr std::chrono::days kept_for{60};
 
 std::vector<DriverTrial>& admitted() {
@@ -83,9 +83,7 @@ std::string state_of(const DriverFile& driver) {
     add_file(digest, driver.file);
     if (driver.library.starts_with('/')) add_file(digest, driver.library);
     add_file(digest, "/etc/ld.so.cache");
-    std::string boot;
-    std::getline(std::ifstream("/proc/sys/kernel/random/boot_id") >> std::ws, boot);
-    digest.add(boot);
+    digest.add(boot_id());
     std::vector<std::string_view> variables;
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
         const std::string_view text(*variable);
@@ -150,13 +148,14 @@ void remember(const DriverTrial& trial, const fs::path& record) {
     }
 }
 
-/// Removes records of states that have long not come back.
+/// Removes what was noted of states that have long not come back.
 void remove_old_records(const fs::path& folder) {
     std::error_code error;
     const auto now = fs::file_time_type::clock::now();
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         std::error_code ignored;
-        if (at->path().filename().string().starts_with(record_prefix) &&
+        const std::string name = at->path().filename().string();
+        if ((name.starts_with(record_prefix) || name.starts_with(mark_prefix)) &&
             now - at->last_write_time(ignored) > kept_for)
             fs::remove(at->path(), ignored);
     }
@@ -186,11 +185,15 @@ void admit_drivers(TrialUse use) {
     const std::vector<DriverFile> drivers = driver_files();
     if (drivers.empty()) return;
     const fs::path folder = record_folder();
+    // One of them has crashed while all were opened, nobody knows which.
+    std::error_code none;
+    const bool crashed = !folder.empty() && fs::remove(opening_mark(), none);
+    const bool all_again = use == TrialUse::fresh || crashed;
     std::vector<std::optional<DriverTrial>> known;
     std::vector<DriverFile> untried;
     for (const DriverFile& driver : drivers) {
-        known.push_back(use == TrialUse::fresh ? std::optional<DriverTrial>()
-                                               : remembered(driver, record_of(driver, folder)));
+        known.push_back(all_again ? std::optional<DriverTrial>()
+                                  : remembered(driver, record_of(driver, folder)));
         if (!known.back()) untried.push_back(driver);
     }
     std::vector<DriverTrial> tried = try_drivers(untried, folder, trial_seconds());
@@ -228,11 +231,19 @@ fs::path crash_mark(const std::string& name, const std::string& driver, std::siz
     const fs::path folder = record_folder();
     if (folder.empty()) return {};
     ContentDigest digest;
-    digest.add(host_name());  // another machine's device may be a sound one
+    digest.add(boot_id());  // another machine's device may be a sound one
     digest.add(name);
     digest.add(driver);
     digest.add_value(before);
-    return folder / ("crashed-" + digest.text());
+    return folder / (std::string(mark_prefix) + digest.text());
+}
+
+fs::path opening_mark() {
+    const fs::path folder = record_folder();
+    if (folder.empty()) return {};
+    ContentDigest digest;
+    digest.add(boot_id());
+    return folder / (std::string(mark_prefix) + "opening-" + digest.text());
 }
 
 std::string refused_drivers() {

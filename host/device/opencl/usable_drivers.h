@@ -36,6 +36,10 @@ void admit_drivers(TrialUse use);
 [[nodiscard]] std::filesystem::path crash_mark(const std::string& name, const std::string& driver,
                                                std::size_t before);
 
+/// Likewise, for a crash while drivers are opened, before a device is chosen: all of them are tried
+/// again then.
+[[nodiscard]] std::filesystem::path opening_mark();
+
 /// What is wrong with drivers that could not be opened, for errors; empty where all could.
 [[nodiscard]] std::string refused_drivers();
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -14,6 +12,7 @@
 
 #include "tests/testing/temporary_folder.h"
 #if WEFT_HAS_OPENCL
+#include "base/boot_id.h"
 #include "device/opencl/driver_folder.h"
 
 namespace weft::driver_folder_test {
@@ -74,11 +73,11 @@ TEST_F(DriverFolder, TellsWhenItsDiskIsFull) {
     EXPECT_EQ(full_driver_folder().find((folder_.path() / "cache").string()), 0U);
 }
 
-/// A folder as one of these, which holds a file of that host where it is given.
-fs::path made_folder(const fs::path& path, const std::string& host, int days = 0) {
+/// A folder as one of these, which holds a file of that system where it is given.
+fs::path made_folder(const fs::path& path, const std::string& system, int days = 0) {
     fs::create_directories(path);
-    if (!host.empty()) {
-        std::ofstream(path / "in-use") << host;
+    if (!system.empty()) {
+        std::ofstream(path / "in-use") << system;
         fs::last_write_time(path / "in-use",
                             fs::file_time_type::clock::now() - std::chrono::days(days));
     }
@@ -89,15 +88,13 @@ fs::path made_folder(const fs::path& path, const std::string& host, int days = 0
 TEST_F(DriverFolder, OthersGoOnlyWhereNobodyUsesThem) {
     const fs::path cache = folder_.path() / "cache";
     const weft::DriverFolder living(cache);
-    std::array<char, 256> host{};
-    ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
-    const fs::path killed = made_folder(cache / "compiling-aB3dEf", host.data());
+    const fs::path killed = made_folder(cache / "compiling-aB3dEf", boot_id());
     const fs::path killed_early = made_folder(cache / "compiling-aB3dEg", "", 1);
     const fs::path beginning = made_folder(cache / "compiling-aB3dEh", "");
-    const fs::path elsewhere = made_folder(cache / "compiling-aB3dEi", "another-host", 20);
-    const fs::path long_ago = made_folder(cache / "compiling-aB3dEj", "another-host", 40);
+    const fs::path elsewhere = made_folder(cache / "compiling-aB3dEi", "another-system", 20);
+    const fs::path long_ago = made_folder(cache / "compiling-aB3dEj", "another-system", 40);
     // What the user keeps, in names that look alike.
-    const fs::path guide = made_folder(cache / "compiling-guide", host.data(), 40);
+    const fs::path guide = made_folder(cache / "compiling-guide", boot_id(), 40);
     const fs::path notes = made_folder(cache / "compiling-notes1", "", 40);
     std::ofstream(notes / "text") << "mine";
     fs::last_write_time(notes, fs::file_time_type::clock::now() - std::chrono::days(40));

@@ -6,11 +6,12 @@
 //
 //     crash-open, hang-open                when the driver is opened
 //     exit-open, quit-open                 likewise, with exit codes 7 and 0
-//     crash-unload                         when the process ends
+//     crash-unload, terminate-unload       when the process ends
 //     crash-build, hang-build              when a program is built
 //     crash-launch, hang-launch            when a kernel is launched
 //     idle-launch                          kernels are never run, and nobody is told
 //     crash-gbuffer, exit-gbuffer          when the kernel gbuffer is launched
+//     throw-gbuffer                        likewise, by an exception in a thread of its own
 //     long-name                            a name of 2^62 bytes
 //     no-units, many-units                 0 or 2^32 - 1 compute units
 //     no-memory                            buffers of at most 0 bytes
@@ -29,8 +30,11 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <fstream>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <type_traits>
 
@@ -74,6 +78,7 @@ bool is_faulty(cl_command_queue queue) {
 struct AtTheEnd {
     ~AtTheEnd() {
         if (fault() == "crash-unload") crash();
+        if (fault() == "terminate-unload") std::terminate();
     }
 } at_the_end;
 
@@ -121,10 +126,12 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
     if (wrong == "hang-launch") hang();
     if (wrong == "idle-launch")
         return behind.clEnqueueMarkerWithWaitList(queue, waits, events, event);
-    if (wrong == "crash-gbuffer" || wrong == "exit-gbuffer") {
+    if (wrong.ends_with("-gbuffer")) {
         char name[64] = {};
         behind.clGetKernelInfo(kernel, CL_KERNEL_FUNCTION_NAME, sizeof(name) - 1, name, nullptr);
         if (std::string(name) == "gbuffer" && wrong == "exit-gbuffer") std::exit(7);
+        if (std::string(name) == "gbuffer" && wrong == "throw-gbuffer")
+            std::thread([] { throw std::runtime_error("nobody catches it"); }).join();
         if (std::string(name) == "gbuffer") crash();
     }
     return behind.clEnqueueNDRangeKernel(queue, kernel, dimensions, offset, global, local, waits,
