@@ -56,14 +56,13 @@ struct FaultReport {
 };
 std::atomic<const FaultReport*> report{nullptr};
 std::atomic<bool> told{false};
+std::atomic<bool> reports{false};  ///< not where no driver is in use
 std::atomic<bool> watches_exits{false};
 std::atomic<int> exit_code{-1};  ///< of the command, once it is done
 /// Standard error as it was at first: it may lead nowhere while a driver compiles.
 int errors = STDERR_FILENO;
 std::array<struct sigaction, faults.size()> earlier{};
 std::terminate_handler usual_terminate = nullptr;
-
-std::atomic<bool> reports{false};  ///< not where no driver is in use
 
 void write_text(std::string_view text) {
     static_cast<void>(::write(errors, text.data(), text.size()) < 0);
@@ -121,7 +120,8 @@ extern "C" void weft_handle_fault(int signal, siginfo_t* info, void* context) {
     while (which + 1 < faults.size() && faults[which].signal != signal) ++which;
     // Signals that another process sends are no faults.
     const bool sent = info->si_code == SI_USER && info->si_pid != ::getpid();
-    if (sent || !reports || is_own(context)) {
+    const bool matters_not = exit_code >= 0;
+    if (sent || is_own(context) || (!reports && !matters_not)) {
         ::sigaction(signal, &earlier[which], nullptr);
         if (sent) ::raise(signal);
         return;  // the same instruction faults again
