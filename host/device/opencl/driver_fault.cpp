@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <exception>
 #include <span>
 #include <string>
@@ -47,8 +48,8 @@ constexpr std::array<Fault, 5> faults{{{SIGSEGV, "segmentation fault"},
                                        {SIGABRT, "abort"}}};
 
 /// What there is to say: the line in two parts, between which stands what the driver did, or
-/// another one where its folder is full; and a file to leave. Never freed: a driver's thread may
-/// fault while the program ends.
+/// another one where its folder is full; and a file to leave. Kept to the very end: a driver's
+/// thread may fault while the program ends.
 struct FaultReport {
     std::string before, after;
     std::string full;
@@ -201,9 +202,10 @@ bool is_terminated_by_driver() {
 /// Has faults end with these words; the first call installs what notices them.
 void install(const std::string& who, const std::filesystem::path& mark) {
     const bool first = report.load() == nullptr;
-    report = new FaultReport{fmt::format("weft: {} ", who),
-                             ", expected one that works (try --backend embree)\n",
-                             "weft: " + full_driver_folder() + "\n", mark.string()};
+    static auto& kept = *new std::deque<FaultReport>;
+    report = &kept.emplace_back(FaultReport{fmt::format("weft: {} ", who),
+                                            ", expected one that works (try --backend embree)\n",
+                                            "weft: " + full_driver_folder() + "\n", mark.string()});
     // Drivers that have been opened since the last call have brought these, and handlers of exits.
     hear_llvm();
     std::atexit(weft_handle_exit);
