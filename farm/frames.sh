@@ -19,7 +19,10 @@ set -u
 }
 first=$1 end=$2 scene=$3 folder=$4
 shift 4
-weft=${WEFT:-$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../weft}
+farm=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+# shellcheck source=farm/run_to_end.sh
+source "$farm/run_to_end.sh"
+weft=${WEFT:-$farm/../weft}
 extension=${EXT:-png}
 lead_in=${LEAD_IN:-40}
 
@@ -31,16 +34,9 @@ while ((first < end)) && [[ -e $folder/$(name "$first") ]]; do ((++first)); done
 work=$(mktemp -d -- "$folder/frames-$first-XXXXXX") || exit 5
 trap 'rm -rf -- "$work"' EXIT
 from=$((first > lead_in ? first - lead_in : 0))
-"$weft" render "$scene" "$@" --frames "$from:$end" --progress none -o "$work/frame.$extension" &
-program=$!
-trap 'kill -TERM "$program"' TERM INT
-# A signal ends the first wait, not the program.
-wait "$program"
+run_to_end "$weft" render "$scene" "$@" --frames "$from:$end" --progress none \
+    -o "$work/frame.$extension"
 code=$?
-while kill -0 "$program" 2>/dev/null; do
-    wait "$program"
-    code=$?
-done
 made=$first
 while ((made < end)) && [[ -e $work/$(name "$made") ]]; do ((++made)); done
 for ((i = first; i < made; ++i)); do

@@ -18,7 +18,10 @@ set -u
 }
 part=$1 parts=$2 spp=$3 scene=$4 folder=$5
 shift 5
-weft=${WEFT:-$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../weft}
+farm=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+# shellcheck source=farm/run_to_end.sh
+source "$farm/run_to_end.sh"
+weft=${WEFT:-$farm/../weft}
 sums=$folder/part-$part.sums.exr
 algorithm=(--algorithm path)
 for option in "$@"; do
@@ -28,16 +31,8 @@ done
 mkdir -p -- "$folder" || exit 5
 # What one has left that was killed while it wrote; a younger one may still be at work elsewhere.
 find "$folder" -maxdepth 1 -name ".part-$part.*.tmp.exr" -mmin +60 -delete
-"$weft" render "$scene" "${algorithm[@]}" "$@" --spp "$spp" --part "$part/$parts" \
-    --keep-complete --resume "$sums" --progress none -o "$folder/part-$part.exr" &
-program=$!
-trap 'kill -TERM "$program"' TERM INT
-# A signal ends the first wait, not the program.
-wait "$program"
+run_to_end "$weft" render "$scene" "${algorithm[@]}" "$@" --spp "$spp" --part "$part/$parts" \
+    --keep-complete --resume "$sums" --progress none -o "$folder/part-$part.exr"
 code=$?
-while kill -0 "$program" 2>/dev/null; do
-    wait "$program"
-    code=$?
-done
 ((code == 0)) && rm -f -- "$sums"
 exit "$code"

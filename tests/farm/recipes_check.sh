@@ -37,6 +37,11 @@ if [[ $command == merge && -n $missing ]]; then
     echo
     exit 0
 fi
+if [[ -n ${WAITS:-} ]]; then
+    trap 'exit 130' TERM
+    touch "$WAITS"
+    for ((i = 0; i < 200; ++i)); do sleep 0.1; done
+fi
 [[ -n $frames ]] || exit "${PART_CODE:-0}"
 for ((i = ${frames%:*}; i < ${frames#*:}; ++i)); do
     [[ $i != "${INTERRUPT_AT:-}" ]] || exit 130
@@ -64,6 +69,17 @@ for given in '--algorithm reference' --algorithm=reference; do
     [[ $(last_call) == "render box.gltf $given --spp 8 "* ]] ||
         fail "a part ignores the algorithm" "$CALLS"
 done
+
+# SIGTERM reaches the program, whose exit code is the part's.
+WAITS=$work/waits bash "$root/farm/part.sh" 1 2 8 box.gltf "$FOLDER" &
+part=$!
+for ((i = 0; i < 200; ++i)); do
+    [[ -e $work/waits ]] && break
+    sleep 0.1
+done
+kill -TERM "$part"
+wait "$part"
+expect $? 130
 
 # Frames: with a lead-in, which is dropped; interrupted in frame 6, and on from there.
 frames() { LEAD_IN=2 bash "$root/farm/frames.sh" 4 8 box.gltf "$work/frames"; }
