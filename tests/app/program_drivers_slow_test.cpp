@@ -177,6 +177,7 @@ TEST_F(ProgramDriversSlow, FaultsLaterOnEndInOneLine) {
     add_faulty_driver();
     for (const auto& [fault, said] :
          {Fault{"crash-gbuffer", "its driver crashed (segmentation fault)"},
+          {"abort-gbuffer", "its driver crashed (abort)"},
           {"exit-gbuffer", "its driver ended the program, expected"},
           {"throw-gbuffer", "its driver ended the program (an exception that it did not catch)"}}) {
         SCOPED_TRACE(fault);

@@ -146,7 +146,8 @@ extern "C" int weft_add_llvm_library(dl_phdr_info* library, std::size_t, void* l
 }
 
 /// Has the LLVM libraries of drivers tell their errors here: they would print lines of their own
-/// before they exit.
+/// before they exit. And has them handle faults from now on, so that they do not take that over
+/// later, when they first compile: their handler of aborts lets the process die.
 void hear_llvm() {
     using Handler = void (*)(const char*);
     std::vector<std::string> files;
@@ -156,6 +157,8 @@ void hear_llvm() {
         if (library == nullptr) continue;
         if (void* const install = ::dlsym(library, "LLVMInstallFatalErrorHandler"))
             reinterpret_cast<void (*)(Handler)>(install)(weft_handle_llvm_error);
+        if (void* const take_faults = ::dlsym(library, "LLVMEnablePrettyStackTrace"))
+            reinterpret_cast<void (*)()>(take_faults)();
         ::dlclose(library);
     }
 }
@@ -199,6 +202,17 @@ bool is_terminated_by_driver() {
     std::abort();
 }
 
+/// Has faults come to this program's handler first; those that it does not tell go to the handlers
+/// that there were before the first call.
+void take_faults(bool first) {
+    struct sigaction action {};
+    action.sa_sigaction = weft_handle_fault;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    ::sigemptyset(&action.sa_mask);
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        ::sigaction(faults[i].signal, &action, first ? &earlier[i] : nullptr);
+}
+
 /// Has faults end with these words; the first call installs what notices them.
 void install(const std::string& who, const std::filesystem::path& mark) {
     const bool first = report.load() == nullptr;
@@ -206,21 +220,17 @@ void install(const std::string& who, const std::filesystem::path& mark) {
     report = &kept.emplace_back(FaultReport{fmt::format("weft: {} ", who),
                                             ", expected one that works (try --backend embree)\n",
                                             "weft: " + full_driver_folder() + "\n", mark.string()});
-    // Drivers that have been opened since the last call have brought these, and handlers of exits.
+    if (first) {
+        if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
+            errors = copy;
+        use_own_stack();
+        usual_terminate = std::set_terminate(handle_terminate);
+    }
+    // Drivers that have been opened since the last call have brought handlers of their own.
     hear_llvm();
+    take_faults(first);
     std::atexit(weft_handle_exit);
     reports = true;
-    if (!first) return;
-    if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
-        errors = copy;
-    use_own_stack();
-    usual_terminate = std::set_terminate(handle_terminate);
-    struct sigaction action {};
-    action.sa_sigaction = weft_handle_fault;
-    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-    ::sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < faults.size(); ++i)
-        ::sigaction(faults[i].signal, &action, &earlier[i]);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 //     crash-launch, hang-launch            when a kernel is launched
 //     idle-launch                          kernels are never run, and nobody is told
 //     crash-gbuffer, exit-gbuffer          when the kernel gbuffer is launched
+//     abort-gbuffer                        likewise, after PoCL's compiler has been at work
 //     throw-gbuffer                        likewise, by an exception in a thread of its own
 //     long-name                            a name of 2^62 bytes
 //     no-units, many-units                 0 or 2^32 - 1 compute units
@@ -132,6 +133,7 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
         if (std::string(name) == "gbuffer" && wrong == "exit-gbuffer") std::exit(7);
         if (std::string(name) == "gbuffer" && wrong == "throw-gbuffer")
             std::thread([] { throw std::runtime_error("nobody catches it"); }).join();
+        if (std::string(name) == "gbuffer" && wrong == "abort-gbuffer") std::abort();
         if (std::string(name) == "gbuffer") crash();
     }
     return behind.clEnqueueNDRangeKernel(queue, kernel, dimensions, offset, global, local, waits,
