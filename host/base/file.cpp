@@ -189,29 +189,54 @@ class TemporaryGuard {
     fs::path path_;
 };
 
+/// A file to read from its beginning.
+class InputFile {
+  public:
+    /// Errors name `place`, or the path where that is empty.
+    InputFile(const fs::path& path, const std::string& place)
+        : where_(place.empty() ? path.string() : place),
+          subject_(place.empty() ? "" : "file " + quote(path.string()) + " "),
+          // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+          file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        if (!file_.valid()) throw error("cannot be opened: " + reason(errno));
+        struct stat status {};
+        if (::fstat(file_.get(), &status) != 0 || !S_ISREG(status.st_mode))
+            throw error("is not a regular file");
+        size_ = static_cast<std::size_t>(status.st_size);
+    }
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+    /// The first `count` bytes; fewer where the file has become shorter.
+    [[nodiscard]] std::vector<std::byte> read(std::size_t count) const {
+        std::vector<std::byte> bytes(count);
+        const ssize_t got = read_fully(file_.get(), bytes.data(), count);
+        if (got < 0) throw error("cannot be read: " + reason(errno));
+        bytes.resize(static_cast<std::size_t>(got));
+        return bytes;
+    }
+    [[nodiscard]] Error error(const std::string& what) const {
+        return input_error(where_, subject_ + what);
+    }
+
+  private:
+    std::string where_, subject_;
+    Descriptor file_;
+    std::size_t size_ = 0;
+};
+
 }  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::size_t max_bytes,
                                  const std::string& place) {
-    const std::string where = place.empty() ? path.string() : place;
-    const std::string subject = place.empty() ? "" : "file " + quote(path.string()) + " ";
-    // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (!file.valid()) throw input_error(where, subject + "cannot be opened: " + reason(errno));
-    struct stat status {};
-    if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode))
-        throw input_error(where, subject + "is not a regular file");
-    const auto too_long = [&] {
-        return input_error(
-            where, subject + "is longer than the limit of " + std::to_string(max_bytes) + " bytes");
-    };
-    const auto size = static_cast<std::size_t>(status.st_size);
-    if (size > max_bytes) throw too_long();
-    std::vector<std::byte> bytes(size);
-    const ssize_t got = read_fully(file.get(), bytes.data(), size);
-    if (got < 0) throw input_error(where, subject + "cannot be read: " + reason(errno));
-    bytes.resize(static_cast<std::size_t>(got));
-    return bytes;
+    const InputFile file(path, place);
+    if (file.size() > max_bytes)
+        throw file.error("is longer than the limit of " + std::to_string(max_bytes) + " bytes");
+    return file.read(file.size());
+}
+
+std::vector<std::byte> read_file_head(const fs::path& path, std::size_t most_bytes) {
+    const InputFile file(path, {});
+    return file.read(std::min(file.size(), most_bytes));
 }
 
 fs::path resolve_reference(const fs::path& scene_file, const std::string& reference,

@@ -19,6 +19,10 @@ namespace weft {
                                                std::size_t max_bytes,
                                                const std::string& place = {});
 
+/// The first bytes of a file, at most `most_bytes`: enough to tell what it is. Throws as read_file.
+[[nodiscard]] std::vector<std::byte> read_file_head(const std::filesystem::path& path,
+                                                    std::size_t most_bytes);
+
 /// Resolves a relative reference inside a scene file against the folder of that file. Refuses
 /// absolute paths, URI schemes, `..` components and NUL bytes with an Error (exit code 2).
 /// Percent-escapes are decoded first when `percent_encoded`.

@@ -194,19 +194,6 @@ class WrittenPlanes {
     Imf::FrameBuffer frame_;
 };
 
-std::vector<std::byte> read_head(const fs::path& path, const std::string& place) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error))
-        throw input_error(place, "cannot be opened: it is missing or not a regular file");
-    std::ifstream file(path, std::ios::binary);
-    std::vector<std::byte> bytes(
-        std::min<std::uintmax_t>(limits::max_exr_header_bytes, fs::file_size(path)));
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!file && !file.eof()) throw input_error(place, "cannot be read");
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    return bytes;
-}
-
 /// The layer name and channel letter of a channel's full name.
 std::pair<std::string, char> split_name(const std::string& name) {
     const std::size_t dot = name.rfind('.');
@@ -314,7 +301,7 @@ void write_exr(const fs::path& path, const Image& image, WriteMode mode) {
 
 Image read_exr(const fs::path& path) {
     const std::string place = path.string();
-    check_exr_header(read_head(path, place), place);
+    check_exr_header(read_file_head(path, limits::max_exr_header_bytes), place);
     try {
         Imf::InputFile file(path.c_str());
         if (!file.isComplete()) throw input_error(place, "is cut off, expected all scan lines");

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/load_image.h"
 
-#include <array>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -29,14 +28,8 @@ constexpr const char* display_key = "weft:display-referred";
 
 /// The first bytes of a file, as many as identify its format.
 std::string head_of(const fs::path& path) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error))
-        throw input_error(path.string(), "cannot be opened: it is missing or not a regular file");
-    std::ifstream file(path, std::ios::binary);
-    std::array<char, png_mark.size()> head{};
-    file.read(head.data(), head.size());
-    if (!file && !file.eof()) throw input_error(path.string(), "cannot be read");
-    return {head.data(), static_cast<std::size_t>(file.gcount())};
+    const std::vector<std::byte> bytes = read_file_head(path, png_mark.size());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 }  // namespace

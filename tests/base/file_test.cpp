@@ -74,6 +74,21 @@ TEST(FileRead, RefusesFoldersAndPipesWithoutWaiting) {
               pipe.string() + ": is not a regular file");
 }
 
+TEST(FileRead, GivesTheFirstBytes) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.bin", "abcd");
+    const auto head = [&](std::size_t most_bytes) {
+        const std::vector<std::byte> bytes = read_file_head(path, most_bytes);
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    };
+    EXPECT_EQ(head(3), "abc");
+    EXPECT_EQ(head(4), "abcd");
+    EXPECT_EQ(head(1000), "abcd");
+    const std::string long_name = (folder.path() / std::string(300, 'a')).string();
+    EXPECT_EQ(std::string(error_of([&] { (void)read_file_head(long_name, 4); }).what()),
+              long_name + ": cannot be opened: File name too long");
+}
+
 TEST(FileReference, ResolvesAgainstTheFolderOfTheScene) {
     EXPECT_EQ(resolve_reference("dir/scene.gltf", "sub/a.bin", "p", true), "dir/sub/a.bin");
     EXPECT_EQ(resolve_reference("scene.gltf", "a%20b.bin", "p", true), "a b.bin");
