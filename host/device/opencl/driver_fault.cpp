@@ -138,17 +138,20 @@ extern "C" void weft_handle_llvm_error(const char* reason) {
     end_with_report("ended the program", one_line(reason));
 }
 
+constexpr const char* llvm_library = "/libLLVM";  ///< what paths of its files contain
+
 /// Adds the file of a loaded library to the list, where it is of LLVM.
 extern "C" int weft_add_llvm_library(dl_phdr_info* library, std::size_t, void* list) {
-    if (std::strstr(library->dlpi_name, "/libLLVM") != nullptr)
+    if (std::strstr(library->dlpi_name, llvm_library) != nullptr)
         static_cast<std::vector<std::string>*>(list)->emplace_back(library->dlpi_name);
     return 0;
 }
 
 /// Has the LLVM libraries of drivers tell their errors here: they would print lines of their own
-/// before they exit. And has them handle faults from now on, so that they do not take that over
-/// later, when they first compile: their handler of aborts lets the process die.
-void hear_llvm() {
+/// before they exit. And has them install their handlers of signals, which they do but once, so
+/// that they can be replaced: LLVM would do that when it first compiles, and its handler of aborts
+/// lets the process die.
+void prepare_llvm() {
     using Handler = void (*)(const char*);
     std::vector<std::string> files;
     ::dl_iterate_phdr(weft_add_llvm_library, &files);
@@ -157,10 +160,19 @@ void hear_llvm() {
         if (library == nullptr) continue;
         if (void* const install = ::dlsym(library, "LLVMInstallFatalErrorHandler"))
             reinterpret_cast<void (*)(Handler)>(install)(weft_handle_llvm_error);
-        if (void* const take_faults = ::dlsym(library, "LLVMEnablePrettyStackTrace"))
-            reinterpret_cast<void (*)()>(take_faults)();
+        if (void* const handle_signals = ::dlsym(library, "LLVMEnablePrettyStackTrace"))
+            reinterpret_cast<void (*)()>(handle_signals)();
         ::dlclose(library);
     }
+}
+
+/// Whether the handler of a signal is LLVM's.
+bool is_of_llvm(int signal) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0) return false;
+    Dl_info library{};
+    return ::dladdr(reinterpret_cast<const void*>(action.sa_handler), &library) != 0 &&
+           std::strstr(library.dli_fname, llvm_library) != nullptr;
 }
 
 /// Memory for handlers of the calling thread, so that one that has run out of stack can run them.
@@ -202,17 +214,6 @@ bool is_terminated_by_driver() {
     std::abort();
 }
 
-/// Has faults come to this program's handler first; those that it does not tell go to the handlers
-/// that there were before the first call.
-void take_faults(bool first) {
-    struct sigaction action {};
-    action.sa_sigaction = weft_handle_fault;
-    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-    ::sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < faults.size(); ++i)
-        ::sigaction(faults[i].signal, &action, first ? &earlier[i] : nullptr);
-}
-
 /// Has faults end with these words; the first call installs what notices them.
 void install(const std::string& who, const std::filesystem::path& mark) {
     const bool first = report.load() == nullptr;
@@ -220,17 +221,19 @@ void install(const std::string& who, const std::filesystem::path& mark) {
     report = &kept.emplace_back(FaultReport{fmt::format("weft: {} ", who),
                                             ", expected one that works (try --backend embree)\n",
                                             "weft: " + full_driver_folder() + "\n", mark.string()});
-    if (first) {
-        if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
-            errors = copy;
-        use_own_stack();
-        usual_terminate = std::set_terminate(handle_terminate);
-    }
-    // Drivers that have been opened since the last call have brought handlers of their own.
-    hear_llvm();
-    take_faults(first);
-    std::atexit(weft_handle_exit);
+    std::atexit(weft_handle_exit);  // again, before the handlers of drivers opened since
     reports = true;
+    if (!first) return;
+    if (const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); copy >= 0)
+        errors = copy;
+    use_own_stack();
+    usual_terminate = std::set_terminate(handle_terminate);
+    struct sigaction action {};
+    action.sa_sigaction = weft_handle_fault;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    ::sigemptyset(&action.sa_mask);
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        ::sigaction(faults[i].signal, &action, &earlier[i]);
 }
 
 }  // namespace
@@ -250,6 +253,18 @@ void forget_driver_faults() noexcept {
 
 void ignore_driver_faults(ExitCode code) noexcept {
     exit_code = static_cast<int>(code);
+}
+
+DriverOpening::DriverOpening() noexcept {
+    for (int signal = 1; signal < NSIG; ++signal)
+        ::sigaction(signal, nullptr, &before_[static_cast<std::size_t>(signal)]);
+}
+
+DriverOpening::~DriverOpening() {
+    if (report.load() != nullptr) prepare_llvm();
+    for (int signal = 1; signal < NSIG; ++signal)
+        if (is_of_llvm(signal))
+            ::sigaction(signal, &before_[static_cast<std::size_t>(signal)], nullptr);
 }
 
 ExitWatch::ExitWatch() noexcept {

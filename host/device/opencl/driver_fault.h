@@ -3,6 +3,9 @@
 #ifndef WEFT_DEVICE_OPENCL_DRIVER_FAULT_H
 #define WEFT_DEVICE_OPENCL_DRIVER_FAULT_H
 
+#include <signal.h>
+
+#include <array>
 #include <filesystem>
 
 #include "base/error.h"
@@ -27,6 +30,20 @@ void forget_driver_faults() noexcept;
 /// The command is done and the program ends with that code, whatever drivers do from now on while
 /// they are unloaded.
 void ignore_driver_faults(ExitCode code) noexcept;
+
+/// While one lives, drivers are opened. At its end, handlers of signals that LLVM libraries of
+/// theirs have installed give way to those that were there before, for good. Drivers keep handlers
+/// of their own: PoCL needs one where kernels divide by zero.
+class DriverOpening {
+  public:
+    DriverOpening() noexcept;
+    ~DriverOpening();
+    DriverOpening(const DriverOpening&) = delete;
+    DriverOpening& operator=(const DriverOpening&) = delete;
+
+  private:
+    std::array<struct sigaction, NSIG> before_{};  ///< by signal
+};
 
 /// While one lives, an exit of the process is a fault of the driver as well: compilers of drivers
 /// exit when they fail, and nothing else of the program does.

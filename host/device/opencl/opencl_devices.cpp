@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "base/memory_limit.h"
 #include "base/quote.h"
+#include "device/opencl/driver_fault.h"
 #include "device/opencl/usable_drivers.h"
 
 namespace weft {
@@ -150,6 +151,7 @@ std::vector<OpenClDevice> opencl_devices() {
     bind_driver_threads();
     compile_once();
     const bool as_gpu = simulates_gpu();
+    const DriverOpening opening;
     std::vector<OpenClDevice> found;
     std::vector<cl::Platform> platforms;
     try {

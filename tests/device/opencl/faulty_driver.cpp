@@ -11,7 +11,7 @@
 //     crash-launch, hang-launch            when a kernel is launched
 //     idle-launch                          kernels are never run, and nobody is told
 //     crash-gbuffer, exit-gbuffer          when the kernel gbuffer is launched
-//     abort-gbuffer                        likewise, after PoCL's compiler has been at work
+//     abort-gbuffer                        likewise, if SIGXFSZ is still ignored
 //     throw-gbuffer                        likewise, by an exception in a thread of its own
 //     long-name                            a name of 2^62 bytes
 //     no-units, many-units                 0 or 2^32 - 1 compute units
@@ -52,6 +52,14 @@ std::string fault() {
 [[noreturn]] void crash() {
     volatile std::uintptr_t nowhere = 8;
     *reinterpret_cast<volatile int*>(nowhere) = 1;
+    std::abort();
+}
+
+/// Exits where a signal that the program ignores has found another handler.
+[[noreturn]] void abort_if_ignored(int signal) {
+    struct sigaction now {};
+    ::sigaction(signal, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) ::_exit(9);
     std::abort();
 }
 
@@ -133,7 +141,7 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
         if (std::string(name) == "gbuffer" && wrong == "exit-gbuffer") std::exit(7);
         if (std::string(name) == "gbuffer" && wrong == "throw-gbuffer")
             std::thread([] { throw std::runtime_error("nobody catches it"); }).join();
-        if (std::string(name) == "gbuffer" && wrong == "abort-gbuffer") std::abort();
+        if (std::string(name) == "gbuffer" && wrong == "abort-gbuffer") abort_if_ignored(SIGXFSZ);
         if (std::string(name) == "gbuffer") crash();
     }
     return behind.clEnqueueNDRangeKernel(queue, kernel, dimensions, offset, global, local, waits,
