@@ -344,12 +344,16 @@ std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const 
     return parts;
 }
 
-/// The records of all materials, and the textures that they name.
+/// The records of all materials, and the textures that they name. What no instance shows is as good
+/// as diffuse, or kernels would follow, and tables be made for, what the scene does not hold.
 std::vector<shared::SurfaceRecord> plain_records(const Scene& scene,
                                                  std::vector<shared::SurfaceMap>& maps) {
+    std::vector<bool> shown(scene.materials.size());
+    for (const Instance& instance : scene.instances) shown[instance.material] = true;
     std::vector<shared::SurfaceRecord> records;
-    for (const Material& material : scene.materials) {
-        if (scatters_by_record(material)) {
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Material& material = scene.materials[i];
+        if (shown[i] && scatters_by_record(material)) {
             records.push_back(RecordBuilder(maps).build(*material.description));
             records.back().flags |= followed_parts(*material.description, scene.textures);
             continue;

@@ -64,6 +64,28 @@ TEST(FlatSurfaces, FollowEditsAsIfFlattenedAnew) {
     }
 }
 
+TEST(FlatSurfaces, WhatNoInstanceShowsCostsNothing) {
+    Scene scene = surfaces();
+    const auto shown_by = [&](std::uint32_t material) {
+        for (Instance& instance : scene.instances) instance.material = material;
+        return flatten(scene).surfaces;
+    };
+    const std::uint32_t metal = scene.instances[0].material;
+    const std::uint32_t glass = scene.instances[1].material;
+    const FlatSurfaces with_glass = shown_by(glass);
+    EXPECT_TRUE(with_glass.rough_glass);
+    EXPECT_EQ(with_glass.tables.glass.size(), 1U);
+    EXPECT_NE(with_glass.records[glass].table, INVALID_INDEX);
+    const FlatSurfaces without = shown_by(metal);
+    EXPECT_TRUE(without.glossy);
+    EXPECT_FALSE(without.rough_glass);
+    EXPECT_FALSE(without.lets_through);
+    EXPECT_TRUE(without.tables.glass.empty());
+    EXPECT_TRUE(without.tables.plastic.empty());
+    EXPECT_TRUE(without.values.empty());
+    EXPECT_EQ(without.records.size(), scene.materials.size());
+}
+
 TEST(FlatSurfaces, FollowRoughnessThatBecomesTheSameInBothDirections) {
     const auto brushed = [] {
         // Both directions have one texture, which is named once where their factors agree.

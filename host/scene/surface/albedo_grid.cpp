@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/surface/albedo_grid.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -28,10 +30,14 @@ CellPlace place_in_cell(double column, double row, int nodes) {
 
 }  // namespace
 
-AlbedoGrid::AlbedoGrid(int nodes, const Albedo& albedo) : nodes_(nodes) {
-    for (int row = 0; row < nodes; ++row)
-        for (int column = 0; column < nodes; ++column)
-            values_.push_back(albedo(cosine_of(column), alpha_of(row)));
+AlbedoGrid::AlbedoGrid(int nodes, const Albedo& albedo)
+    : nodes_(nodes), values_(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes)) {
+    tbb::parallel_for(std::size_t{0}, values_.size(), [&](std::size_t i) {
+        const std::size_t row = i / static_cast<std::size_t>(nodes);
+        const std::size_t column = i % static_cast<std::size_t>(nodes);
+        values_[i] =
+            albedo(cosine_of(static_cast<double>(column)), alpha_of(static_cast<double>(row)));
+    });
 }
 
 double AlbedoGrid::alpha_of(double row) const {
@@ -51,14 +57,14 @@ void AlbedoGrid::raise(const Albedo& albedo, int checks) {
         CellPlace place;
         double value;
     };
-    std::vector<Check> all;
-    for (int r = 0; r < (nodes_ - 1) * checks; ++r)
-        for (int c = 0; c < (nodes_ - 1) * checks; ++c) {
-            const double row = (r + 0.5) / checks;
-            const double column = (c + 0.5) / checks;
-            all.push_back({place_in_cell(column, row, nodes_),
-                           std::min(1.0, albedo(cosine_of(column), alpha_of(row)))});
-        }
+    const auto side = static_cast<std::size_t>((nodes_ - 1) * checks);
+    std::vector<Check> all(side * side);
+    tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+        const double row = (static_cast<double>(i / side) + 0.5) / checks;
+        const double column = (static_cast<double>(i % side) + 0.5) / checks;
+        all[i] = {place_in_cell(column, row, nodes_),
+                  std::min(1.0, albedo(cosine_of(column), alpha_of(row)))};
+    });
     const std::size_t steps[4] = {0, 1, static_cast<std::size_t>(nodes_),
                                   static_cast<std::size_t>(nodes_) + 1};
     // Each step is the least change that lifts a place (Kaczmarz); places whose nodes are all 1

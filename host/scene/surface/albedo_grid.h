@@ -14,7 +14,8 @@ namespace weft {
 /// table_albedo (kernels/bsdf/albedo_tables.h).
 class AlbedoGrid {
   public:
-    /// Computes the albedo of (cosine, alpha); not negative, and at most 1.
+    /// Computes the albedo of (cosine, alpha); not negative, and at most 1. Several threads call
+    /// it.
     using Albedo = std::function<double(double cosine, double alpha)>;
 
     /// The values of the function at nodes x nodes places, none of which has a cosine of 0.
