@@ -20,6 +20,7 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -261,7 +262,11 @@ DriverOpening::DriverOpening() noexcept {
 }
 
 DriverOpening::~DriverOpening() {
-    if (report.load() != nullptr) prepare_llvm();
+    try {
+        if (report.load() != nullptr) prepare_llvm();
+    } catch (const std::bad_alloc&) {
+        // Then LLVM says in its own words what is wrong.
+    }
     for (int signal = 1; signal < NSIG; ++signal)
         if (is_of_llvm(signal))
             ::sigaction(signal, &before_[static_cast<std::size_t>(signal)], nullptr);
