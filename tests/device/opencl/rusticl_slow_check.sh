@@ -4,7 +4,7 @@
 #
 # Mesa's rusticl on the processor either makes the images of the native build, or is known not to
 # work: then it costs one line, and all else renders as without it. It compiles a kernel anew at every
-# launch, so that the self-test would take hours. Exit code 0: passed, 1: failed, 77: skipped: there
+# launch, so that the self-test would take an hour. Exit code 0: passed, 1: failed, 77: skipped: there
 # is no rusticl.
 # shellcheck source=tests/testing/other_driver.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../../testing/other_driver.sh"
