@@ -27,7 +27,7 @@ struct AlbedoTables {
 /// What kernels read of materials with more than Lambert's lobe (kernels/bsdf/surface_maps.h).
 /// Empty in scenes without one.
 struct FlatSurfaces {
-    std::vector<shared::SurfaceRecord> records;  ///< by material
+    std::vector<shared::SurfaceRecord> records;  ///< by material; diffuse where not shown
     std::vector<shared::SurfaceRecord> plain;    ///< the same without what tables add to them
     std::vector<shared::SurfaceMap> maps;
     std::vector<float> coordinates;  ///< 2 a vertex, one set of a mesh after the other

@@ -55,7 +55,8 @@ std::string fault() {
     std::abort();
 }
 
-/// Exits where a signal that the program ignores has found another handler.
+/// Aborts, but exits where a signal that the program ignores has found another handler: compilers
+/// of drivers install some.
 [[noreturn]] void abort_if_ignored(int signal) {
     struct sigaction now {};
     ::sigaction(signal, nullptr, &now);
@@ -70,6 +71,12 @@ std::string fault() {
 std::string name_of(cl_device_id device) {
     char name[256] = {};
     behind.clGetDeviceInfo(device, CL_DEVICE_NAME, sizeof(name) - 1, name, nullptr);
+    return name;
+}
+
+std::string name_of(cl_kernel kernel) {
+    char name[64] = {};
+    behind.clGetKernelInfo(kernel, CL_KERNEL_FUNCTION_NAME, sizeof(name) - 1, name, nullptr);
     return name;
 }
 
@@ -135,14 +142,12 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
     if (wrong == "hang-launch") hang();
     if (wrong == "idle-launch")
         return behind.clEnqueueMarkerWithWaitList(queue, waits, events, event);
-    if (wrong.ends_with("-gbuffer")) {
-        char name[64] = {};
-        behind.clGetKernelInfo(kernel, CL_KERNEL_FUNCTION_NAME, sizeof(name) - 1, name, nullptr);
-        if (std::string(name) == "gbuffer" && wrong == "exit-gbuffer") std::exit(7);
-        if (std::string(name) == "gbuffer" && wrong == "throw-gbuffer")
+    if (wrong.ends_with("-gbuffer") && name_of(kernel) == "gbuffer") {
+        if (wrong == "exit-gbuffer") std::exit(7);
+        if (wrong == "throw-gbuffer")
             std::thread([] { throw std::runtime_error("nobody catches it"); }).join();
-        if (std::string(name) == "gbuffer" && wrong == "abort-gbuffer") abort_if_ignored(SIGXFSZ);
-        if (std::string(name) == "gbuffer") crash();
+        if (wrong == "abort-gbuffer") abort_if_ignored(SIGXFSZ);
+        crash();
     }
     return behind.clEnqueueNDRangeKernel(queue, kernel, dimensions, offset, global, local, waits,
                                          events, event);
