@@ -140,13 +140,28 @@ def check_comparison(driver):
         raise SystemExit("there is no border between both pictures")
 
 
+def check_order(driver):
+    """Refuses requests that overtake the settings chosen just before them."""
+    sent = driver.execute_script("""
+        const kinds = [];
+        const send = WebSocket.prototype.send;
+        WebSocket.prototype.send = function (text) {
+            kinds.push(Object.keys(JSON.parse(text))[0]);
+            send.call(this, text);
+        };
+        for (const name of ['compare', 'measure']) document.getElementById(name).click();
+        WebSocket.prototype.send = send;
+        return kinds.join(' ')""")
+    if sent != "set measure":
+        raise SystemExit(f"the page sent: {sent}, expected: set measure")
+
+
 def check_judging(driver):
     press(driver, "trust")
     wait(driver, "window.weftView.trust && window.weftView.trust.panes.length === 2",
          "a judgement of both pictures")
     press(driver, "trust")
-    press(driver, "compare")
-    press(driver, "measure")
+    check_order(driver)
     wait(driver, "window.weftView.front && window.weftView.front.running === false && "
                  "window.weftView.front.points.length >= 3", "what settings cost")
     if driver.execute_script("return document.querySelectorAll('#front circle').length") < 3:

@@ -448,9 +448,7 @@ function tick(now) {
         keys.time = now;
     }
     playTimeline(now);
-    sendSettings();
-    sendEdits();
-    sendCamera();
+    sendChanges();
     if (keys.held.size > 0 || timeline.playing) requestTick();
 }
 
@@ -520,6 +518,19 @@ function sendSettings() {
     if ('frame' in session.pending) message.moving = timeline.moving;
     send(session.socket, message);
     session.pending = {};
+}
+
+/** Sends the changes that wait for the next animation frame. */
+function sendChanges() {
+    sendSettings();
+    sendEdits();
+    sendCamera();
+}
+
+/** Sends a request at once, after the changes that were made before it. */
+function request(message) {
+    sendChanges();
+    send(session.socket, message);
 }
 
 /** Changes settings; the next animation frame sends them. */
@@ -644,7 +655,7 @@ function click(event) {
     const pixel = pixelAt(event);
     if (!pixel) return;
     if (isSecond) session.centreOn = pixel;
-    send(session.socket, { pick: pixel });
+    request({ pick: pixel });
 }
 
 function isSecondClick(event) {
@@ -943,7 +954,7 @@ function togglePause() {
 /** Asks the server to save the picture as a file of `kind`. */
 function save(kind) {
     if (!session.camera) return;
-    if (session.hello.folder) send(session.socket, { save: kind });
+    if (session.hello.folder) request({ save: kind });
     else showMessage(byId('save-hint').textContent, 'notice');
 }
 

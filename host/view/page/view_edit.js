@@ -75,7 +75,7 @@ function sendEdits() {
 function undo(what) {
     if (!session.camera || !report.scene?.edits.length) return;
     endEdit();
-    sendEdits();
+    sendChanges();
     send(session.socket, { undo: what, state: nextState() });
 }
 

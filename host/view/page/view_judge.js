@@ -175,12 +175,12 @@ function showTrust(trust) {
 
 function measure() {
     if (!session.camera) return;
-    send(session.socket, { measure: !report.front?.running });
+    request({ measure: !report.front?.running });
 }
 
 function adopt(index) {
     forgetJudgement();
-    send(session.socket, { adopt: index });
+    request({ adopt: index });
 }
 
 /** Says how far measuring has come, or what to do with the points. */
