@@ -14,9 +14,11 @@ namespace weft {
 
 nlohmann::json surfaces_json(const Scene& scene) {
     nlohmann::json list = nlohmann::json::array();
+    const std::vector<TextureStatistics> textures =
+        measure_textures(scene.textures, std::vector<bool>(scene.textures.size(), true));
     for (const Material& material : scene.materials) {
         if (!material.description) continue;
-        const std::vector<SurfaceLobe> lobes = lobes_of(*material.description, scene.textures);
+        const std::vector<SurfaceLobe> lobes = lobes_of(*material.description, textures);
         nlohmann::json found = nlohmann::json::array();
         for (const SurfaceLobe& lobe : lobes) {
             nlohmann::json entry{{"name", lobe.name}};

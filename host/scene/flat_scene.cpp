@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "base/error.h"
@@ -14,6 +15,7 @@
 #include "scene/emission_means.h"
 #include "scene/mean_albedo.h"
 #include "scene/mip_levels.h"
+#include "scene/shown_parts.h"
 
 namespace weft {
 namespace {
@@ -184,13 +186,21 @@ void append_instances(const Scene& scene, const Attributes& attributes, FlatScen
 /// measures the emission of triangles.
 void append_emission(const Scene& scene, FlatScene& flat) {
     flat.emission_means.resize(scene.instances.size());
+    const auto texture_of = [&](std::size_t instance) {
+        return scene.materials[scene.instances[instance].material].emission.texture;
+    };
+    // One texture after the other, since the averages of one take much memory.
+    std::vector<std::size_t> order(scene.instances.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return texture_of(a) < texture_of(b); });
     EmissionMeans means(scene);
+    for (const std::size_t i : order)
+        if (texture_of(i) >= 0)
+            flat.emission_means[i] = means.of(scene.meshes[scene.instances[i].mesh], texture_of(i));
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
-        const Material& material = scene.materials[scene.instances[i].material];
-        if (material.emission.texture < 0) continue;
-        flat.emission_means[i] = means.of(mesh, material.emission.texture);
-        if (mesh.emission_uvs.empty()) continue;
+        if (texture_of(i) < 0 || mesh.emission_uvs.empty()) continue;
         const auto end = static_cast<std::uint32_t>(flat.texture_coordinates.size() / 2);
         flat.instances[i].emission_uv = end - flat.ranges[i].first_vertex;
         for (const glm::vec2& uv : mesh.emission_uvs)
@@ -198,16 +208,7 @@ void append_emission(const Scene& scene, FlatScene& flat) {
     }
 }
 
-void append_textures(const Scene& scene, FlatScene& flat) {
-    std::vector<bool> used(scene.textures.size(), false);
-    for (const Instance& instance : scene.instances) {
-        const Material& material = scene.materials[instance.material];
-        for (const int texture : {albedo_texture(material), material.emission.texture})
-            if (texture >= 0) used[static_cast<std::size_t>(texture)] = true;
-        if (!material.description) continue;
-        for (const TextureMap* const map : texture_maps(*material.description))
-            used[static_cast<std::size_t>(map->texture)] = true;
-    }
+void append_textures(const Scene& scene, const std::vector<bool>& shown, FlatScene& flat) {
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
         const Texture& texture = scene.textures[t];
         shared::TextureRecord record{static_cast<std::uint32_t>(flat.texels.size()), texture.width,
@@ -216,16 +217,17 @@ void append_textures(const Scene& scene, FlatScene& flat) {
                        (texture.srgb ? TEXTURE_SRGB : 0U) |
                        static_cast<std::uint32_t>(texture.wrap_u) << TEXTURE_WRAP_U_SHIFT |
                        static_cast<std::uint32_t>(texture.wrap_v) << TEXTURE_WRAP_V_SHIFT;
-        if (used[t]) append_mip_levels(texture, flat.texels);
+        if (shown[t]) append_mip_levels(texture, flat.texels);
         flat.textures.push_back(record);
     }
 }
 
-shared::MaterialRecord material_record(const Scene& scene, const Material& material,
+shared::MaterialRecord material_record(const Material& material,
+                                       std::span<const TextureStatistics> statistics,
                                        bool textures) {
     shared::MaterialRecord record{};
     record.lobe = lobe_of(material);
-    const glm::vec3 albedo = mean_albedo(material, scene.textures);
+    const glm::vec3 albedo = mean_albedo(material, statistics);
     record.albedo = {albedo.r, albedo.g, albedo.b, 0.0F};
     const int texture = albedo_texture(material);
     record.texture = textures && texture >= 0 ? static_cast<std::uint32_t>(texture) : INVALID_INDEX;
@@ -243,28 +245,13 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& mater
     return record;
 }
 
-double mean_luminance(const Texture& texture) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {
-        const auto value = [&](std::size_t k) {
-            return texture.srgb ? srgb_to_linear(texture.rgba[i + k])
-                                : static_cast<float>(texture.rgba[i + k]) / 255.0F;
-        };
-        sum += luminance({value(0), value(1), value(2)});
-    }
-    return texture.rgba.empty() ? 1.0 : 4.0 * sum / static_cast<double>(texture.rgba.size());
-}
-
-std::vector<double> texture_means(const Scene& scene) {
-    std::vector<double> of_textures(scene.textures.size(), -1.0);
+std::vector<double> texture_means(const Scene& scene, std::span<const TextureStatistics> textures) {
     std::vector<double> means;
     for (const Material& material : scene.materials) {
-        means.push_back(1.0);
-        if (albedo_texture(material) < 0) continue;
-        const auto texture = static_cast<std::size_t>(albedo_texture(material));
-        if (of_textures[texture] < 0.0)
-            of_textures[texture] = mean_luminance(scene.textures[texture]);
-        means.back() = of_textures[texture];
+        const int texture = albedo_texture(material);
+        means.push_back(
+            texture >= 0 ? textures[static_cast<std::size_t>(texture)].mean_of(Channel::luminance)
+                         : 1.0);
     }
     return means;
 }
@@ -358,10 +345,13 @@ FlatScene flatten(const Scene& scene) {
     flat.units = kernel_units(scene);
     const Attributes attributes = attributes_of(scene);
     append_instances(scene, attributes, flat);
-    if (attributes.uvs || attributes.surface_textures) append_textures(scene, flat);
+    const std::vector<bool> shown = shown_textures(scene);
+    flat.texture_statistics = measure_textures(scene.textures, shown);
+    if (attributes.uvs || attributes.surface_textures) append_textures(scene, shown, flat);
     if (attributes.emission_textures) append_emission(scene, flat);
     for (const Material& material : scene.materials)
-        flat.materials.push_back(material_record(scene, material, attributes.uvs));
+        flat.materials.push_back(
+            material_record(material, flat.texture_statistics, attributes.uvs));
     flat.features = (attributes.uvs ? FEATURE_TEXTURES : 0U) |
                     (attributes.colours ? FEATURE_VERTEX_COLOURS : 0U) |
                     (attributes.normals ? FEATURE_SMOOTH_NORMALS : 0U) |
@@ -371,7 +361,7 @@ FlatScene flatten(const Scene& scene) {
     flat.surfaces = flatten_surfaces(scene, flat);
     if (flat.surfaces.present())
         flat.features |= FEATURE_MATERIALS | (flat.surfaces.see_through ? FEATURE_SEE_THROUGH : 0U);
-    flat.texture_means = texture_means(scene);
+    flat.texture_means = texture_means(scene, flat.texture_statistics);
     flat.resting_areas.resize(scene.materials.size());
     add_areas(flat, std::span(flat.triangles).first(flat.first_moving_triangle),
               flat.resting_areas);
@@ -405,8 +395,8 @@ void update_flat(const Scene& scene, FlatScene& flat) {
     }
     const bool textures = !flat.texture_coordinates.empty();
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
-        flat.materials[m] = material_record(scene, scene.materials[m], textures);
-    update_surfaces(scene, flat.surfaces);
+        flat.materials[m] = material_record(scene.materials[m], flat.texture_statistics, textures);
+    update_surfaces(scene, flat.texture_statistics, flat.surfaces);
     flat.mean_reflectance = mean_surfaces(flat).reflectance;
     measure_extent(flat);
     flat.lights.clear();

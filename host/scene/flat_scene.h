@@ -11,6 +11,7 @@
 #include "scene/flat_media.h"
 #include "scene/flat_surfaces.h"
 #include "scene/scene.h"
+#include "scene/texture_statistics.h"
 #include "shared/shared_types.h"
 
 namespace weft {
@@ -81,6 +82,7 @@ struct FlatScene {
     /// The same when the scene was flattened. It decides the numbers of light paths, so that a
     /// surface that changes its colour changes no path.
     double first_mean_reflectance = 0.0;
+    std::vector<TextureStatistics> texture_statistics;  ///< by texture of the scene
     std::vector<double> texture_means;  ///< by material, luminance, [0, 1]; 1 without texture
     std::vector<double> resting_areas;  ///< by material, of geometry that cannot move
     double smallest_light_area = 0.0;

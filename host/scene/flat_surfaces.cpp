@@ -7,13 +7,14 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
 #include "base/error.h"
 #include "scene/flat_scene.h"
 #include "scene/mean_albedo.h"
-#include "scene/surface/facet_albedo.h"
+#include "scene/shown_parts.h"
 #include "scene/surface_lobes.h"
 
 namespace weft {
@@ -242,70 +243,6 @@ std::optional<shared::InterfaceRecord> inside_of(const Material& material, doubl
     return inside;
 }
 
-// LEAST_ALPHA of kernels/bsdf/microfacet.h: surfaces with less are smooth.
-constexpr float least_alpha = 0x1p-12F;
-
-/// Whether facets may be rough somewhere. Textures only make roughness less, but for scales that
-/// turn the other way.
-bool may_be_rough(const shared::SurfaceRecord& record) {
-    if (record.anisotropy > 0.0F) return true;
-    const float most = std::max(record.roughness_u, record.roughness_v);
-    switch (record.roughness_scale) {
-        case ROUGHNESS_SQUARED:
-            return most * most >= least_alpha;
-        case ROUGHNESS_ALPHA:
-            return most >= least_alpha;
-        default:
-            return true;
-    }
-}
-
-/// Adds the tables of albedos by which rough glass is divided, two for each index: from outside and
-/// from inside.
-void add_glass_tables(FlatSurfaces& surfaces) {
-    std::map<float, std::uint32_t> known;
-    for (shared::SurfaceRecord& record : surfaces.records) {
-        if (record.model != SURFACE_LAYERED || !(record.transmission > 0.0F) ||
-            !may_be_rough(record) || (record.flags & (SURFACE_THIN | SURFACE_SINGLE_SCATTER)) != 0)
-            continue;
-        const auto [at, is_new] =
-            known.try_emplace(record.eta.x, static_cast<std::uint32_t>(surfaces.values.size()));
-        record.table = at->second;
-        if (!is_new) continue;
-        std::vector<float>& pair = surfaces.tables.glass[record.eta.x];
-        if (pair.empty()) {
-            const auto eta = static_cast<double>(record.eta.x);
-            for (const double ratio : {eta, 1.0 / eta}) {
-                const std::vector<float> table = glass_albedo_table(ratio);
-                pair.insert(pair.end(), table.begin(), table.end());
-            }
-        }
-        surfaces.values.insert(surfaces.values.end(), pair.begin(), pair.end());
-    }
-}
-
-/// Adds the tables of what the boundaries of rough plastics let in.
-void add_plastic_tables(FlatSurfaces& surfaces) {
-    const auto known = std::exchange(surfaces.tables.plastic, {});
-    for (shared::SurfaceRecord& record : surfaces.records) {
-        if (record.model != SURFACE_PLASTIC || !(record.roughness_u > 0.0F)) continue;
-        const bool beckmann = (record.flags & SURFACE_BECKMANN) != 0;
-        const std::tuple key{record.roughness_u, record.eta.x, beckmann};
-        const auto found = known.find(key);
-        const PlasticTable& table =
-            surfaces.tables.plastic
-                .try_emplace(key, found != known.end()
-                                      ? found->second
-                                      : plastic_table(static_cast<double>(record.roughness_u),
-                                                      static_cast<double>(record.eta.x), beckmann))
-                .first->second;
-        record.table = static_cast<std::uint32_t>(surfaces.values.size());
-        record.inner = table.inner_reflectance;
-        surfaces.values.insert(surfaces.values.end(), table.transmittance.begin(),
-                               table.transmittance.end());
-    }
-}
-
 /// Finds out what previews follow anywhere.
 void find_followed_parts(FlatSurfaces& surfaces) {
     std::uint32_t all = 0;
@@ -316,21 +253,29 @@ void find_followed_parts(FlatSurfaces& surfaces) {
     surfaces.lets_through = (all & SURFACE_LETS_THROUGH) != 0;
 }
 
-/// Makes records of the plain ones, and the tables of albedos that they read.
-void add_tables(FlatSurfaces& surfaces) {
-    surfaces.records = surfaces.plain;
+/// What a scene's materials are before tables add to them.
+struct PlainSurfaces {
+    std::vector<shared::SurfaceRecord> records;
+    std::vector<AlphaRange> glass;  ///< by material
+    std::vector<shared::SurfaceMap> maps;
+};
+
+/// Makes records of plain ones, and the tables of albedos that they read.
+void take(PlainSurfaces plain, FlatSurfaces& surfaces) {
+    surfaces.records = plain.records;
+    surfaces.values = surfaces.tables.add_to(surfaces.records, plain.glass);
+    surfaces.plain = std::move(plain.records);
+    surfaces.maps = std::move(plain.maps);
     find_followed_parts(surfaces);
-    surfaces.values.clear();
-    add_glass_tables(surfaces);
-    add_plastic_tables(surfaces);
 }
 
 /// What of a surface previews follow: SURFACE_MIRRORS, SURFACE_GLOSSY, SURFACE_LETS_THROUGH.
 /// What is sharp is bounded by MIRROR_ALPHA of kernels/bsdf/seen_lobes.h.
-std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const Texture> textures) {
+std::uint32_t followed_parts(const SurfaceDescription& surface,
+                             std::span<const SurfaceLobe> lobes) {
     std::uint32_t parts = 0;
     if (surface.opacity.mode == OpacityMode::blend) parts |= SURFACE_LETS_THROUGH;
-    for (const SurfaceLobe& lobe : lobes_of(surface, textures)) {
+    for (const SurfaceLobe& lobe : lobes) {
         if (lobe.is_diffuse) continue;
         if (lobe.transmits) {
             parts |= SURFACE_LETS_THROUGH;
@@ -344,26 +289,35 @@ std::uint32_t followed_parts(const SurfaceDescription& surface, std::span<const 
     return parts;
 }
 
-/// The records of all materials, and the textures that they name. What no instance shows is as good
-/// as diffuse, or kernels would follow, and tables be made for, what the scene does not hold.
-std::vector<shared::SurfaceRecord> plain_records(const Scene& scene,
-                                                 std::vector<shared::SurfaceMap>& maps) {
-    std::vector<bool> shown(scene.materials.size());
-    for (const Instance& instance : scene.instances) shown[instance.material] = true;
-    std::vector<shared::SurfaceRecord> records;
+AlphaRange glass_alphas(std::span<const SurfaceLobe> lobes) {
+    const auto glass = std::find_if(lobes.begin(), lobes.end(),
+                                    [](const SurfaceLobe& lobe) { return lobe.transmits; });
+    return glass != lobes.end() ? AlphaRange{glass->least_alpha, glass->most_alpha} : AlphaRange{};
+}
+
+/// The plain records of all materials, and the textures that they name. What no instance shows is
+/// as good as diffuse, or kernels would follow, and tables be made for, what the scene does not
+/// hold.
+PlainSurfaces plain_surfaces(const Scene& scene, std::span<const TextureStatistics> textures) {
+    const std::vector<bool> shown = shown_materials(scene);
+    PlainSurfaces plain;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& material = scene.materials[i];
-        if (shown[i] && scatters_by_record(material)) {
-            records.push_back(RecordBuilder(maps).build(*material.description));
-            records.back().flags |= followed_parts(*material.description, scene.textures);
-            continue;
-        }
         shared::SurfaceRecord record{};
         record.model = SURFACE_LAMBERT;
         record.table = INVALID_INDEX;
-        records.push_back(record);
+        AlphaRange glass;
+        if (shown[i] && scatters_by_record(material)) {
+            const SurfaceDescription& surface = *material.description;
+            const std::vector<SurfaceLobe> lobes = lobes_of(surface, textures);
+            record = RecordBuilder(plain.maps).build(surface);
+            record.flags |= followed_parts(surface, lobes);
+            glass = glass_alphas(lobes);
+        }
+        plain.records.push_back(record);
+        plain.glass.push_back(glass);
     }
-    return records;
+    return plain;
 }
 
 /// Whether two records of one material have the same colours and roughness.
@@ -399,7 +353,7 @@ double area_of(const FlatScene& flat, const InstanceRange& range) {
 bool passes_half(const Scene& scene, const FlatScene& flat, std::size_t instance) {
     constexpr double half = 0.5;
     const Material& material = scene.materials[scene.instances[instance].material];
-    auto passes = static_cast<double>(mean_transmittance(material, scene.textures));
+    auto passes = static_cast<double>(mean_transmittance(material, flat.texture_statistics));
     if (passes < half) return false;
     const auto inside = inside_of(material, flat.units.scale);
     const double area = area_of(flat, flat.ranges[instance]);
@@ -514,8 +468,7 @@ FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
             return scatters_by_record(scene.materials[instance.material]);
         }))
         return surfaces;
-    surfaces.plain = plain_records(scene, surfaces.maps);
-    add_tables(surfaces);
+    take(plain_surfaces(scene, flat.texture_statistics), surfaces);
     append_coordinates(scene, flat, surfaces);
     if (std::any_of(surfaces.records.begin(), surfaces.records.end(), asks_for_tangents)) {
         surfaces.tangents.assign(flat.positions.size(), {0.0F, 0.0F, 0.0F, 0.0F});
@@ -533,17 +486,15 @@ FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat) {
     return surfaces;
 }
 
-void update_surfaces(const Scene& scene, FlatSurfaces& surfaces) {
+void update_surfaces(const Scene& scene, std::span<const TextureStatistics> textures,
+                     FlatSurfaces& surfaces) {
     if (!surfaces.present()) return;
     // There are fewer maps where roughness becomes the same along both directions.
-    std::vector<shared::SurfaceMap> maps;
-    std::vector<shared::SurfaceRecord> records = plain_records(scene, maps);
-    if (std::equal(records.begin(), records.end(), surfaces.plain.begin(), surfaces.plain.end(),
-                   same_numbers))
+    PlainSurfaces plain = plain_surfaces(scene, textures);
+    if (std::equal(plain.records.begin(), plain.records.end(), surfaces.plain.begin(),
+                   surfaces.plain.end(), same_numbers))
         return;
-    surfaces.plain = std::move(records);
-    surfaces.maps = std::move(maps);
-    add_tables(surfaces);
+    take(std::move(plain), surfaces);
 }
 
 }  // namespace weft

@@ -4,25 +4,18 @@
 #define WEFT_SCENE_FLAT_SURFACES_H
 
 #include <cstdint>
-#include <map>
-#include <tuple>
+#include <span>
 #include <vector>
 
+#include "scene/albedo_tables.h"
 #include "scene/scene.h"
-#include "scene/surface/plastic_table.h"
+#include "scene/texture_statistics.h"
 #include "shared/shared_types.h"
 
 namespace weft {
 
 struct FlatMedia;
 struct FlatScene;
-
-/// Tables of albedos by what they depend on: a pair for glass takes half a second of one core.
-struct AlbedoTables {
-    std::map<float, std::vector<float>> glass;  ///< by index: from outside, then from inside
-    /// By roughness, index and whether the distribution is Beckmann's.
-    std::map<std::tuple<float, float, bool>, PlasticTable> plastic;
-};
 
 /// What kernels read of materials with more than Lambert's lobe (kernels/bsdf/surface_maps.h).
 /// Empty in scenes without one.
@@ -38,7 +31,7 @@ struct FlatSurfaces {
     std::vector<shared::float4> tangents;  ///< by vertex; empty where nothing asks for them
     std::vector<shared::InterfaceRecord> interfaces;
     std::vector<float> values;  ///< of tables of albedos
-    AlbedoTables tables;        ///< those of glass and of the present plastics
+    AlbedoTables tables;
 
     /// By instance: whether previews let light pass straight through it.
     std::vector<bool> passes_light;
@@ -63,8 +56,9 @@ void link_boundaries(const Scene& scene, const FlatMedia& media, FlatSurfaces& s
 [[nodiscard]] FlatSurfaces flatten_surfaces(const Scene& scene, const FlatScene& flat);
 
 /// Brings records and tables up to date with the materials of a scene, whose colours and roughness
-/// may have changed, but nothing else.
-void update_surfaces(const Scene& scene, FlatSurfaces& surfaces);
+/// may have changed, but nothing else. `textures` are by texture of the scene.
+void update_surfaces(const Scene& scene, std::span<const TextureStatistics> textures,
+                     FlatSurfaces& surfaces);
 
 }  // namespace weft
 

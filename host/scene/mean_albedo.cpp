@@ -3,9 +3,6 @@
 #include "scene/mean_albedo.h"
 
 #include <algorithm>
-
-#include "scene/mip_levels.h"
-
 namespace weft {
 namespace {
 
@@ -21,7 +18,7 @@ float largest(const glm::vec3& v) {
 /// Adds up what the parts of one description reflect.
 class AlbedoSum {
   public:
-    explicit AlbedoSum(std::span<const Texture> textures) : textures_(textures) {}
+    explicit AlbedoSum(std::span<const TextureStatistics> textures) : textures_(textures) {}
 
     glm::vec3 operator()(const LambertSurface& s) { return base(s.colour); }
     glm::vec3 operator()(const UnlitSurface& s) { return 0.0F * base(s.colour); }
@@ -79,24 +76,14 @@ class AlbedoSum {
     /// Mean linear colour of a texture.
     [[nodiscard]] glm::vec3 mean_colour(const TextureMap& map) const {
         if (!map.present()) return glm::vec3(1.0F);
-        const LinearLevel texel =
-            linear_mip_levels(textures_[static_cast<std::size_t>(map.texture)]).back();
-        return {texel.values[0], texel.values[1], texel.values[2]};
+        return glm::vec3(textures_[static_cast<std::size_t>(map.texture)].mean);
     }
 
   public:
     [[nodiscard]] float mean(const ScalarParameter& scalar) const {
-        const glm::vec3 colour = mean_colour(scalar.map);
-        switch (scalar.map.channel) {
-            case Channel::green:
-                return scalar.factor * colour.g;
-            case Channel::blue:
-                return scalar.factor * colour.b;
-            case Channel::luminance:
-                return scalar.factor * static_cast<float>(luminance_of(colour));
-            default:
-                return scalar.factor * colour.r;
-        }
+        if (!scalar.map.present()) return scalar.factor;
+        const auto number = static_cast<std::size_t>(scalar.map.texture);
+        return scalar.factor * static_cast<float>(textures_[number].mean_of(scalar.map.channel));
     }
     [[nodiscard]] glm::vec3 mean(const ColourParameter& colour) const {
         return colour.factor * mean_colour(colour.map);
@@ -111,7 +98,7 @@ class AlbedoSum {
         return colour.factor * texture;
     }
 
-    std::span<const Texture> textures_;
+    std::span<const TextureStatistics> textures_;
 };
 
 /// What glass transmits, or 0.
@@ -126,7 +113,7 @@ float glass_transmittance(const SurfaceDescription& surface, const AlbedoSum& su
 
 }  // namespace
 
-float mean_transmittance(const Material& material, std::span<const Texture> textures) {
+float mean_transmittance(const Material& material, std::span<const TextureStatistics> textures) {
     if (!material.description) return 0.0F;
     const AlbedoSum sum(textures);
     const SurfaceDescription& surface = *material.description;
@@ -135,7 +122,7 @@ float mean_transmittance(const Material& material, std::span<const Texture> text
     return std::clamp(1.0F - there * (1.0F - glass_transmittance(surface, sum)), 0.0F, 1.0F);
 }
 
-glm::vec3 mean_albedo(const Material& material, std::span<const Texture> textures) {
+glm::vec3 mean_albedo(const Material& material, std::span<const TextureStatistics> textures) {
     if (!material.description || is_lambertian(*material.description))
         return diffuse_albedo(material);
     AlbedoSum sum(textures);

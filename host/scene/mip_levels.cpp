@@ -2,27 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/mip_levels.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
-#include <span>
-#include <utility>
+#include <cstddef>
 
 #include "base/srgb.h"
 
 namespace weft {
 namespace {
-
-LinearLevel first_level(const Texture& texture, const std::vector<float>& table) {
-    LinearLevel level{texture.width, texture.height, {}};
-    const std::size_t count = std::size_t{texture.width} * texture.height;
-    level.values.reserve(3 * count);
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint8_t byte = texture.rgba[4 * i + c];
-            level.values.push_back(texture.srgb ? table[byte] : static_cast<float>(byte) / 255.0F);
-        }
-    return level;
-}
 
 /// Source texels [from, to) that texel `i` of `size` covers in a level of `larger` texels. Odd
 /// sizes leave one over, which the last texel takes in.
@@ -35,59 +24,69 @@ Span covered(std::uint32_t i, std::uint32_t size, std::uint32_t larger) {
     return {2 * i, i + 1 == size ? larger : 2 * i + 2};
 }
 
-LinearLevel halved(const LinearLevel& level) {
-    LinearLevel half{std::max(1U, level.width / 2), std::max(1U, level.height / 2), {}};
-    for (std::uint32_t y = 0; y < half.height; ++y) {
-        const Span rows = covered(y, half.height, level.height);
+/// A level of `channels` floats a texel, row by row.
+template <std::size_t channels>
+struct Level {
+    std::uint32_t width, height;
+    std::vector<float> values;
+
+    [[nodiscard]] bool is_last() const { return width == 1 && height == 1; }
+    [[nodiscard]] std::size_t texels() const { return std::size_t{width} * height; }
+    [[nodiscard]] float at(std::size_t texel, std::size_t channel) const {
+        return values[channels * texel + channel];
+    }
+};
+
+/// The averages of a level of width x height texels, whose values `at(texel, channel)` gives.
+template <std::size_t channels, class At>
+Level<channels> halved(std::uint32_t width, std::uint32_t height, const At& at) {
+    Level<channels> half{std::max(1U, width / 2), std::max(1U, height / 2), {}};
+    half.values.resize(channels * half.texels());
+    tbb::parallel_for(std::uint32_t{0}, half.height, [&](std::uint32_t y) {
+        const Span rows = covered(y, half.height, height);
+        float* value = &half.values[channels * std::size_t{y} * half.width];
         for (std::uint32_t x = 0; x < half.width; ++x) {
-            const Span columns = covered(x, half.width, level.width);
+            const Span columns = covered(x, half.width, width);
             const float share =
                 1.0F / static_cast<float>((rows.to - rows.from) * (columns.to - columns.from));
-            for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t c = 0; c < channels; ++c) {
                 float sum = 0.0F;
                 for (std::uint32_t row = rows.from; row < rows.to; ++row)
                     for (std::uint32_t column = columns.from; column < columns.to; ++column)
-                        sum += level.values[3 * (std::size_t{row} * level.width + column) + c];
-                half.values.push_back(sum * share);
+                        sum += at(std::size_t{row} * width + column, c);
+                *value++ = sum * share;
             }
         }
-    }
+    });
     return half;
 }
 
-/// Alpha of a texture and of its ever smaller averages, level by level, or nothing where no
-/// surface uses it.
-std::vector<std::uint8_t> alpha_levels(const Texture& texture) {
-    std::vector<std::uint8_t> all;
-    if (!texture.has_alpha) return all;
-    std::vector<float> level;
-    for (std::size_t i = 3; i < texture.rgba.size(); i += 4)
-        level.push_back(static_cast<float>(texture.rgba[i]));
-    std::uint32_t width = texture.width;
-    std::uint32_t height = texture.height;
-    while (true) {
-        for (const float alpha : level)
-            all.push_back(static_cast<std::uint8_t>(std::lround(alpha)));
-        if (width == 1 && height == 1) return all;
-        std::vector<float> half;
-        const std::uint32_t next_width = std::max(1U, width / 2);
-        const std::uint32_t next_height = std::max(1U, height / 2);
-        for (std::uint32_t y = 0; y < next_height; ++y) {
-            const Span rows = covered(y, next_height, height);
-            for (std::uint32_t x = 0; x < next_width; ++x) {
-                const Span columns = covered(x, next_width, width);
-                float sum = 0.0F;
-                for (std::uint32_t row = rows.from; row < rows.to; ++row)
-                    for (std::uint32_t column = columns.from; column < columns.to; ++column)
-                        sum += level[std::size_t{row} * width + column];
-                half.push_back(
-                    sum / static_cast<float>((rows.to - rows.from) * (columns.to - columns.from)));
-            }
-        }
-        level = std::move(half);
-        width = next_width;
-        height = next_height;
+template <std::size_t channels>
+Level<channels> halved(const Level<channels>& level) {
+    return halved<channels>(level.width, level.height, [&](std::size_t texel, std::size_t channel) {
+        return level.at(texel, channel);
+    });
+}
+
+/// Calls visit(level) for the averages of a texture, whose values `at(texel, channel)` gives, down
+/// to one texel.
+template <std::size_t channels, class At, class Visit>
+void for_averages(const Texture& texture, const At& at, const Visit& visit) {
+    if (texture.width == 1 && texture.height == 1) return;
+    Level<channels> level = halved<channels>(texture.width, texture.height, at);
+    visit(level);
+    while (!level.is_last()) {
+        level = halved(level);
+        visit(level);
     }
+}
+
+/// The linear value of each byte of a colour.
+std::vector<float> colour_table(const Texture& texture) {
+    if (texture.srgb) return srgb_table();
+    std::vector<float> table;
+    for (int i = 0; i < 256; ++i) table.push_back(static_cast<float>(i) / 255.0F);
+    return table;
 }
 
 std::uint32_t pack(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
@@ -103,26 +102,49 @@ std::uint8_t encode(float value, bool srgb) {
 }  // namespace
 
 std::vector<LinearLevel> linear_mip_levels(const Texture& texture) {
+    const std::vector<float> table = colour_table(texture);
+    const auto at = [&](std::size_t texel, std::size_t channel) {
+        return table[texture.rgba[4 * texel + channel]];
+    };
     std::vector<LinearLevel> levels;
-    levels.push_back(first_level(texture, srgb_table()));
-    while (levels.back().width > 1 || levels.back().height > 1)
-        levels.push_back(halved(levels.back()));
+    LinearLevel& first = levels.emplace_back(LinearLevel{texture.width, texture.height, {}});
+    for (std::size_t i = 0; i < std::size_t{texture.width} * texture.height; ++i)
+        for (std::size_t c = 0; c < 3; ++c) first.values.push_back(at(i, c));
+    for_averages<3>(texture, at, [&](const Level<3>& level) {
+        levels.push_back({level.width, level.height, level.values});
+    });
     return levels;
 }
 
 void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels) {
     const std::size_t first = texels.size();
-    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
-        texels.push_back(pack(texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]));
-    const std::vector<LinearLevel> levels = linear_mip_levels(texture);
-    for (const LinearLevel& level : std::span(levels).subspan(1))
-        for (std::size_t i = 0; i < level.values.size(); i += 3)
-            texels.push_back(pack(encode(level.values[i], texture.srgb),
-                                  encode(level.values[i + 1], texture.srgb),
-                                  encode(level.values[i + 2], texture.srgb)));
-    const std::vector<std::uint8_t> alphas = alpha_levels(texture);
-    for (std::size_t i = 0; i < alphas.size(); ++i)
-        texels[first + i] |= static_cast<std::uint32_t>(alphas[i]) << 24;
+    const std::vector<float> table = colour_table(texture);
+    const std::vector<std::uint8_t>& rgba = texture.rgba;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+        texels.push_back(pack(rgba[i], rgba[i + 1], rgba[i + 2]));
+    for_averages<3>(
+        texture,
+        [&](std::size_t texel, std::size_t channel) { return table[rgba[4 * texel + channel]]; },
+        [&](const Level<3>& level) {
+            const std::size_t begin = texels.size();
+            texels.resize(begin + level.texels());
+            tbb::parallel_for(std::size_t{0}, level.texels(), [&](std::size_t i) {
+                texels[begin + i] =
+                    pack(encode(level.at(i, 0), texture.srgb), encode(level.at(i, 1), texture.srgb),
+                         encode(level.at(i, 2), texture.srgb));
+            });
+        });
+    if (!texture.has_alpha) return;
+    std::size_t next = first;
+    for (std::size_t i = 3; i < rgba.size(); i += 4)
+        texels[next++] |= static_cast<std::uint32_t>(rgba[i]) << 24;
+    for_averages<1>(
+        texture,
+        [&](std::size_t texel, std::size_t) { return static_cast<float>(rgba[4 * texel + 3]); },
+        [&](const Level<1>& level) {
+            for (const float alpha : level.values)
+                texels[next++] |= static_cast<std::uint32_t>(std::lround(alpha)) << 24;
+        });
 }
 
 float srgb_to_linear(std::uint8_t value) {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/mip_levels.h"
-
 namespace weft {
 namespace {
 
@@ -27,42 +25,10 @@ double normal_reflectance(double ior) {
     return root * root;
 }
 
-/// Least and greatest value of a channel of a texture.
-std::pair<double, double> range_of(const Texture& texture, Channel channel) {
-    static const std::vector<float> table = srgb_table();
-    const auto value = [&](std::size_t i) {
-        const auto one = [&](std::size_t c) {
-            const std::uint8_t byte = texture.rgba[i + c];
-            return texture.srgb && c < 3 ? static_cast<double>(table[byte]) : byte / 255.0;
-        };
-        switch (channel) {
-            case Channel::red:
-                return one(0);
-            case Channel::green:
-                return one(1);
-            case Channel::blue:
-                return one(2);
-            case Channel::alpha:
-                return one(3);
-            case Channel::rgb:
-            case Channel::luminance:
-                break;
-        }
-        return 0.2126 * one(0) + 0.7152 * one(1) + 0.0722 * one(2);
-    };
-    double least = 1.0;
-    double most = 0.0;
-    for (std::size_t i = 0; i + 3 < texture.rgba.size(); i += 4) {
-        least = std::min(least, value(i));
-        most = std::max(most, value(i));
-    }
-    return {least, most};
-}
-
 /// Gathers the lobes of one surface.
 class LobeCollector {
   public:
-    explicit LobeCollector(std::span<const Texture> textures) : textures_(textures) {}
+    explicit LobeCollector(std::span<const TextureStatistics> textures) : textures_(textures) {}
 
     void operator()(const LambertSurface&) { add_diffuse(); }
     void operator()(const UnlitSurface&) { lobes.push_back({"unlit", true}); }
@@ -126,10 +92,10 @@ class LobeCollector {
         lobe.least_alpha = 1e9;
         for (const Roughness* roughness : {&u, &v}) {
             const TextureMap& map = roughness->value.map;
-            std::pair<double, double> range{1.0, 1.0};
+            ValueRange range{1.0, 1.0};
             if (map.present())
-                range = range_of(textures_[static_cast<std::size_t>(map.texture)], map.channel);
-            for (const double value : {range.first, range.second}) {
+                range = textures_[static_cast<std::size_t>(map.texture)].range_of(map.channel);
+            for (const double value : {range.least, range.most}) {
                 const double alpha = alpha_of(roughness->value.factor * value, roughness->scale);
                 lobe.least_alpha = std::min(lobe.least_alpha, alpha);
                 lobe.most_alpha = std::max(lobe.most_alpha, alpha);
@@ -138,7 +104,7 @@ class LobeCollector {
         return lobe;
     }
 
-    std::span<const Texture> textures_;
+    std::span<const TextureStatistics> textures_;
 };
 
 bool is_anisotropic(const SurfaceDescription& surface) {
@@ -186,7 +152,7 @@ const char* name_of(LobeWidth width) {
 }
 
 std::vector<SurfaceLobe> lobes_of(const SurfaceDescription& surface,
-                                  std::span<const Texture> textures) {
+                                  std::span<const TextureStatistics> textures) {
     LobeCollector collector(textures);
     std::visit(collector, surface.model);
     return std::move(collector.lobes);

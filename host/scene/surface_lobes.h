@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/texture_statistics.h"
 
 namespace weft {
 
@@ -37,9 +38,9 @@ struct SurfaceLobe {
 /// everywhere, and faint but at grazing angles.
 [[nodiscard]] bool is_nearly_diffuse(const SurfaceLobe& lobe);
 
-/// The lobes that a surface has anywhere.
+/// The lobes that a surface has anywhere. `textures` are by texture of the scene.
 [[nodiscard]] std::vector<SurfaceLobe> lobes_of(const SurfaceDescription& surface,
-                                                std::span<const Texture> textures);
+                                                std::span<const TextureStatistics> textures);
 
 /// What a renderer has to do for a surface beyond diffuse light, in words.
 [[nodiscard]] std::vector<std::string> effects_of(const SurfaceDescription& surface,

@@ -9,6 +9,8 @@
 
 #include "scene/surface/albedo_grid.h"
 #include "scene/surface/facet_albedo.h"
+#include "scene/surface/glass_table.h"
+#include "tests/bsdf/whole_glass_table.h"
 
 #define NATIVE_KERNELS "kernels/bsdf/albedo_tables.h"
 #define NATIVE_KERNELS_TOO "kernels/bsdf/rough_glass.h"
@@ -204,11 +206,10 @@ TEST(AlbedoTables, RoughGlassLosesWhatIsKnown) {
 }
 
 TEST(AlbedoTables, GlassTablesLieNowhereBelowTheTruth) {
-    static_assert(glass_albedo_nodes == GLASS_ALBEDO_NODES);
+    static_assert(glass_nodes == GLASS_ALBEDO_NODES);
     const FacetQuadrature quadrature(96);
     for (const double eta : {1.5, 1.0 / 2.42}) {
-        const std::vector<float> table = glass_albedo_table(eta);
-        ASSERT_EQ(table.size(), std::size_t{GLASS_ALBEDO_NODES} * GLASS_ALBEDO_NODES);
+        const std::vector<float> table = test::whole_glass_table(eta);
         for (int i = 0; i <= 20; ++i)
             for (int j = 1; j <= 20; ++j) {
                 const double cosine = j / 20.0;
@@ -222,6 +223,31 @@ TEST(AlbedoTables, GlassTablesLieNowhereBelowTheTruth) {
                 EXPECT_LE(found, 1.0F);
             }
         EXPECT_EQ(native::glass_albedo(table.data(), make_facets(0.0F, 0.0F, 0), 0.3F), 1.0F);
+    }
+}
+
+TEST(AlbedoTables, RowsOfGlassAreTheSameWhicheverOthersThereAre) {
+    const std::vector<float> whole = test::whole_glass_table(1.5);
+    GlassTable table(1.5);
+    // A row of its own, where rounding decides which others are read.
+    const double node =
+        AlbedoGrid(glass_nodes, {0, 1}, [](double, double) { return 1.0; }).alpha_of(7.0);
+    for (const double alpha : {1.0, 0.25, 0.04, 0x1p-12, node}) {
+        // Nothing that a direction reads of this roughness is left as it was.
+        std::vector<float> rows(glass_table_size, -1.0F);
+        table.write_rows(alpha, alpha, rows);
+        const Facets facets = make_facets(static_cast<float>(alpha), static_cast<float>(alpha), 0);
+        for (int j = 0; j <= 50; ++j) {
+            const auto cosine = static_cast<float>(j / 50.0);
+            EXPECT_EQ(native::glass_albedo(rows.data(), facets, cosine),
+                      native::glass_albedo(whole.data(), facets, cosine))
+                << alpha << ' ' << cosine;
+        }
+        const auto written =
+            std::count_if(rows.begin(), rows.end(), [](float value) { return value >= 0.0F; });
+        EXPECT_LE(written, 3 * glass_nodes) << alpha;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            EXPECT_TRUE(rows[i] < 0.0F || rows[i] == whole[i]) << i;
     }
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/surface/facet_albedo.h"
 #include "scene/surface/plastic_table.h"
+#include "tests/bsdf/whole_glass_table.h"
 #include "tests/testing/opencl_probe.h"
 
 #define NATIVE_KERNELS "kernels/bsdf/layered_sample.h"
@@ -109,7 +109,7 @@ namespace weft::layered_opencl_test {
 namespace {
 
 struct Inputs {
-    std::vector<float> glass = glass_albedo_table(1.5);
+    std::vector<float> glass = test::whole_glass_table(1.5);
     std::vector<float> plastic = plastic_table(0.2, 1.5, false).transmittance;
     std::vector<float> numbers;
 };

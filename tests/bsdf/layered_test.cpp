@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/surface/facet_albedo.h"
+#include "tests/bsdf/whole_glass_table.h"
 #include "tests/testing/sphere_chi_square.h"
 
 #define NATIVE_KERNELS "kernels/bsdf/layered_sample.h"
@@ -167,7 +168,7 @@ TEST(Layered, NoMaterialGainsLight) {
 
 TEST(Layered, WhiteGlassKeepsAllLight) {
     for (const double eta : {1.33, 1.5, 1.0 / 1.5, 1.0 / 2.42}) {
-        const std::vector<float> table = glass_albedo_table(eta);
+        const std::vector<float> table = test::whole_glass_table(eta);
         for (int i = 0; i <= 16; i += 2)
             for (const double cosine : {0.02, 0.1, 0.5, 0.745, 1.0})
                 for (const float transmission : {1.0F, 0.5F}) {

@@ -134,7 +134,7 @@ void use_scene(const Scene& scene) {
                 "a light with an impossible probability");
     for (const Material& material : scene.materials)
         if (material.description)
-            for (const SurfaceLobe& lobe : lobes_of(*material.description, scene.textures))
+            for (const SurfaceLobe& lobe : lobes_of(*material.description, flat.texture_statistics))
                 require(lobe.least_alpha >= 0.0 && lobe.least_alpha <= lobe.most_alpha &&
                             std::isfinite(lobe.most_alpha),
                         "a lobe of an impossible width");

@@ -61,10 +61,23 @@ TEST(MeanAlbedo, IsAFactorOfTheTexture) {
     surface.base_colour.map.texture = 0;
     Material material = described({surface, {}, {}});
     set_albedo_texture(material, 0);
-    const std::vector<Texture> textures{texture};
+    const std::vector<TextureStatistics> textures{measure_texture(texture)};
     EXPECT_NEAR(mean_albedo(material, textures).g, 0.3F, 1e-6F);
     // Half of it is glass, which is black for half of the texels.
     EXPECT_NEAR(mean_transmittance(material, textures), 0.5F * 0.3F, 1e-6F);
+}
+
+TEST(MeanAlbedo, GapsAreThoseOfTheAlphaOfATexture) {
+    Texture texture;
+    texture.width = 2;
+    texture.height = 1;
+    texture.has_alpha = true;
+    texture.rgba = {255, 255, 255, 0, 255, 0, 0, 102};
+    SurfaceDescription sheet = test::sheet(1.0F);
+    sheet.opacity.alpha.map.texture = 0;
+    sheet.opacity.alpha.map.channel = Channel::alpha;
+    const std::vector<TextureStatistics> textures{measure_texture(texture)};
+    EXPECT_NEAR(mean_transmittance(described(sheet), textures), 0.8F, 1e-6F);
 }
 
 }  // namespace

@@ -18,26 +18,34 @@ struct CellPlace {
     double weights[4];
 };
 
-CellPlace place_in_cell(double column, double row, int nodes) {
+CellPlace place_in_cell(double column, double row, int nodes, AlbedoGrid::Rows rows) {
     const int c = std::clamp(static_cast<int>(column), 0, nodes - 2);
-    const int r = std::clamp(static_cast<int>(row), 0, nodes - 2);
+    const int r = std::clamp(static_cast<int>(row), rows.first, rows.last - 1);
     const double x = column - c;
     const double y = row - r;
-    return {
-        static_cast<std::size_t>(r) * static_cast<std::size_t>(nodes) + static_cast<std::size_t>(c),
-        {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}};
+    return {static_cast<std::size_t>(r - rows.first) * static_cast<std::size_t>(nodes) +
+                static_cast<std::size_t>(c),
+            {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}};
 }
 
 }  // namespace
 
-AlbedoGrid::AlbedoGrid(int nodes, const Albedo& albedo)
-    : nodes_(nodes), values_(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes)) {
+AlbedoGrid::AlbedoGrid(int nodes, Rows rows, const Albedo& albedo)
+    : nodes_(nodes),
+      rows_(rows),
+      values_(static_cast<std::size_t>(nodes) *
+              static_cast<std::size_t>(rows.last - rows.first + 1)) {
     tbb::parallel_for(std::size_t{0}, values_.size(), [&](std::size_t i) {
         const std::size_t row = i / static_cast<std::size_t>(nodes);
         const std::size_t column = i % static_cast<std::size_t>(nodes);
-        values_[i] =
-            albedo(cosine_of(static_cast<double>(column)), alpha_of(static_cast<double>(row)));
+        values_[i] = albedo(cosine_of(static_cast<double>(column)),
+                            alpha_of(rows.first + static_cast<double>(row)));
     });
+}
+
+double AlbedoGrid::row_of(double alpha, int nodes) {
+    const double roughness = std::sqrt(std::min(alpha, 1.0));
+    return (std::sqrt(1 + 8 * roughness) - 1) / 2 * (nodes - 1);
 }
 
 double AlbedoGrid::alpha_of(double row) const {
@@ -57,12 +65,13 @@ void AlbedoGrid::raise(const Albedo& albedo, int checks) {
         CellPlace place;
         double value;
     };
-    const auto side = static_cast<std::size_t>((nodes_ - 1) * checks);
-    std::vector<Check> all(side * side);
+    const auto across = static_cast<std::size_t>((nodes_ - 1) * checks);
+    const auto up = static_cast<std::size_t>((rows_.last - rows_.first) * checks);
+    std::vector<Check> all(across * up);
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
-        const double row = (static_cast<double>(i / side) + 0.5) / checks;
-        const double column = (static_cast<double>(i % side) + 0.5) / checks;
-        all[i] = {place_in_cell(column, row, nodes_),
+        const double row = rows_.first + (static_cast<double>(i / across) + 0.5) / checks;
+        const double column = (static_cast<double>(i % across) + 0.5) / checks;
+        all[i] = {place_in_cell(column, row, nodes_, rows_),
                   std::min(1.0, albedo(cosine_of(column), alpha_of(row)))};
     });
     const std::size_t steps[4] = {0, 1, static_cast<std::size_t>(nodes_),
@@ -91,7 +100,7 @@ void AlbedoGrid::raise(const Albedo& albedo, int checks) {
 }
 
 double AlbedoGrid::between(double column, double row) const {
-    const CellPlace place = place_in_cell(column, row, nodes_);
+    const CellPlace place = place_in_cell(column, row, nodes_, rows_);
     const auto next = static_cast<std::size_t>(nodes_);
     return place.weights[0] * values_[place.first] + place.weights[1] * values_[place.first + 1] +
            place.weights[2] * values_[place.first + next] +
@@ -99,9 +108,7 @@ double AlbedoGrid::between(double column, double row) const {
 }
 
 double AlbedoGrid::at(double cosine, double alpha) const {
-    const double roughness = std::sqrt(alpha);
-    return between(std::sqrt(cosine) * (nodes_ - 1),
-                   (std::sqrt(1 + 8 * roughness) - 1) / 2 * (nodes_ - 1));
+    return between(std::sqrt(cosine) * (nodes_ - 1), row_of(alpha, nodes_));
 }
 
 std::vector<float> AlbedoGrid::rounded_up() const {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/surface/albedo_grid.h"
-
 namespace weft {
 namespace {
 
@@ -160,16 +158,6 @@ GlassShares FacetQuadrature::separable_albedo(double cosine, double alpha, doubl
         if (l.z > 0.0) sum.reflected += weight * (1 - glass.transmitted) * seen(l);
     });
     return sum;
-}
-
-std::vector<float> glass_albedo_table(double eta) {
-    const FacetQuadrature quadrature(64);
-    const auto albedo = [&](double cosine, double alpha) {
-        return quadrature.glass_albedo(cosine, alpha, eta);
-    };
-    AlbedoGrid grid(glass_albedo_nodes, albedo);
-    grid.raise(albedo, 2);
-    return grid.rounded_up();
 }
 
 }  // namespace weft

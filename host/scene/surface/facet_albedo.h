@@ -55,13 +55,6 @@ class FacetQuadrature {
     std::vector<CirclePoint> circle_;
 };
 
-/// Nodes of a table of glass_albedo along each axis.
-constexpr int glass_albedo_nodes = 24;
-
-/// A table of glass_albedo (AlbedoGrid), nowhere below it but for 3e-3, for kernels to divide by.
-/// Takes about a quarter of a second of one core; all cores share the work.
-[[nodiscard]] std::vector<float> glass_albedo_table(double eta);
-
 }  // namespace weft
 
 #endif
