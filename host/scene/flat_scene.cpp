@@ -209,6 +209,10 @@ void append_emission(const Scene& scene, FlatScene& flat) {
 }
 
 void append_textures(const Scene& scene, const std::vector<bool>& shown, FlatScene& flat) {
+    std::size_t texels = 0;
+    for (std::size_t t = 0; t < scene.textures.size(); ++t)
+        if (shown[t]) texels += mip_texels(scene.textures[t].width, scene.textures[t].height);
+    flat.texels.reserve(texels);
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
         const Texture& texture = scene.textures[t];
         shared::TextureRecord record{static_cast<std::uint32_t>(flat.texels.size()), texture.width,

@@ -147,6 +147,16 @@ void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texel
         });
 }
 
+std::size_t mip_texels(std::uint32_t width, std::uint32_t height) {
+    std::size_t sum = std::size_t{width} * height;
+    while (width > 1 || height > 1) {
+        width = std::max(1U, width / 2);
+        height = std::max(1U, height / 2);
+        sum += std::size_t{width} * height;
+    }
+    return sum;
+}
+
 float srgb_to_linear(std::uint8_t value) {
     return static_cast<float>(linear_from_srgb(static_cast<double>(value) / 255.0));
 }

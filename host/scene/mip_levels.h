@@ -3,6 +3,7 @@
 #ifndef WEFT_SCENE_MIP_LEVELS_H
 #define WEFT_SCENE_MIP_LEVELS_H
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct LinearLevel {
 /// the lowest byte, alpha in the highest where Texture::has_alpha, else 0. The levels are those of
 /// linear_mip_levels; alpha has its own averages.
 void append_mip_levels(const Texture& texture, std::vector<std::uint32_t>& texels);
+
+/// How many texels that appends.
+[[nodiscard]] std::size_t mip_texels(std::uint32_t width, std::uint32_t height);
 
 /// Linear value of an sRGB byte (IEC 61966-2-1).
 [[nodiscard]] float srgb_to_linear(std::uint8_t value);

@@ -72,6 +72,7 @@ TEST(MipLevels, KernelsReadTheNearestBytes) {
             std::vector<std::uint32_t> texels{before};
             append_mip_levels(texture, texels);
             EXPECT_EQ(texels[0], before);
+            EXPECT_EQ(texels.size(), 1 + mip_texels(texture.width, texture.height));
             std::size_t next = 1;
             for (const ExactLevel& level : exact_levels(texture))
                 for (std::size_t i = 0; i < level.values.size(); i += 4) {
