@@ -3,6 +3,7 @@
 #include "scene/mean_albedo.h"
 
 #include <algorithm>
+
 namespace weft {
 namespace {
 
