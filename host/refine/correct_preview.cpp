@@ -25,6 +25,19 @@ Plane difference(const Plane& a, const Plane& b) {
     return result;
 }
 
+/// The share that a pixel has itself in the mean over its neighbourhood on the finest scale: the
+/// square of the middle of two splines after each other, the second of twice the width. Both smooth
+/// runs that are as long as four steps of the second.
+constexpr float own_share = 44.0F * 44.0F / (256.0F * 256.0F);
+constexpr std::uint32_t smoothed_length = 8;
+
+/// What both halves of a pixel agree on, as far as it may be chance: up to six standard errors of
+/// two samples, and less of many, which are rarely all bright.
+float chance_in_pixel(float agreed, float noise, std::uint64_t samples) {
+    constexpr float most = 36.0F;
+    return std::min(agreed, most * noise * std::sqrt(2.0F / static_cast<float>(samples)));
+}
+
 /// What is known of details: adds it to `image`, weighed over neighbourhoods that are a few times
 /// as wide as they are. `variance`: of the noise of the pixels that have become each detail.
 void add_known(const ExactHalves& details, const Plane& variance, std::uint32_t scale,
@@ -32,12 +45,14 @@ void add_known(const ExactHalves& details, const Plane& variance, std::uint32_t 
     Plane signal{variance.width, variance.height, std::vector<float>(variance.values.size())};
     Plane power = signal;
     Plane noise_squares = signal;
+    std::vector<float> chances(scale == 0 ? signal.values.size() : 0);
     for_each_pixel(variance.values.size(), [&](std::size_t i) {
         const HalfProducts products = half_products(details, i);
         signal.values[i] = products.signal;
         power.values[i] = products.power;
         const float noise = variance.values[i] * noise_left(runs.rows[i], runs.columns[i], scale);
         noise_squares.values[i] = noise * noise;
+        if (scale == 0) chances[i] = chance_in_pixel(products.signal, noise, details.samples);
     });
     const std::array planes{&signal, &power, &noise_squares};
     for (const std::uint32_t wider : {0U, 1U}) smooth(planes, 1U << (scale + wider), runs);
@@ -45,7 +60,13 @@ void add_known(const ExactHalves& details, const Plane& variance, std::uint32_t 
         const float by_chance =
             std::sqrt(noise_squares.values[i]) *
             chance_agreement(runs.rows[i], runs.columns[i], scale, details.samples);
-        const float known = signal.values[i] - by_chance;
+        float agreed = signal.values[i];
+        // Two rare bright samples fall in one pixel now and then, one in each half. Such a pixel
+        // cannot bear witness for itself: those around it have to.
+        if (scale == 0 && runs.rows[i].length() >= smoothed_length &&
+            runs.columns[i].length() >= smoothed_length)
+            agreed = std::min(agreed, (agreed - own_share * chances[i]) / (1.0F - own_share));
+        const float known = agreed - by_chance;
         if (!(known > 0.0F)) return;
         const float share = std::min(1.0F, known / power.values[i]);
         for (std::size_t c = 0; c < 3; ++c) image[c].values[i] += share * details.mean(c, i);

@@ -148,6 +148,34 @@ TEST(CorrectPreview, RareBrightSamplesStayOut) {
     }
 }
 
+/// The truth by samples that are mostly darker and now and then much brighter.
+ColourPlanes unevenly_lit(std::uint32_t seed, double spread) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    ColourPlanes planes = image_of(truth);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const auto factor =
+            static_cast<float>(std::exp(spread * normal(random) - 0.5 * spread * spread));
+        for (Plane& plane : planes) plane.values[i] *= factor;
+    }
+    return planes;
+}
+
+// Some of the 9216 pixels are bright in both halves. If these were what is agreed on, they would be
+// up to 3.4 times as bright as the preview for these seeds.
+TEST(CorrectPreview, SamplesThatAreBrightInBothHalvesByChanceDoNotShow) {
+    const ColourPlanes preview = image_of(truth);
+    for (const double spread : {1.0, 1.5, 2.0})
+        for (const std::uint32_t seed : {1U, 2U, 3U}) {
+            const ExactHalves exact{unevenly_lit(300 + seed, spread),
+                                    unevenly_lit(400 + seed, spread), 0.5F, 2};
+            const ColourPlanes result = corrected(preview, exact, whole);
+            for (std::size_t i = 0; i < pixels; ++i)
+                ASSERT_LT(result[1].values[i], 1.25F * preview[1].values[i])
+                    << spread << ' ' << seed;
+        }
+}
+
 /// A disc of radius 0.2.
 bool is_on_disc(double x, double y) {
     return std::hypot(x - 0.4, y - 0.55) < 0.2;
