@@ -26,10 +26,9 @@ Plane difference(const Plane& a, const Plane& b) {
 }
 
 /// The share that a pixel has itself in the mean over its neighbourhood on the finest scale: the
-/// square of the middle of two splines after each other, the second of twice the width. Both smooth
-/// runs that are as long as four steps of the second.
+/// square of the middle of two splines after each other, the second of twice the width.
 constexpr float own_share = 44.0F * 44.0F / (256.0F * 256.0F);
-constexpr std::uint32_t smoothed_length = 8;
+constexpr std::int64_t wider_step = 2;  // of the second
 
 /// What both halves of a pixel agree on, as far as it may be chance: up to six standard errors of
 /// two samples, and less of many, which are rarely all bright.
@@ -63,8 +62,8 @@ void add_known(const ExactHalves& details, const Plane& variance, std::uint32_t 
         float agreed = signal.values[i];
         // Two rare bright samples fall in one pixel now and then, one in each half. Such a pixel
         // cannot bear witness for itself: those around it have to.
-        if (scale == 0 && runs.rows[i].length() >= smoothed_length &&
-            runs.columns[i].length() >= smoothed_length)
+        if (scale == 0 && is_smoothed(runs.rows[i], wider_step) &&
+            is_smoothed(runs.columns[i], wider_step))
             agreed = std::min(agreed, (agreed - own_share * chances[i]) / (1.0F - own_share));
         const float known = agreed - by_chance;
         if (!(known > 0.0F)) return;

@@ -9,15 +9,16 @@
 #include <cstddef>
 
 namespace weft {
+
+bool is_smoothed(Run run, std::int64_t step) {
+    // No tap is mirrored more than once then.
+    return 4 * step <= std::int64_t{run.length()};
+}
+
 namespace {
 
 constexpr std::array<float, 3> spline{6.0F / 16.0F, 4.0F / 16.0F, 1.0F / 16.0F};
 constexpr std::array<std::int64_t, 4> offsets{-2, -1, 1, 2};  // of the taps beside the middle one
-
-/// Whether a run is long enough to be smoothed; if so, no tap is mirrored more than once.
-bool is_smoothed(Run run, std::int64_t step) {
-    return 4 * step <= std::int64_t{run.length()};
-}
 
 /// The place in a run that `x` falls on where the run is mirrored in its last places.
 std::int64_t mirrored(std::int64_t x, Run run) {

@@ -22,6 +22,9 @@ struct Plane {
     }
 };
 
+/// Whether a run is long enough for `smooth` with that step to change it.
+[[nodiscard]] bool is_smoothed(Run run, std::int64_t step);
+
 /// Smooths planes in place with the B3 spline (1, 4, 6, 4, 1)/16 along rows and columns, whose taps
 /// lie `step` pixels apart. Each run of a row or column is smoothed as if it were all of it, so
 /// that nothing of one surface gets into another: it is mirrored in its last pixels, and left as it

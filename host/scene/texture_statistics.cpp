@@ -17,6 +17,23 @@ namespace {
 
 constexpr std::size_t channels = 4;
 constexpr std::size_t bytes = 256;
+constexpr double weights[] = {0.2126, 0.7152, 0.0722};  // of the luminance
+
+std::size_t number_of(Channel channel) {
+    switch (channel) {
+        case Channel::green:
+            return 1;
+        case Channel::blue:
+            return 2;
+        case Channel::alpha:
+            return 3;
+        case Channel::red:
+        case Channel::rgb:
+        case Channel::luminance:
+            break;
+    }
+    return 0;
+}
 
 /// The linear value of each byte, by channel.
 using ByteValues = std::array<std::array<double, bytes>, channels>;
@@ -39,7 +56,6 @@ struct Census {
 };
 
 Census census_of(const Texture& texture, const ByteValues& values) {
-    constexpr double weights[] = {0.2126, 0.7152, 0.0722};
     ByteValues weighted = values;
     for (std::size_t c = 0; c < 3; ++c)
         for (double& value : weighted[c]) value *= weights[c];
@@ -68,37 +84,13 @@ Census census_of(const Texture& texture, const ByteValues& values) {
 }  // namespace
 
 double TextureStatistics::mean_of(Channel channel) const {
-    switch (channel) {
-        case Channel::green:
-            return mean.g;
-        case Channel::blue:
-            return mean.b;
-        case Channel::alpha:
-            return mean.a;
-        case Channel::luminance:
-            return 0.2126 * mean.r + 0.7152 * mean.g + 0.0722 * mean.b;
-        case Channel::red:
-        case Channel::rgb:
-            break;
-    }
-    return mean.r;
+    if (channel == Channel::luminance)
+        return weights[0] * mean.r + weights[1] * mean.g + weights[2] * mean.b;
+    return mean[static_cast<int>(number_of(channel))];
 }
 
 ValueRange TextureStatistics::range_of(Channel channel) const {
-    switch (channel) {
-        case Channel::green:
-            return ranges[1];
-        case Channel::blue:
-            return ranges[2];
-        case Channel::alpha:
-            return ranges[3];
-        case Channel::luminance:
-            return luminance;
-        case Channel::red:
-        case Channel::rgb:
-            break;
-    }
-    return ranges[0];
+    return channel == Channel::luminance ? luminance : ranges[number_of(channel)];
 }
 
 TextureStatistics measure_texture(const Texture& texture) {

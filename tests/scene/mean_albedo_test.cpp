@@ -22,6 +22,15 @@ glm::vec3 albedo_of(const SurfaceDescription& description) {
     return mean_albedo(described(description), {});
 }
 
+TextureStatistics measured(const std::vector<std::uint8_t>& two_texels) {
+    Texture texture;
+    texture.width = 2;
+    texture.height = 1;
+    texture.srgb = false;
+    texture.rgba = two_texels;
+    return measure_texture(texture);
+}
+
 TEST(MeanAlbedo, IsThatOfTheSurfaceWithoutADescription) {
     Material material;
     material.surface = DiffuseSurface{glm::vec3(0.1F, 0.2F, 0.3F)};
@@ -48,11 +57,6 @@ TEST(MeanAlbedo, OfClearGlassIsWhatItReflects) {
 
 TEST(MeanAlbedo, IsAFactorOfTheTexture) {
     // Half of the texels are black: the mean with the texture is that of the colour times 1/2.
-    Texture texture;
-    texture.width = 2;
-    texture.height = 1;
-    texture.srgb = false;
-    texture.rgba = {255, 255, 255, 255, 0, 0, 0, 255};
     MetallicSurface surface;
     surface.metallic.factor = 0.0F;
     surface.specular.factor = 0.0F;
@@ -61,22 +65,17 @@ TEST(MeanAlbedo, IsAFactorOfTheTexture) {
     surface.base_colour.map.texture = 0;
     Material material = described({surface, {}, {}});
     set_albedo_texture(material, 0);
-    const std::vector<TextureStatistics> textures{measure_texture(texture)};
+    const std::vector<TextureStatistics> textures{measured({255, 255, 255, 255, 0, 0, 0, 255})};
     EXPECT_NEAR(mean_albedo(material, textures).g, 0.3F, 1e-6F);
     // Half of it is glass, which is black for half of the texels.
     EXPECT_NEAR(mean_transmittance(material, textures), 0.5F * 0.3F, 1e-6F);
 }
 
 TEST(MeanAlbedo, GapsAreThoseOfTheAlphaOfATexture) {
-    Texture texture;
-    texture.width = 2;
-    texture.height = 1;
-    texture.has_alpha = true;
-    texture.rgba = {255, 255, 255, 0, 255, 0, 0, 102};
     SurfaceDescription sheet = test::sheet(1.0F);
     sheet.opacity.alpha.map.texture = 0;
     sheet.opacity.alpha.map.channel = Channel::alpha;
-    const std::vector<TextureStatistics> textures{measure_texture(texture)};
+    const std::vector<TextureStatistics> textures{measured({255, 255, 255, 0, 255, 0, 0, 102})};
     EXPECT_NEAR(mean_transmittance(described(sheet), textures), 0.8F, 1e-6F);
 }
 

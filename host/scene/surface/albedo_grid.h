@@ -11,7 +11,7 @@ namespace weft {
 /// A table of albedos of rough surfaces, by the cosine of a direction and by alpha, the square of
 /// the roughness. Nodes are even steps of the root of the cosine, in columns, and of x, in rows,
 /// where the roughness is (x + x^2) / 2: albedos are smoothest in these. Kernels read it by
-/// table_albedo (kernels/bsdf/albedo_tables.h).
+/// table_place (kernels/bsdf/albedo_tables.h).
 class AlbedoGrid {
   public:
     /// Rows from `first` to `last`, both of them counted.

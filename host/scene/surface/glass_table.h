@@ -18,7 +18,7 @@ constexpr std::size_t glass_table_size = std::size_t{glass_nodes} * glass_nodes;
 /// (FacetQuadrature::glass_albedo), for one ratio of indices: a table as of AlbedoGrid, nowhere
 /// below the truth but for 3e-3.
 ///
-/// A roughness reads two rows, and all rows take a third of a second of one core. So rows are made
+/// A roughness reads two rows, and all rows take half a second of one core. So rows are made
 /// when they are asked for, each with the same values whichever others there are.
 class GlassTable {
   public:
@@ -26,8 +26,8 @@ class GlassTable {
     explicit GlassTable(double eta) : eta_(eta) {}
 
     /// Puts the rows that alphas from `least` to `most` read into a table of glass_table_size
-    /// values, and leaves its other rows alone. Rows that are new take about 15 ms of one core
-    /// each; all cores share the work.
+    /// values, and leaves its other rows alone. The rows of a new roughness take about 0.07 s of
+    /// one core; all cores share the work.
     void write_rows(double least, double most, std::span<float> table);
 
   private:
